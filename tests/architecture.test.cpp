@@ -1,4 +1,4 @@
-// The house, as the includes build it: which folder may know which, and that a solver is one file and one line.
+// The architecture, as the includes build it: which folder may know which. A solver is one file and one line.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -15,10 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-// Programs of their own within a folder; what the rest of it may not, they may.
+// Programs within a folder; they may do what the rest of it may not.
 const std::string microbenchmarks = "experiments/microbenchmarks";
 
-// What stands between every `opening` and the next of the `closing` characters.
+// The texts between every `opening` and the next of the `closing` characters.
 std::vector<std::string> between(const std::string& text, const std::string& opening, const std::string& closing) {
   std::vector<std::string> found;
   for (std::size_t at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -30,7 +30,7 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
 
 std::vector<std::string> papers() { return between(text_of("analysis/papers.inc"), "PAPER(", ")"); }
 
-// docs/architecture.md: each folder, and those that it may know.
+// docs/architecture.md: each folder, and the folders that it may know.
 std::map<std::string, Names> folders_and_papers() {
   std::map<std::string, Names> table{
       {"numerics", {}},
@@ -49,7 +49,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"cli",
        {"numerics", "robots", "solvers", "results", "experiments", "analysis/statistics", "analysis/inference",
         "analysis/figures", "analysis/report", "analysis"}},
-      // tests: its count of allocations
+      // tests, for its count of allocations
       {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments", "tests"}},
   };
   for (const std::string& paper : papers()) {
@@ -65,12 +65,12 @@ const std::map<std::string, Names>& may_know() {
   return table;
 }
 
-// Written by CMake, in the build folder of those that include them.
+// CMake writes these into the build folder of those that include them.
 const Names generated{"arms.inc",       "build_info.hpp",       "collections.inc",
                       "multiverse.inc", "published_tables.inc", "source_digests.inc",
                       "studies.inc",    "templates.inc"};
 
-// The folder of the table that a path in the repository lies in; else its first part.
+// The folder of the table that contains a path of the repository; else its first part.
 std::string folder_of(const std::string& path) {
   std::string found = path.substr(0, path.find('/'));
   for (const auto& [folder, below] : may_know()) {
@@ -90,7 +90,7 @@ std::vector<fs::path> sources_of(const std::string& folder) {
   return files;
 }
 
-// Without comments, which are `//` to the end of the line.
+// The file without its comments, which are `//` to the end of the line.
 std::string code_of(const fs::path& file) {
   std::istringstream text(text_of(file));
   std::string code;
@@ -116,7 +116,7 @@ std::vector<Word> words_of(const std::string& code) {
   return words;
 }
 
-// The elementary functions of the C library or of Eigen that a code uses, also as a method or as C has them.
+// The elementary functions of the C library or of Eigen in a code, also as methods or in C's form.
 std::vector<std::string> elementary_functions(const std::string& code) {
   static const Names functions{"sin",   "cos",  "tan",    "asin",   "acos",       "atan",      "atan2", "sinh",
                                "cosh",  "tanh", "asinh",  "acosh",  "atanh",      "sincos",    "exp",   "exp2",
@@ -133,7 +133,7 @@ std::vector<std::string> elementary_functions(const std::string& code) {
   return found;
 }
 
-// What to write instead of each, a line each.
+// The replacement for each, one per line.
 std::string instead_of(const std::vector<std::string>& functions) {
   static const std::map<std::string, std::string> ours{
       {"sin", "sin_cos"},       {"cos", "sin_cos"},     {"sincos", "sin_cos"}, {"atan", "arc_tangent"},
@@ -182,7 +182,7 @@ Names registered_peers() {
   return names;
 }
 
-// Where solvers of libraries are, and what they share.
+// True for solvers of libraries and their shared headers.
 bool is_of_peers(const fs::path& file) { return file.parent_path() == "solvers/peers"; }
 
 }  // namespace
@@ -237,7 +237,7 @@ TEST_CASE("every folder with sources is in the table", "[architecture]") {
 
 TEST_CASE("a solver is one line in the registry and one file of that name, which defines it", "[architecture]") {
   const Names solvers = registered_solvers();
-  CHECK(solvers.size() >= 8);  // six of the paper, and two to hold them against
+  CHECK(solvers.size() >= 8);  // six of the paper, and two to compare them with
   for (const std::string& name : solvers) {
     INFO(name);
     REQUIRE(fs::exists("solvers/" + name + ".cpp"));
@@ -267,7 +267,7 @@ TEST_CASE("a peer is one line in the registry and one file in peers, which defin
     INFO(name);
     const std::string text = text_of("solvers/peers/" + name + ".cpp");
     CHECK(text.find("SolverInfo " + name + "()") != std::string::npos);
-    // Its version is part of the series' key; kdl.hpp has that of both of KDL.
+    // The series' key contains the library's version; kdl.hpp has it for both of KDL.
     CHECK((text.find("info.library = ") != std::string::npos || text.find("return kdl_info<") != std::string::npos));
   }
 }
@@ -314,7 +314,7 @@ TEST_CASE("a kind of path is one line in paths.inc and one file of that name, wh
       if (file.parent_path() == "experiments/paths") continue;
       if (name == "random" && file == "experiments/study_fields.hpp") continue;  // a start has that name too
       INFO(file.string());
-      CHECK(code_of(file).find('"' + name + '"') == std::string::npos);  // nothing else knows which kinds there are
+      CHECK(code_of(file).find('"' + name + '"') == std::string::npos);  // nothing else knows the kinds
     }
   }
 }
@@ -325,14 +325,14 @@ TEST_CASE("every part of a kind of path is pure virtual, so one that forgets a p
   CHECK(parts.size() >= 8);
   for (const std::string& part : parts) {
     INFO(part);
-    // What most kinds do not have: files, fields that must fit each other, configurations behind the targets.
+    // Most kinds do not have these: files, fields that must fit each other, configurations behind the targets.
     const bool is_of_few = part.starts_with("void load(") || part.starts_with("void check(") ||
                            part.find(" solutions(") != std::string::npos;
     CHECK((part.ends_with(" = 0") || part == "~PathKind() = default" || is_of_few));
   }
 }
 
-// What defines one thing that a list names (a solver, a kind of path, a command) needs no header, nor does a program.
+// A source that defines one thing of a list (a solver, a kind of path, a command) needs no header, nor does a program.
 TEST_CASE("every source has a header of its name, and begins with it", "[architecture]") {
   const Names solvers = registered_solvers();
   const std::string commands = text_of("cli/commands.hpp");
@@ -363,9 +363,9 @@ TEST_CASE("a paper's C++ is one line in papers.inc and one folder of that name, 
 
 namespace {
 
-// What gives a paper away, as the code has it: its name, its solver's, and the numbers of its tables and figures.
+// The words in code that give a paper away: its name, its solvers' names, and its tables and figures.
 std::vector<std::string> words_of_slim2023(const fs::path& file) {
-  // Where they stand for a reason, by the beginning of the path.
+  // Places, by the beginning of the path, where they stand for a reason.
   static const std::map<std::string, Names> allowed{
       {"solvers/", {"Slim", "IK-BA", "K-ABC", "MO-PSO", "Table 1"}},  // names of algorithms, and where they come from
       {"experiments/microbenchmarks/", {"IK-BA", "slim2023"}},        // the algorithm and the study that are measured
@@ -421,7 +421,7 @@ TEST_CASE("libraries never print, only programs do", "[architecture]") {
   }
 }
 
-// What these say differs between C libraries and processors in the last bits, and with it what a study says:
+// The results of these differ in their last bits between C libraries and processors, and so would a study's;
 // numerics/functions.hpp has ours. Square roots are exact everywhere.
 TEST_CASE("nothing that decides a number calls the C library's elementary functions", "[architecture]") {
   CHECK(elementary_functions("std::sin(x); ::atan2f (y, x); x.array().log(); f(std::pow); AngleAxisd(a, b);").size() ==
@@ -434,8 +434,8 @@ TEST_CASE("nothing that decides a number calls the C library's elementary functi
     for (const fs::path& file : sources_of(folder)) {
       if (is_of_peers(file)) continue;  // their libraries calculate as they like
       INFO(file.string());
-      // The verifier asks the C library whether our own functions are right, and refuses an answer where they differ;
-      // no number of a record is made of what it says.
+      // The verifier compares our functions with the C library, and refuses an answer if they differ; no number of a
+      // record comes from the C library.
       const bool witness = file == "experiments/verifier.cpp";
       const std::vector<std::string> found = elementary_functions(code_of(file));
       INFO(instead_of(found));
@@ -444,7 +444,7 @@ TEST_CASE("nothing that decides a number calls the C library's elementary functi
   }
 }
 
-// Eigen adds up in another order where it vectorizes, or else aligns: the whole program says once that it does not.
+// Eigen adds in another order if it vectorizes or aligns; the program turns that off in one place.
 TEST_CASE("no source and no folder of its own says how Eigen or the compiler calculates", "[architecture]") {
   for (const auto& [folder, below] : may_know()) {
     std::vector<fs::path> files = sources_of(folder);
@@ -467,7 +467,7 @@ TEST_CASE("no source and no folder of its own says how Eigen or the compiler cal
   CHECK(house.find("-ffp-contract=off") != std::string::npos);
 }
 
-// An inline function of another header, compiled for a newer processor, may be the one that the linker keeps for all.
+// The linker may keep an inline function of another header that was compiled for a newer processor.
 TEST_CASE("kernels include kernels and C headers alone, and have nothing of std", "[architecture]") {
   const Names c_headers{"stddef.h", "stdint.h", "immintrin.h"};
   const std::set<fs::path> sources = kernel_sources();
@@ -484,7 +484,7 @@ TEST_CASE("kernels include kernels and C headers alone, and have nothing of std"
   }
 }
 
-// catch_discover_tests hands the names over as a CMake list: one of these characters, and ctest silently runs fewer.
+// catch_discover_tests passes the names as a CMake list: with one of these characters ctest silently runs fewer.
 TEST_CASE("no test has a name that CMake takes apart", "[architecture]") {
   for (const fs::path& file : sources_of("tests")) {
     for (const std::string& name : between(text_of(file), "\nTEST_CASE(\"", "\"")) {

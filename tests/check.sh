@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Whether ./check runs all of its stages, also where one of them fails: check.sh CHECK
-# Its copy is run in a folder where the programs that it calls only write down that they were called, and with what.
+# ./check runs all of its stages, even if one of them fails: check.sh CHECK
+# Its copy runs in a folder where the programs that it calls only record their calls.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 work=$(mktemp -d)
@@ -14,7 +14,7 @@ done
 printf '#!/bin/sh\necho a.cpp\n' >"$work/git"
 chmod +x "$work/git"
 
-# stages FAILING EXPECTED_CODE EXPECTED_CALLS...: of a check in which the calls that have FAILING in them fail.
+# stages FAILING EXPECTED_CODE EXPECTED_CALLS...: checks a run in which the calls that contain FAILING fail.
 stages() {
   local failing=$1 expected=$2 code=0 call
   shift 2

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Whether an object file of kernels defines one symbol that the linker sees: kernel_symbols.sh SET OBJECT
-# Of a weak symbol, such as an inline function, the linker keeps any one: it might be compiled for another processor.
+# An object file of kernels defines one symbol that the linker sees: kernel_symbols.sh SET OBJECT
+# The linker keeps any one definition of a weak symbol, such as an inline function: it might be compiled for another
+# processor.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 set=$1 object=$2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is done to a program that works: kill -9, SIGTERM and SIGHUP at random moments, a full disk, a locked store. No
-# solve is lost that was stored, none is there twice, and at the end all is as if nothing had happened.
+# Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, a full disk, a locked store. No stored
+# solve is lost, none is there twice, and at the end all is as if nothing had happened.
 #
 #   tests/kills.sh PROGRAM                  a few of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
@@ -17,7 +17,7 @@ seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
 RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
 ends=(TERM INT)
-# What is started by nohup ignores SIGHUP, and so does the program.
+# A program that nohup starts ignores SIGHUP.
 [ -n "$(trap -p HUP)" ] && echo "SIGHUP is ignored here and left out" || ends+=(HUP)
 met=0 # signals that came while the program worked
 
@@ -85,7 +85,7 @@ told() {
   met=0
 }
 
-# How many solves there are: in a store that is written, and in one that a kill may have left half-written.
+# The number of solves: in a store that is written, and in one that a kill may have left half-written.
 look() { echo 0; }
 look_after() { look; }
 rows_of() {

@@ -1,4 +1,4 @@
-// Every link of the documentation to a file of the repository, and to a heading in it, leads somewhere.
+// Every link of the documentation to a file of the repository, or to a heading in it, leads somewhere.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(const fs::path& page) {
   return lines;
 }
 
-// A heading as the web page of the repository names it.
+// The anchor of a heading on the repository's web page.
 std::string anchor_of(const std::string& heading) {
   std::string anchor;
   for (const char c : heading.substr(heading.find(' ') + 1)) {

@@ -1,4 +1,4 @@
-// Random changes of a text, as somebody who edits it in haste might make them, and worse ones.
+// Random changes of a text, as by somebody who edits it in haste, and worse ones.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,10 @@
-// One name, one definition: of a type, an inline function or an inline variable that two sources define differently,
-// the linker keeps any one and says nothing (the rule of one definition, [basic.def.odr]).
+// One name, one definition. If two sources define a type, an inline function or an inline variable differently, the
+// linker keeps any one and says nothing (the rule of one definition, [basic.def.odr]).
 //
-// A reader of text, not a compiler. It knows namespaces, also anonymous ones, whose names are each source's own; it
-// passes over what is in a class, a function or an initializer, and over what a macro makes. Both sides of an #if are
-// read. Functions are told apart by the text of their parameters: with other names for those, a second definition is
-// not seen.
+// This reads text and is no compiler. It knows namespaces, also anonymous ones, whose names belong to their source. It
+// skips the inside of classes, functions and initializers, and the products of macros. It reads both sides of an #if.
+// It tells functions apart by the text of their parameters, so it misses a second definition with other parameter
+// names.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-// Where what begins at `at` ends, if it is a comment, a directive or something in quotes; `at` for anything else.
+// The end of a comment, a directive or a quoted text that begins at `at`; `at` for anything else.
 std::size_t end_of_passed(const std::string& text, std::size_t at) {
   const auto after = [&](std::string_view closing, std::size_t from) {
     const std::size_t found = text.find(closing, from);
@@ -48,7 +48,7 @@ std::size_t end_of_passed(const std::string& text, std::size_t at) {
   return text.size();
 }
 
-// The code alone, with every stretch of white space, or of what is passed over, as one space.
+// The code alone; every stretch of white space or of skipped text becomes one space.
 std::string bare(const std::string& text) {
   std::string code;
   for (std::size_t at = 0; at < text.size();) {
@@ -63,8 +63,8 @@ std::string bare(const std::string& text) {
   return code;
 }
 
-// What the head of a definition at namespace scope (all that is before its brace, or a declaration's semicolon) defines
-// for other sources too; empty where that is nothing.
+// The name that a definition at namespace scope defines for other sources too; empty if it defines none. `head` is all
+// before its brace, or before a declaration's semicolon.
 std::string defined_by(const std::string& head, char end) {
   static const std::regex type(
       R"(^ ?(?:export )?(?:enum (?:class |struct )?|struct |class |union )(?:\[\[.*?\]\] ?)*([\w:<>, ]+?)(?: final)?(?: : .*)? ?$)");
@@ -89,7 +89,7 @@ std::string defined_by(const std::string& head, char end) {
   return std::regex_search(code, found, variable) ? found[1].str() : "";
 }
 
-// The names, with their namespaces, that a source defines for others too.
+// The names, with namespaces, that a source defines for others too.
 Names definitions_in(const std::string& source) {
   static const std::regex name_space(R"(^ ?(?:inline )?namespace ?([\w:]*) ?$)");
   struct Scope {
@@ -134,7 +134,7 @@ Names definitions_in(const std::string& source) {
   return names;
 }
 
-// The sources that make up the program, and the programs that measure it.
+// The sources of the program, and of the programs that measure it.
 std::vector<fs::path> sources() {
   std::vector<fs::path> files;
   for (const char* folder : {"robots", "solvers", "results", "experiments", "analysis", "cli"}) {

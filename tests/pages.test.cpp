@@ -1,4 +1,4 @@
-// What the pages on adding things show is what tests/examples builds and runs, word for word.
+// The pages on adding things show, word for word, the code that tests/examples builds and runs.
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -39,7 +39,7 @@ std::vector<Block> blocks_of(const fs::path& page) {
   return blocks;
 }
 
-// Whether the file of tests/examples that the line before names, or a diff of that file, has the block.
+// True if the block is in the file of tests/examples that the line before names, or in a diff of that file.
 bool is_in_its_example(const Block& block) {
   const std::regex name("`([^`]+)`");
   for (std::sregex_iterator found(block.before.begin(), block.before.end(), name), end; found != end; ++found) {

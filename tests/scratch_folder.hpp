@@ -1,4 +1,4 @@
-// A folder of its own for one test, gone at its end.
+// A folder for one test; it is removed at its end.
 #pragma once
 
 #include <stdlib.h>

@@ -44,12 +44,12 @@ sed -i '/\/\//! s/ = \([a-z0-9.]*\);$/=\n\t\1 ;\r/; s/^  /      /' solvers/parti
 expect "" "formatting"
 [ "$digests" -ot .mark ] || fail "unchanged digests were written anew"
 
-# What reads studies, and the studies themselves, decide no number.
+# The readers of studies, and the studies themselves, decide no number.
 sed -i 's/^title = .*/title = "Another title"/' experiments/studies/*.toml
 echo 'constexpr int another = 1;' >>experiments/study_reader.cpp
 expect "" "a title"
 
-# A number: of that solver alone, or of what all share.
+# A number counts for that solver alone, or for all that share it.
 sed -i '0,/0\.5/s//0.25/' solvers/bat.cpp
 expect bat "a number in bat.cpp"
 for file in solvers/kernels.cpp numerics/lanes.hpp solvers/objective.hpp solvers/solve.cpp numerics/random.cpp robots/spherical_wrist.cpp \
@@ -64,13 +64,13 @@ expect shared "a sum"
 sed -i 's/+ +1/++1/' robots/another.hpp
 expect shared "an increment"
 
-# Of a peer, or of what peers share.
+# A peer, or a header that peers share.
 echo 'constexpr int another = 1;' >>solvers/peers/nlopt.cpp
 expect nlopt "a number in peers/nlopt.cpp"
 echo 'constexpr int another = 1;' >>solvers/peers/kdl.hpp
 expect "$(sed -nE 's/^PEER\(([a-z_]+),.*/\1/p' solvers/registry.inc | tr '\n' ' ' | sed 's/ $//')" "a header of peers"
 
-# What is in quotes counts as it is written, also where it looks like a comment.
+# Quoted text counts as it is written, even if it looks like a comment.
 echo 'const char* another = "a // b;";' >>solvers/random_search.cpp
 expect random_search "a text"
 sed -i 's|a // b;|a // c;|' solvers/random_search.cpp
@@ -80,7 +80,7 @@ expect random_search "a space in a text"
 echo 'const char* raw = R"(one)";' >>solvers/random_search.cpp
 expect random_search "a raw text"
 
-# What decides no number.
+# These files decide no number.
 for file in experiments/environment.cpp experiments/study_reader.cpp experiments/workers.cpp results/store.cpp analysis/inference/study.cpp; do
   echo 'constexpr int another = 1;' >>$file
   expect "" $file

@@ -1,4 +1,4 @@
-// The sources of the project, as the tests of its architecture read them.
+// Reads the sources of the project for the tests of its architecture.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# With BUILD_TESTING=OFF the project asks for no Catch2 and builds nothing of tests/: without_tests.sh CMAKE GENERATOR COMPILER
+# With BUILD_TESTING=OFF the project needs no Catch2 and builds nothing of tests/: without_tests.sh CMAKE GENERATOR
+# COMPILER
 set -uo pipefail
 export LC_ALL=C.UTF-8
 cmake=$1 generator=$2 compiler=$3

@@ -1,4 +1,4 @@
-// What a test finds in a folder.
+// Reads the content of a folder.
 #pragma once
 
 #include <filesystem>

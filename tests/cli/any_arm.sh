@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Any arm, any task: a stranger's URDF file with a torso that slides and joints without end, whole poses drawn at random,
-# eight solvers; and a path that is tracked. The reports speak of that arm and that task, and of nothing else.
+# Any arm, any task: a user's URDF file with a torso that slides and joints without end, whole poses drawn at random,
+# eight solvers; and a tracked path. The reports speak of that arm and that task, and of nothing else.
 source "$(dirname "$0")/common.sh"
 cp "$scripts/../data/urdf/fetch.urdf" "$scripts/../data/urdf/ur5e.urdf" .
 
@@ -28,7 +28,7 @@ succeeds run theirs.toml --out theirs
 ! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
 has "$out" "within 0.1 cm and 0.5 deg"
 
-# Whoever has three.js sees the arm move, whose first joint slides and some of whose others turn without end.
+# With three.js the page shows the arm moving; its first joint slides and some others turn without end.
 if [ -e /usr/share/javascript/three ] || [ -e /usr/share/nodejs/three ]; then
   grep -q 'id="motion-data"' theirs/report.html || fail "the page does not show the arm moving"
 fi
@@ -44,7 +44,7 @@ awk '/^# [a-z_]+$/ { solver = $2 } /^[0-9]/ { share[solver] = $2 } END { for (s 
 table_column share theirs/tables/solved.csv | sort | diff drawn - || fail "the curves end elsewhere than the table says"
 awk '$1 == "damped_least_squares" { exit !($2 > 0.5) }' drawn || fail "damped least squares solves few of the poses: $(<drawn)"
 
-# In the figure of its joints the slide is in centimetres: at most the 38.6 cm that the file allows.
+# The figure of its joints shows the slide in centimetres: at most the 38.6 cm that the file allows.
 has "$(<theirs/figures/joints.gp)" "joint 1 [cm]"
 has_no "$(<theirs/figures/joints.gp)" "joint 2 [cm]"
 awk '/^[0-9]/ { if ($2 < -0.001 || $2 > 38.616) bad = 1; if ($2 > 1) moved = 1 } END { exit bad || !moved }' \

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The report as a browser has it: opened from disk, its names are text, it is short, its tables sort, its solvers go and
-# come, its arm is drawn, and nothing goes wrong in silence. Skipped where there is no chromium (./setup --with-browser dev
-# installs it). With IKBENCH_REPRODUCTION, the folder of a reproduction, the page in it is tried instead of a small one.
+# The report in a browser: opened from disk, its names are text, it is short, its tables sort, its solvers appear and
+# disappear, its arm is drawn, and nothing fails silently. Skipped without chromium (./setup --with-browser dev installs
+# it). With IKBENCH_REPRODUCTION, the folder of a reproduction, it checks that page instead of a small one.
 source "$(dirname "$0")/common.sh"
 
 browser=
@@ -10,7 +10,7 @@ for name in chromium chromium-browser google-chrome; do
 done
 [ -n "$browser" ] || exit 77
 
-# What would leave a mark on the page, or on a figure opened by itself, if any of it ran.
+# These would leave a mark on the page, or on a figure opened by itself, if any of it ran.
 mark="document.documentElement.setAttribute('marked',1)"
 hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=x onerror=$mark>" '{{{title}}} &amp; "')
 {
@@ -62,7 +62,7 @@ for page in hostile/report.html plain/report.html own/report.html theirs/report.
   [ "$(wc -c <"$page")" -lt 3000000 ] || fail "$page has $(wc -c <"$page") bytes"
 done
 
-# browse PAGE OPTIONS...: what the browser prints in $out and says in $err.
+# browse PAGE OPTIONS...: puts what the browser prints into $out, and its messages into $err.
 browse() {
   local page=$1 sandbox=()
   shift
@@ -74,8 +74,8 @@ browse() {
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
-# probe PAGE SCRIPTS -- OPTIONS...: a copy of the page with one more script, of which its policy is told: each of the
-# SCRIPTS is the body of a function, and `found NAME` gives what NAME.js returned. Opened at $fragment, where one is set.
+# probe PAGE SCRIPTS -- OPTIONS...: opens a copy of the page with one more script, which its policy allows. Each of the
+# SCRIPTS is the body of a function; `found NAME` gives what NAME.js returned. Opens it at $fragment, if that is set.
 probe() {
   local page=$1 name hash
   shift
@@ -97,13 +97,13 @@ probe() {
     }
     { print }' "$page" >"${page%.html}-probed.html"
   browse "${page%.html}-probed.html${fragment:-}" "$@" --dump-dom
-  # What a graphics driver says of its speed is no fault of the page.
+  # A graphics driver's message about its speed is no fault of the page.
   ! grep ':CONSOLE' "$work/.err" | grep -v 'GL Driver Message' || fail "$page: the console has the above"
 }
 found() {
   sed -n "s/.*<meta name=\"found-$1\" content=\"\([^\"]*\)\".*/\1/p" "$work/.out"
 }
-# expect NAME WORDS WHAT: what NAME.js returned.
+# expect NAME WORDS WHAT: checks what NAME.js returned.
 expect() {
   [ "$(found "$1")" = "$2" ] || fail "$3: $(found "$1"), expected $2"
 }
@@ -137,8 +137,8 @@ E2
   has "$out" '<title>svg, svg, svg marked</title>'
 fi
 
-# In the page a drawing is an image, and runs nothing; nor does what is not of the page, and the console says so: the
-# checks above can see something.
+# In the page a drawing is an image and runs nothing; nor does anything from outside the page. The console says so,
+# which shows that the checks above can see something.
 awk -v svg="$(printf '%s' "${svg:-}" | base64 -w 0)" '
   { sub(/svg\+xml;base64,[^"]*/, "svg+xml;base64," svg); sub(/^<\/body>/, "<script>document.title = \"run\"</script></body>"); print }' \
   plain/report.html >plain/other.html

@@ -66,8 +66,8 @@ if "stays" == FAULT:
     time.sleep(1000)
 EOF
 
-# finds LIST COMMAND...: for each line of the list that fault alone ($FAULT), how many checks fail, and how each of them
-# begins. But for the fault "late", a budget of 1 ms tells nothing of a machine that is busy.
+# finds LIST COMMAND...: for each line of the list, with that fault alone ($FAULT), checks how many checks fail and how
+# each of them begins. A budget of 1 ms says nothing on a busy machine, except with the fault "late".
 finds() {
   local list=$1 fault number words
   shift
@@ -81,7 +81,7 @@ finds() {
   done <<<"$list"
 }
 
-# What a program and an object have alike.
+# The faults of programs and objects alike.
 alike='good 0
 silent 1 says a proper hello: it ends before its hello (exit code 3)
 option 1 says a proper hello: its option w has no default between low and high
@@ -105,7 +105,7 @@ stays 1 it ends with its standard input: it had to be ended: signal 9
 noise 1 it writes nothing but messages: .* the first: solving" -- python3 planted.py
 refused "COMMAND" check-solver
 
-# The same of a shared object.
+# The faults of a shared object.
 command -v c++ >/dev/null || { echo "left out: no C++ compiler"; echo "check-solver: programs are all right"; exit; }
 cat >planted.cpp <<'EOF'
 #include <unistd.h>
@@ -184,7 +184,7 @@ IKBENCH_SOLVERS(ikbench_plugin::solver<Planted>("planted", "1", has("option") ? 
 EOF
 c++ -std=c++17 -O1 -Wall -Wextra -fPIC -shared -I "$scripts/../../experiments/foreign/plugin" -o planted.so planted.cpp \
   2>c++.err || fail "$(<c++.err)"
-# What throws when it is made declines; this answer that is not finite comes with an error that is.
+# A solver that throws in its constructor declines; this answer that is not finite has a finite error.
 finds "$alike
 nan 2 its answer is finite\|the error that it claims is true: it says
 throws 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The system's clock jumps by hours, back and forth, at every look: no result, limit, time or rate goes by it.
+# The system's clock jumps by hours, back and forth, at every look: no result, limit, time or rate depends on it.
 #   clock.sh PROGRAM JUMPING_CLOCK
 source "$(dirname "$0")/common.sh"
 command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
@@ -11,7 +11,7 @@ straight=$program
 printf '#!/bin/sh\nLD_PRELOAD=%s exec %s "$@"\n' "'$clock'" "'$program'" >jumping
 chmod +x jumping
 
-# Whatever a solve has of time is what passed: no jump is in it.
+# All times of a solve are elapsed times, without a jump.
 sound() {
   local wrong
   wrong=$(sqlite3 "$1" "SELECT count(*) FROM solves WHERE NOT (seconds BETWEEN 0 AND 1000 AND cpu_seconds BETWEEN 0 AND 1000
@@ -59,7 +59,7 @@ sound limit/store.sqlite
 short=$(sqlite3 limit/store.sqlite "SELECT solver, stop_reason, seconds FROM solves WHERE stop_reason NOT IN ('time', 'finished') OR seconds < 0.05")
 [ -z "$short" ] || fail "0.05 s are over too soon: $short"
 
-# What is said of a shard that runs: the rate and the time left are those of the work.
+# The rate and the time left of a running shard are those of the work.
 many=(slim2023 --set runs=30 --set path.points=20 --set stop.iterations=400)
 "$program" run "${many[@]}" --shard 1/1 --out many/shards/1-of-1 >/dev/null 2>&1 &
 process=$!

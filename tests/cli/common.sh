@@ -1,5 +1,5 @@
-# What the tests of the program share: a folder that vanishes with the test, and checks that say what they saw.
-# Every script takes the path of the program as its argument; 77 is: skipped.
+# Shared by the tests of the program: a folder that vanishes with the test, and checks that print what they saw.
+# Every script takes the path of the program as its argument; exit code 77 means skipped.
 set -uo pipefail
 export LC_ALL=C.UTF-8 # else, where no locale is set, bash writes $'\u202e' as letters
 PATH=/usr/bin:$PATH   # Debian's python3, which has what ./setup installs, and no shim that takes 0.2 s to find another
@@ -14,14 +14,15 @@ fail() {
   exit 1
 }
 
-# run_it ARGUMENTS...: its exit code in $code, its output in $out and $err.
+# run_it ARGUMENTS...: puts the exit code into $code, the output into $out and $err.
 run_it() {
   "$program" "$@" >"$work/.out" 2>"$work/.err" </dev/null
   code=$?
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
-# stopped_after_a_second ARGUMENTS...: far too much to be done; exit code 130 after SIGINT, what it said in stopped.err.
+# stopped_after_a_second ARGUMENTS...: a run that is far too long; exit code 130 after SIGINT, its messages in
+# stopped.err.
 stopped_after_a_second() {
   "$program" "$@" >stopped.out 2>stopped.err &
   local process=$!
@@ -74,7 +75,7 @@ numbers() {
     { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' "$work/.csv"
 }
 
-# solves STORE: how many there are.
+# solves STORE: the number of its solves.
 solves() {
   "$program" export "$1" | tail -n +2 | wc -l
 }
@@ -110,5 +111,5 @@ column() {
     $column["solver"] == solver { print $column[name] }'
 }
 
-# counted: how often each line of the input is there.
+# counted: counts each line of the input.
 counted() { sort | uniq -c | sed 's/^ *//'; }

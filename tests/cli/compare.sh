@@ -35,7 +35,8 @@ succeeds compare $base $again --metric position_error_cm --metric variation_deg 
 [ "$(answer)" = "No regression beyond 5 %. Of 24 comparisons: 24 the same within 5 %." ] || fail "the answer is: $(answer)"
 quiet
 
-# Of two stores, B keeps how many runs were looked at; a look at more of them says which level holds, and A is as it was.
+# Of two stores, B remembers how many runs were looked at; a later look at more runs says which level holds. A stays
+# unchanged.
 make grown --set runs=4
 cp $base base-before
 succeeds compare $base grown/store.sqlite --metric position_error_cm
@@ -72,7 +73,7 @@ succeeds compare BA IK-BA --store $base --metric evaluations
 has "$out" "B: IK-BA, against A: BA, in study slim2023"
 has "$out" "Independent runs, 8 of A and 8 of B: one observation is the mean of a run over its 3 points."
 
-# What is not decided is no regression, unless --strict says that it must be.
+# An undecided comparison is no regression, unless --strict demands a decision.
 succeeds compare $base $fewer --label IK-BA --metric variation_deg
 answers "No regression beyond 5 % was found. Of 1 comparison: 1 undecided"
 run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
@@ -186,7 +187,7 @@ succeeds compare wide/store.sqlite $fewer --label K-ABC --metric position_error_
 has "$out" "margin 500 cm"
 answers "No regression beyond 500 cm"
 
-# What a study's [analysis] allows, all that reads it can work with.
+# All readers of a study's [analysis] can work with its limits.
 for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power=0.5" \
   "analysis.margin_percent=0 analysis.significance=0.0001 analysis.power=0.999"; do
   read -r margin significance power <<<"$edge"

@@ -1,4 +1,4 @@
-// What is written of a progress, and when; how signals are answered.
+// The text of a progress and its times; answers to signals.
 #include "cli/console.hpp"
 
 #include <signal.h>
@@ -25,7 +25,7 @@ TEST_CASE("in a log a line tells the progress every thirty seconds, with rate an
   CHECK(text.at(start + 59s, {.done = 1280, .total = 2400, .reused = 100}) == "");
   CHECK(text.at(start + 60s, {.done = 1300, .total = 2400, .reused = 100}) ==
         "slim2023: 1300/2400 solves, 20/s, 0:55 left\n");
-  // After a solve that took long the next line is thirty seconds later.
+  // After a long solve, the next line is thirty seconds later.
   CHECK(text.at(start + 100s, {.done = 1301, .total = 2400, .reused = 100}) != "");
   CHECK(text.at(start + 129s, {.done = 1302, .total = 2400, .reused = 100}) == "");
 }

@@ -77,7 +77,7 @@ program_entry() { # program_entry LABEL WORD [FURTHER KEYS]
   printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = 1\n%s\n' "$1" "$2" "${3:-}"
 }
 
-# Without programs, and with each faulty one beside: the same bits of the others.
+# Without programs, and with each faulty one besides: the others' bits are the same.
 study plain
 succeeds run plain.toml --no-report --out plain
 study faults "$(program_entry good fine)" "$(program_entry hangs hangs)" "$(program_entry dies dies)" \
@@ -109,7 +109,7 @@ has "$(<faults/tables/status.csv)" "timed_out"
 [ "$(column $store timing good | counted)" = "16 process" ] || [ "$(column $store timing good | counted)" = "16 debug_build" ] ||
   fail "$(column $store timing good | counted)"
 
-# What failed leaves the arm where it was, and a second run solves nothing.
+# A failed solve leaves the arm where it was, and a second run solves nothing.
 "$program" export $store | awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   $column["status"] ~ /^(crashed|timed_out|broke_protocol|declined)$/ {
@@ -127,7 +127,7 @@ run_it compare good declines --store $store --metric position_error_cm --metric 
 has "$out" "Solves without an answer: none of A's 16; 16 of B's 16 (declined 16)."
 has "$out" "nobody counted"
 
-# A program that dies when it is told that a solve is over, as each ends, fails; why is said, and the others go on.
+# A program that dies at the end of each solve fails; the reason is reported, and the others continue.
 sed 's/if errors is None:/if errors is None: sys.exit("dead at over")\n        if errors is None:/' "$examples/pso.py" >over.py
 grep -q "dead at over" over.py || fail "pso.py has another end"
 study over '[[solvers]]
@@ -151,7 +151,7 @@ succeeds run changing.toml --no-report --out changing
 has "$err" "its files changed while it ran"
 [ "$(column changing/store.sqlite status changing | grep -vc crashed)" -le 3 ] || fail "it went on after it was edited"
 
-# What it says is cut between characters.
+# Its message is cut between characters.
 sed 's/not today/" + 199 * "x" + "é/' faulty.py >wordy.py
 study wordy "$(program_entry wordy declines | sed 's/faulty.py/wordy.py/')"
 succeeds run wordy.toml --no-report --out wordy
@@ -202,7 +202,7 @@ succeeds run edited.toml --no-report --out edited
 has "$err" "16 solves of mine come from another version"
 [ "$(solves edited/store.sqlite)" = 32 ] || fail "$(solves edited/store.sqlite) solves in the view of the study"
 
-# So is one whose further files changed: what failed for want of a package is solved anew once that is mended.
+# So is one whose further files changed: solves that failed for a missing package are made anew once it is installed.
 cat >needy.py <<'EOF'
 import os, sys
 if not os.path.exists("package"):
@@ -219,7 +219,7 @@ echo "package 1.0" >packages.txt
 succeeds run needy.toml --no-report --out needy
 [ "$(column needy/store.sqlite status needy | grep -c crashed)" = 0 ] || fail "$(column needy/store.sqlite status needy | counted)"
 
-# Where the system starts it no more, that is no result: the run ends, and goes on when it can.
+# If the system cannot start it any more, that is no result: the run ends, and continues when it can.
 { echo '#!/usr/bin/env python3'; sed '/solves += 1/a\        if solves == 6 and not os.path.exists("righted"): open("righted", "w"); os.chmod(__file__, 0o644); os._exit(3)' faulty.py; } >rights.py
 chmod +x rights.py
 study rights '[[solvers]]
@@ -235,7 +235,7 @@ succeeds run rights.toml --no-report --out rights
 [ "$(column rights/store.sqlite status rights | grep -c crashed)" = 1 ] || fail "$(column rights/store.sqlite status rights | counted)"
 [ "$(solves rights/store.sqlite)" = 32 ] || fail "$(solves rights/store.sqlite) solves"
 
-# Who overruns the budget is not ok, and who claims one evaluation is not first.
+# A program that overruns the budget is not ok, and one that claims one evaluation is not first.
 study budgets "$(program_entry late late)" "$(program_entry boasts boasts)" "$(program_entry spends spends)"
 sed -i 's/^iterations = 8$/iterations = 8\nseconds = 0.1\nevaluations = 100\ntolerance_cm = 1000/' budgets.toml
 succeeds run budgets.toml --no-figures --out budgets
@@ -294,7 +294,7 @@ study mistake '[[solvers]]
 process = ["cat", "/dev/zero"]'
 refused 'more than a million bytes' run mistake.toml
 
-# Whatever ends the suite ends its programs, and what these have started in a session of its own.
+# Any end of ikbench ends its programs, and what these have started in their own session.
 cat >leaver.sh <<'END'
 setsid sleep 31415 </dev/null >/dev/null 2>&1 &
 exec python3 faulty.py "$@"

@@ -48,7 +48,7 @@ for label in "${labels[@]}"; do
 done
 has_no "$err" "last failure"
 
-# Those that have a loop of their own keep a budget of time: without it they would be given up.
+# Examples with their own loop keep a budget of time: without it they would be given up.
 sed -e 's/iterations = 60/iterations = 1000000\nseconds = 0.05/; s/tolerance_cm = 0.5/tolerance_cm = 0/' \
   -e 's/name = "examples"/name = "budget"/; s/points = 3/points = 1/' examples.toml >budget.toml
 succeeds run budget.toml --no-report --out budget

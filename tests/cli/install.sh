@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `cmake --install` puts into a folder is a program that needs neither the source nor the build, and libraries by
-# which a project of anybody's is built (tests/install).
+# `cmake --install` gives a program that needs neither the source nor the build, and libraries that build anybody's
+# project (tests/install).
 # install.sh PROGRAM CMAKE SOURCE COMPILER SANITIZERS
 source "$(dirname "$0")/common.sh"
 cmake=$2 tree=$(realpath "$3") compiler=$4 sanitizers=${5:-}

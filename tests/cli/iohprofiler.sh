@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is exported for IOHprofiler follows the rules by which IOHanalyzer 0.1.8.11 and IOHinspector read a folder.
+# The export for IOHprofiler follows the rules by which IOHanalyzer 0.1.8.11 and IOHinspector read a folder.
 source "$(dirname "$0")/common.sh"
 
 succeeds run slim2023 "${small[@]}" --set trace=best_error --no-report --out made

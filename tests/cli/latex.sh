@@ -34,7 +34,7 @@ compiles() {
   [ -z "${IKBENCH_LATEX:-}" ] || cp all.pdf "$IKBENCH_LATEX/${folder//\//-}.pdf"
 }
 
-# With two jobs times are not judged, and have fewer tables.
+# With two jobs, times are not judged, and have fewer tables.
 succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 2 --no-figures --out paper
 [ "$(ls paper/tables/*.tex | wc -l)" -gt 30 ] || fail "paper/tables has few tables: $(ls paper/tables)"
 compiles paper/tables

@@ -50,7 +50,7 @@ for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-boun
   cmp .out $study.toml || fail "the listed study, listed again, is another"
 done
 
-# So does how a study is judged.
+# So does its plan of analysis.
 succeeds list studies slim2023
 for line in "[analysis]  # how" "test = 'by_design'  # by_design | bootstrap | tamhane | welch | anova | kruskal_wallis | friedman: " \
   "significance = 0.05  # significance level of a test" "margin_percent = 5  # smallest relative difference that matters" "unit = 'run'  # run | point: " \

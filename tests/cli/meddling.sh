@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What others do to a store while it is written is never told as success.
+# The program never reports success over what others do to a store while it writes it.
 source "$(dirname "$0")/common.sh"
 
 study=(run slim2023 --set runs=10 --set path.points=10 --set stop.iterations=200 --set population=20 --no-figures)
@@ -13,7 +13,7 @@ begin() {
   done
 }
 
-# ended CODE WORDS: how it ended, and that it told of no success.
+# ended CODE WORDS: checks how it ended, and that it reported no success.
 ended() {
   wait $process 2>.waited
   code=$?
@@ -83,7 +83,8 @@ warnings=$(sed -n '/^## Warnings/,/^## [^W]/p' changed/report.md)
 has "$warnings" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1, session 1: -1 is stored"
 refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
 
-# Whatever else is changed is told too, where nothing can compute it again: by digests, by the definition, by the answer.
+# Every other change is reported too, even if nothing can compute it again: by digests, by the definition, by the
+# answer.
 mkdir edited
 cat >edits.py <<'PYTHON'
 import sqlite3, sys
@@ -149,7 +150,7 @@ done
 cp pristine/store.sqlite edited/
 succeeds report edited/store.sqlite --no-figures
 
-# So do solves of a session that the store does not have.
+# Solves of a session that the store does not have are reported, too.
 mkdir astray
 cp shared/store.sqlite astray/
 python3 - <<'PYTHON'

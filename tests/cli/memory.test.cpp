@@ -1,4 +1,4 @@
-// How much memory is left, where /proc and /sys say what they say on machines of either version of control groups.
+// The memory that is left, by /proc and /sys of machines with either version of control groups.
 #include "cli/memory.hpp"
 
 #include <filesystem>

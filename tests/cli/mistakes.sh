@@ -124,7 +124,7 @@ refused '010 is not a whole number' reproduce --seed 010 --runs 1
 refused 'is not a whole number' reproduce --runs 99999999999999999999999
 refused 'is not a whole number' run slim2023 --jobs 0x2
 
-# What is written to nowhere is no success; that nobody hears a complaint is no crash.
+# Output to a full device is no success; an unread complaint is no crash.
 "$program" list robots >/dev/full 2>.err; [ $? = 2 ] || fail "a full standard output went unnoticed"
 has "$(<.err)" 'cannot write to standard output'
 "$program" list nonsense 2>/dev/full; [ $? = 1 ] || fail "a full standard error"

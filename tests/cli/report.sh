@@ -26,7 +26,7 @@ succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
 [ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md solves.csv statistics.json tables theirs.sqlite verdict.md " ] || fail "copy/ has: $(ls copy)"
 
-# By its bare name in the folder it is in.
+# Opens a store by its bare name in its own folder.
 (cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."
 
 # Only tables, other readings.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a report keeps of a solve: a hundred bytes and not the record, however many there are.
+# A report keeps a hundred bytes per solve and not the record, for any number of solves.
 source "$(dirname "$0")/common.sh"
 command -v python3 >/dev/null || { echo "SKIPPED: no python3"; exit 77; }
 
@@ -22,7 +22,7 @@ with sqlite3.connect("many/store.sqlite") as store:
 PYTHON
 [ "$(solves many/store.sqlite)" = 18000 ] || fail "$(solves many/store.sqlite) solves, expected 18000"
 
-# By the largest resident set [kB].
+# Measures the largest resident set [kB].
 python3 - "$program" <<'PYTHON' || fail "a report needs too much memory"
 import resource, subprocess, sys
 

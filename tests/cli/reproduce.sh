@@ -40,7 +40,7 @@ has "$(<context/tables/results.md)" "DLS"
 succeeds run slim2023 --set runs=2 --no-report --out paper
 has "$out" "(240 were already stored)"
 
-# In a hurry: neither repetitions nor interpretations, and the same numbers of the paper's studies.
+# --quick: neither repetitions nor interpretations, and the same numbers of the paper's studies.
 succeeds reproduce --runs 2 --jobs 2 --quick --no-figures --out quick
 [ ! -e quick/tables/agreement.md ] && [ ! -e quick/tables/multiverse.md ] || fail "--quick solved more than the studies"
 [ "$(numbers quick/store.sqlite)" = "$(numbers paper/store.sqlite)" ] || fail "--quick gives other numbers"

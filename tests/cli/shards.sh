@@ -66,7 +66,7 @@ for n in one 7; do
 done
 diff -r report-one report-7 >differences || fail "another report of shards: $(head -c 2000 differences)"
 
-# What is missing is told with the commands that solve it, and the words are those of a shell.
+# The program names what is missing with the commands that solve it, as words of a shell.
 unset -n study
 study=("${chained[@]}")
 shards here 3
@@ -85,7 +85,8 @@ succeeds merge here here/shards
 has "$out" "54 solves added from 3 stores, 90 were there"
 same_fingerprint here/store.sqlite chained/one/store.sqlite
 
-# With two studies in one folder each is told its own command, with its file and its settings; a store without shards too.
+# Each of two studies in one folder gets its own command, with its file and its settings; so does a store without
+# shards.
 sed 's/^name = .*/name = "second"/' drawn.toml >second.toml
 for i in 1 2; do succeeds run drawn.toml --set seed=5 --shard $i/3 --out two/shards/$i-of-3; done
 for i in 1 3 4; do succeeds run second.toml --set seed=6 --shard $i/4 --out two/shards/$i-of-4; done
@@ -185,7 +186,7 @@ refused "has other bits in 'edited/store.sqlite' than in 'drawn/7/shards/2-of-7/
 [ ! -e new/store.sqlite ] || fail "a refused merge left a store"
 sqlite edited/store.sqlite "UPDATE solves SET answer_rad = 'x'"
 
-# Damage within a solve is copied. Whoever reads it is told which session made it, so which shard is to be solved again.
+# Damage within a solve is copied. Its readers learn which session made it, and so which shard to solve again.
 cp -r drawn/7/shards soiled
 sqlite soiled/5-of-7/store.sqlite "UPDATE solves SET position_error_cm = -1 WHERE solver = 'bat'"
 succeeds merge copied soiled

@@ -135,7 +135,7 @@ expect declines declined 1
 expect lies claimed_but_wrong 16
 expect prints ok 16
 
-# What it is told of its options, by the number of evaluations: 1, 10 where the flag is set, 100 times the way.
+# It gets its options; the number of evaluations shows them: 1, 10 if the flag is set, 100 times the way.
 cat >told.cpp <<'END'
 #include <ikbench_plugin.hpp>
 

@@ -12,7 +12,7 @@ host=$(hostname -s)
 run=$work/slurm
 mkdir -p "$run"/{state,spool,log,munge}
 
-# Whatever was started ends with the test; its numbers are in the files of $run.
+# The test ends all that it started; the process numbers are in the files of $run.
 stop() {
   local daemon pid
   scancel --user=root --quiet 2>/dev/null
@@ -38,7 +38,7 @@ port=$(free_port)
 head -c 1024 /dev/urandom >"$run/munge/munge.key"
 chmod 700 "$run/munge"
 chmod 400 "$run/munge/munge.key"
-# As root, in folders of its own: munged warns of both.
+# As root, in the test's own folders: munged warns of both.
 munged --force --key-file="$run/munge/munge.key" --socket="$run/munge/socket" --pid-file="$run/munged.pid" \
   --log-file="$run/log/munged.log" --seed-file="$run/munge/seed" 2>"$run/log/munged.err" || fail "no munged: $(<"$run/log/munged.err")"
 cat >"$run/slurm.conf" <<CONF
@@ -124,7 +124,7 @@ run_it status "two words"
 [ "$code" = 5 ] || fail "exit code $code of status where solves are missing, expected 5: $out $err"
 echo "$out"
 
-# What was cancelled is submitted again.
+# Cancelled tasks are submitted again.
 submit
 wait_for_all
 has "$(cat "two words/log/merge.txt")" "Report: "

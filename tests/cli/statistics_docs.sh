@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the pages on statistics quote is what the program prints, word for word: every command of `ikbench stats` runs, on
-# the files that the page shows (```csv NAME), and what is quoted below it is in its output. "[...]" is left out.
+# The pages on statistics quote the program word for word: every command of `ikbench stats` runs on the files that the
+# page shows (```csv NAME), and its output contains what is quoted below it. "[...]" is left out.
 source "$(dirname "$0")/common.sh"
 root=$(realpath "$scripts/../..")
 ln -s "$root/results" results # the commands are said from the root of the project

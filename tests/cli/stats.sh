@@ -156,7 +156,7 @@ succeeds stats pandas.csv --value error --quantity 'error [cm]' --margin-cm 3 --
 has "$out" "In short: A is better than B: mean 1.1 vs 2.25, by "
 has "$out" "less than 3 cm (p = "
 
-# Of values that may be negative a share is no margin.
+# For values that may be negative, a share is no margin.
 printf 'solver,t\n' >cold.csv
 for i in 1 2 3 4 5 6 7 8 9 10; do printf 'A,-0.%d\nB,0.%d\nC,-0.%d1\n' $i $i $i; done >>cold.csv
 refused 't has negative values, and 5 % of a mean that may be 0 means nothing; expected --margin-absolute DIFFERENCE' stats cold.csv --value t
@@ -311,7 +311,7 @@ mkdir -p deep/here
   has_figures report $name observations effects
   # The page has scripts of its own, on lines that begin with them.
   ! sed 's/^<script>//' report/report.html | grep '<script>\|<b>or' >/dev/null || fail "the page has HTML of the user's making"
-  # In Markdown the command is an indented block, in which nothing means anything.
+  # In Markdown the command is an indented block, which has no markup.
   ! cat report/report.md report/tables/*.md | grep -v '^    ' | grep '<script>\|<b>\|[^\\]\](http\|[^\\]\](y' >/dev/null ||
     fail "Markdown or HTML of the user's making"
   ! sed 's/\\textbackslash{}//g' report/tables/*.tex | grep '\\input\|\\end{table}.' >/dev/null || fail "LaTeX of the user's making"

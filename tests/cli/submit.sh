@@ -89,7 +89,8 @@ incomplete many
 has "$out" "stopped or failed  1  1"
 has_no "$out" "per second"
 
-# What a shard's store has instead is said, and stops no other; so are other divisions and another study.
+# Solves of other parts in a shard's store are reported and stop no other shard; so are other divisions and another
+# study.
 study=(slim2023 "${small[@]}" --set runs=3)
 succeeds run "${study[@]}" --shard 1/3 --out mixed/shards/1-of-3
 succeeds run "${study[@]}" --shard 3/3 --out mixed/shards/2-of-3
@@ -114,7 +115,7 @@ rm -r mixed/shards/*-of-3
 incomplete mixed
 has "$out" "stopped or failed  1  1"
 
-# What cannot be read has begun all the same.
+# A store that cannot be read counts as begun.
 ln -sf store.sqlite mixed/shards/1-of-2/store.sqlite
 incomplete mixed
 has "$out" "Look at 1/2: cannot open 'mixed/shards/1-of-2/store.sqlite'"

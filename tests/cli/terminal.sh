@@ -6,7 +6,7 @@ succeeds run slim2023 "${small[@]}" --no-report --out quiet
 quiet
 has_no "$err" "solves,"
 
-# In one log with the results, a warning stands on a line of its own, in the order in which things were said.
+# In one log with the results, a warning stands on its own line, in the order of the messages.
 PATH=/nonexistent "$program" run slim2023 "${small[@]}" --out logged >.log 2>&1 || fail "no figures: $(<.log)"
 grep -q '^warning: ' .log || fail "no warning on a line of its own: $(<.log)"
 ! grep -q '.warning: ' .log || fail "a warning within a line: $(grep '.warning: ' .log)"

@@ -1,5 +1,5 @@
-// Loaded before everything else (LD_PRELOAD): the date is hours off, back and forth, at every look. What only runs
-// forward stays as it is.
+// Loaded before everything else (LD_PRELOAD): makes the date jump by hours, back and forth, at every look. Clocks that
+// only run forward stay as they are.
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <time.h>

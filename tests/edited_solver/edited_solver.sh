@@ -35,7 +35,7 @@ has "$out" "(36 were already stored)"
 numbers_of IK-BA | cmp - ik-ba.before || fail "the first solves did not come back"
 [ "$("$program" fingerprint store/store.sqlite)" = "$before" ] || fail "the same numbers have another fingerprint"
 
-# What differs is told, to the solver.
+# The program reports what differs, down to the solver.
 succeeds "${run[@]/%store/one}"
 program=$edited
 succeeds "${run[@]/%store/other}"

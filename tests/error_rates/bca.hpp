@@ -15,7 +15,7 @@
 
 namespace ikbench::statistics {
 
-// Of two different finite values or more; NaN where all resamples lie on one side of the mean.
+// Needs two different finite values or more; NaN if all resamples lie on one side of the mean.
 inline Interval bca_of_mean(std::span<const double> sample, const Resampling& settings = {}) {
   Draws draws(settings.seed);
   std::vector<double> means, picked(sample.size());

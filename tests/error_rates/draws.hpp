@@ -1,4 +1,4 @@
-// Random numbers of which every row of a table has its own, and how its shares are written.
+// Random numbers, separate for every row of a table, and the format of its shares.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,10 +12,10 @@
 
 namespace ikbench::error_rates {
 
-// The same numbers on every machine but for the last bit of a logarithm.
+// Gives the same numbers on every machine, except for the last bit of a logarithm.
 class Random {
  public:
-  // Other numbers for every simulation of every row, by its words (FNV-1a).
+  // Gives other numbers for every simulation of every row, by the row's words (FNV-1a).
   Random(std::string_view row, int simulation) {
     std::uint64_t hash = 14695981039346656037u;
     for (const char c : row) hash = (hash ^ static_cast<std::uint64_t>(c)) * 1099511628211u;
@@ -28,7 +28,7 @@ class Random {
     const double radius = std::sqrt(2 * exponential());
     return radius * std::cos(2 * std::numbers::pi * uniform());
   }
-  double lognormal(double sigma) { return std::exp(sigma * normal() - sigma * sigma / 2); }  // of mean 1
+  double lognormal(double sigma) { return std::exp(sigma * normal() - sigma * sigma / 2); }  // its mean is 1
   double student_3() {
     const double x = normal(), a = normal(), b = normal(), c = normal();
     return x / std::sqrt((a * a + b * b + c * c) / 3);
@@ -38,7 +38,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-// "0.051 +- 0.006": a share of so many simulations and its standard error.
+// "0.051 +- 0.006": a share of the simulations and its standard error.
 inline std::string with_error(double share, int simulations) {
   return fmt::format("{:.3f} ± {:.3f}", share, std::sqrt(share * (1 - share) / simulations));
 }

@@ -1,4 +1,4 @@
-// How often the verdicts are wrong: draws data sets of which the truth is known, has them judged as a report has, and
+// Measures how often the verdicts are wrong: draws data sets with a known truth, judges them as a report does, and
 // prints the shares as the tables of docs/methods.md, which docs/error-rates writes.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -29,13 +29,13 @@ using namespace ikbench::inference;
 using namespace ikbench::error_rates;
 using results::AnalysisPlan;
 
-// Groups of one population each, by whose draws they differ.
+// Groups of one population each, named by how their draws differ.
 struct Scenario {
   std::string name;
   std::vector<int> sizes;
   std::function<double(Random&, int group)> draw;
   bool blocked = false;
-  std::string audit = {};  // what an earlier audit found for the method of that time
+  std::string audit = {};  // an earlier audit's result for the method of that time
 
   int n() const { return sizes.front(); }
 };
@@ -55,10 +55,10 @@ Observations observations_of(const Scenario& scenario, Random& random) {
   return result;
 }
 
-// Pairs that are found to differ, of all or of those with the first group.
+// Counts pairs that are found to differ: of all, or of those with the first group.
 enum class Counts { any_pair, pairs_with_first };
 
-// By a test that decides, and how many of the pairs it is defined for.
+// Shares of pairs that a deciding test decides, and of pairs that it judges at all.
 struct Shares {
   double decided = 0, judged = 0;
 
@@ -98,7 +98,7 @@ Shares shares(const Scenario& scenario, const std::string& test, Counts counts, 
   return result;
 }
 
-// Of the test that decides, which does not judge every pair.
+// The share of decided pairs, in words; a test may judge no pair.
 std::string decided_words(const Shares& found, int simulations) {
   if (found.judged == 0) return "refused";
   const std::string share = with_error(found.decided, simulations);
@@ -191,7 +191,7 @@ std::vector<Scenario> for_ranks() {
   return all;
 }
 
-// How often the 95 % interval of a mean holds.
+// Shares of 95 % intervals that contain the true mean.
 struct Covered {
   double student = 0, bca = 0, studentized = 0;
 };
@@ -294,7 +294,7 @@ void print_coverage(int simulations) {
 
 }  // namespace
 
-// error_rates [SIMULATIONS of each row]
+// error_rates [SIMULATIONS per row]
 int main(int argc, char** argv) {
   int simulations = 400;
   if (argc > 1) {

@@ -28,7 +28,7 @@ namespace {
 using Draw = std::function<double(Random&, int group)>;
 using Values = std::vector<std::vector<double>>;
 
-// Of how many data sets `holds` is true.
+// The share of data sets for which `holds` is true.
 double share_of(const std::string& row, int simulations, const std::function<bool(Random&)>& holds) {
   std::atomic<int> count = 0;
   tbb::parallel_for(0, simulations, [&](int simulation) {
@@ -52,7 +52,7 @@ Observations observed(const Values& values, Better better = Better::smaller) {
   return result;
 }
 
-// Each value times the scale of its block.
+// Multiplies each value by the scale of its block.
 Observations in_blocks(Values values, Random& random) {
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < values[0].size(); ++i) {
@@ -98,7 +98,7 @@ void print_blocks(int simulations) {
                                    }),
                           simulations);
       };
-      const bool are_means = name.starts_with("equal means");  // of which typical values and ranks do differ
+      const bool are_means = name.starts_with("equal means");  // the means are equal; typical values and ranks differ
       fmt::print("| {} | {} | {} | {} | {} | {} |\n", name, groups, blocks,
                  found(std::string(by_design), ValueScale::plain),
                  are_means ? "they differ" : found(std::string(by_design), ValueScale::log10),
@@ -146,7 +146,7 @@ void print_rare(int simulations) {
   }
 }
 
-// Two groups that do not differ, looked at with the first n values, the first 2 n, ... until one is better.
+// Looks at two equal groups after the first n values, the first 2 n, ... until one is better.
 void print_looks(int simulations) {
   fmt::print(
       "\n| false findings, two groups, normal | n | one look | five looks, at n, 2 n, ... 5 n |\n|---|---|---|---|\n");

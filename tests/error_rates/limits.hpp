@@ -1,4 +1,4 @@
-// What tests within blocks, verdicts of "the same", and looks at growing data are wrong about, and what a test can see.
+// Error rates of tests within blocks, of verdicts of "the same" and of looks at growing data, and the power of tests.
 #pragma once
 
 namespace ikbench::error_rates {

@@ -1,4 +1,4 @@
-// What of the paper's study a study that claims to be it has changed, as the store's definition says it.
+// Departures of a study that claims to be the paper's study, as the store's definition lists them.
 #include <nlohmann/json.hpp>
 
 #include "experiments/study_reader.hpp"

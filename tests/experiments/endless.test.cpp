@@ -1,4 +1,4 @@
-// Arms whose joints turn without end: what their solvers are told, what becomes of their answers, how far they move.
+// Arms whose joints turn without end: the problems of their solvers, their answers, and their moves.
 #include <cmath>
 #include <limits>
 #include <map>

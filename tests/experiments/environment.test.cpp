@@ -1,4 +1,4 @@
-// What is noted of the machine and the build.
+// The facts about the machine and the build.
 #include "experiments/environment.hpp"
 
 #include "experiments/source_digest.hpp"

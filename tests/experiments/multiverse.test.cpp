@@ -99,7 +99,7 @@ TEST_CASE("the small multiverse is part of the default one", "[multiverse]") {
 }
 
 TEST_CASE("a plan has every combination of the alternatives that go together, each series once", "[multiverse]") {
-  // wrist_branch has no effect where all joints are searched; DE.bounds contradicts a choice for all solvers.
+  // wrist_branch has no effect if all joints are searched; DE.bounds contradicts a choice for all solvers.
   const auto varied = named({"bounds", "search", "DE.bounds", "wrist_branch"}, dimensions("slim2023"));
   const MultiversePlan plan = plan_multiverse("slim2023", varied, {.seeds = 1, .overrides = tiny});
   REQUIRE(plan.solvers.size() == 6);
@@ -234,7 +234,7 @@ TEST_CASE("a file of series that was edited is refused with line, column, value 
   }
   refuses(head + "key,1 ,1 2\n", ":2: column position_error_cm, run 2: ''");
   const MeansFolder folder;
-  write_text(folder.file(), head + "key,0 Inf,1 2\nlast,1,1");  // of the last line the end is missing
+  write_text(folder.file(), head + "key,0 Inf,1 2\nlast,1,1");  // the last line lacks its end
   CHECK(SeriesMeans(folder.file()).find("key", 2)->error_cm == std::vector<double>{0, HUGE_VAL});
   CHECK(folder.text() == head + "key,0 Inf,1 2\n");
 }
@@ -250,7 +250,7 @@ TEST_CASE("what cannot be kept is an error that names the file", "[multiverse]")
   write_text(folder.file(), "series,position_error_cm,variation_deg\n");
   cannot_keep(folder.file() / "series.csv");  // a file in the place of the folder
   std::filesystem::permissions(folder.file(), std::filesystem::perms::owner_read);
-  if (!std::ofstream(folder.file(), std::ios::app)) cannot_keep(folder.file());  // whom nothing is forbidden can write
+  if (!std::ofstream(folder.file(), std::ios::app)) cannot_keep(folder.file());  // root can write anyway
   CHECK_THROWS_WITH(SeriesMeans(folder.folder.path),
                     Catch::Matchers::EndsWith("is no regular file; choose another --out"));
 }

@@ -15,7 +15,7 @@ namespace {
 
 const Overrides few{"runs=2", "path.points=2", "stop.iterations=2", "population=6"};
 
-// Of a plan with one alternative at a time: the universe that has it.
+// The universe with one alternative, in a plan with one at a time.
 struct AloneInPlan {
   const MultiversePlan::OfStudy* study;
   std::vector<std::vector<std::size_t>> parts;  // by solver, by seed
@@ -45,7 +45,7 @@ AloneInPlan alone_in(const MultiversePlan& plan, const std::string& set) {
   return found.front();
 }
 
-// The solvers that an alternative moves.
+// The solvers whose series an alternative changes.
 std::set<std::string> moved(const MultiversePlan& plan, const std::string& set) {
   std::set<std::string> labels;
   for (std::size_t s = 0; s < plan.solvers.size(); ++s) {

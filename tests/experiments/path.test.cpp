@@ -28,7 +28,7 @@ bool same_poses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
   return std::ranges::equal(a, b, [](const Pose& x, const Pose& y) { return x.matrix() == y.matrix(); });
 }
 
-// Sets the number of points of any path; of one that comes from a file, in a file of so many poses.
+// Sets the number of points of any path; for a path from a file, writes a file with so many poses.
 class PointsSetter final : public Fields {
  public:
   explicit PointsSetter(int count) : count_(count) {}
@@ -61,7 +61,7 @@ class PointsSetter final : public Fields {
   std::string file_;
 };
 
-// Of every kind one with so many points.
+// A path of every kind, with `count` points.
 std::vector<Path> with_points(int count) {
   std::vector<Path> all = paths();
   for (Path& path : all) {
@@ -84,7 +84,7 @@ TEST_CASE("the paper's helix is the default: 20 points, a fifth of a turn and 2.
   CHECK(near(helix[15].translation(), {0.60, -0.20, 0.475}));
   // t = 4 pi/20 = 36 deg
   CHECK(near(helix[1].translation(), {0.60 + 0.20 * std::sin(pi / 5), 0.20 * std::cos(pi / 5), 0.125}));
-  // With k/n the end of the helix, z = 60 cm, is left out.
+  // With k/n, the end of the helix, z = 60 cm, is not a target.
   CHECK(helix[19].translation().z() == Approx(0.10 + 0.50 * 19 / 20));
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("random targets are tool poses of configurations within the limits, on
       lowest = lowest.cwiseMin(q);
       highest = highest.cwiseMax(q);
     }
-    const Configuration range = limits.upper - limits.lower;  // of which 200 draws leave little at either end
+    const Configuration range = limits.upper - limits.lower;  // 200 draws leave little of it at either end
     CHECK(((highest - lowest).array() > 0.9 * range.array()).all());
   }
 }
@@ -205,7 +205,7 @@ TEST_CASE("every kind of path has a name and words of its own", "[path]") {
     CHECK(summaries.insert(path->summary()).second);
     CHECK(path->summary().size() > 5);
   }
-  CHECK(Path()->name() == "helix");  // what a study file takes that says no kind
+  CHECK(Path()->name() == "helix");  // the default of study files
 }
 
 // ---- orientation --------------------------------------------------------------------------------------------------

@@ -68,7 +68,7 @@ TEST_CASE("the studies of baselines have the same solvers and budgets", "[study]
     CHECK(poses.wrap == helix.wrap);
     CHECK(poses.limits == helix.limits);
     std::vector<std::string> labels = labels_of(poses);
-    std::erase(labels, "KDL Newton");  // which solves for poses alone
+    std::erase(labels, "KDL Newton");  // it solves for poses alone
     CHECK(labels == labels_of(helix));
   }
 }

@@ -1,4 +1,4 @@
-// Poses from CSV files: by hand, and whatever a file may hold.
+// Poses from CSV files: by hand, and from arbitrary files.
 #include "experiments/pose_csv.hpp"
 
 #include <cmath>

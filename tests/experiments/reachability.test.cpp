@@ -1,5 +1,5 @@
-// Which readings of the paper's helix the arm can follow at all: docs/paper-notes.md 2.2. With the wrist decoupled
-// the shoulder (0, 0, 36) cm has to be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
+// The readings of the paper's helix that the arm can follow at all: docs/paper-notes.md 2.2. With the wrist decoupled,
+// the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
 #include <algorithm>
 
 #include "experiments/study_reader.hpp"

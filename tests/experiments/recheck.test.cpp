@@ -1,4 +1,4 @@
-// Whatever is changed in a store by others, and does not follow from its answers, is found.
+// Recheck finds every change of a store that does not follow from its answers.
 #include "experiments/recheck.hpp"
 
 #include <functional>

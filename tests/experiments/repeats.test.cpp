@@ -32,7 +32,7 @@ struct FirstSolve {
   Robot arm = arm_of(study);
 };
 
-// Does not start anew: it stays a little farther from where it started each time.
+// Does not forget: each start is a little farther from the first.
 class Remembering final : public Solver {
  public:
   void start(const Problem& problem, Objective&, numerics::Random&) override {

@@ -1,4 +1,4 @@
-// The runner: the same numbers whatever happens around them, and every answer judged.
+// The runner: the same numbers in all circumstances, and a judgement of every answer.
 #include "experiments/runner.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -40,7 +40,7 @@ struct ScratchStore {
   Store store{file, Store::Mode::write};
 };
 
-// Runs until `solves` more are done, as Ctrl-C would stop it.
+// Runs until `solves` more are done, then stops as Ctrl-C does.
 Progress run_for(const Study& study, Store& store, std::int64_t solves) {
   std::atomic<bool> cancelled{false};
   const auto look = [&](const Progress& now) { cancelled = now.done - now.reused >= solves; };
@@ -56,7 +56,7 @@ Study study_of_every_solver() {
   return study;
 }
 
-// Those whose iterations the suite counts: a peer's library has its own.
+// Studies only solvers whose iterations we count; a peer's library has its own.
 Study study_of_every_own_solver() {
   Study study = study_of_every_solver();
   std::erase_if(study.solvers, [](const SolverEntry& entry) { return !solver(entry.solver).library.empty(); });
@@ -144,7 +144,7 @@ TEST_CASE("every session remembers how the study was to be judged when its solve
   CHECK(nlohmann::json::parse(sessions[0].environment.at("analysis"))["significance"] == 0.05);
   CHECK(nlohmann::json::parse(sessions[1].environment.at("analysis"))["significance"] == 0.01);
   CHECK(nlohmann::json::parse(scratch.store.study("small").definition)["analysis"]["significance"] == 0.01);
-  CHECK(scratch.store.solves("small").size() == 24);  // those of before are kept
+  CHECK(scratch.store.solves("small").size() == 24);  // the earlier ones are kept
 }
 
 // ---- only what is missing -----------------------------------------------------------------------------------------
@@ -199,7 +199,7 @@ TEST_CASE("what is cancelled before it begins solves nothing", "[runner]") {
 TEST_CASE("parallel jobs stop soon after they are asked to, and what they did stays", "[runner]") {
   ScratchStore scratch;
   Study study = small_study();
-  study.runs = 10'000;  // for longer than any transaction takes
+  study.runs = 10'000;  // takes longer than any transaction
   std::atomic<bool> cancelled{false};
   const auto look = [&](const Progress& now) { cancelled = now.done >= 5; };
   const Progress stopped = run(study, scratch.store, {.jobs = 4, .progress = look, .cancelled = &cancelled});
@@ -327,7 +327,7 @@ TEST_CASE("solves of other source are left aside, told and solved anew", "[runne
   }
   scratch.store.save_study(entry);
   scratch.store.append(records);
-  CHECK(scratch.store.solves("small").size() == 24);  // a report reads them
+  CHECK(scratch.store.solves("small").size() == 24);  // reports read them
   LeftAside aside = left_aside(study, scratch.store);
   CHECK(aside.labels == std::vector<std::string>{"IK-BA", "BA", "DE"});
   CHECK(aside.solves == 24);
@@ -394,7 +394,7 @@ TEST_CASE("a run whose study another version of a solver replaces is refused too
   const auto meddle = [&](const Progress& now) {
     if (now.done != now.total) return;
     StudyEntry entry = scratch.store.study("small");
-    entry.series.front().key += "0";  // as of another source
+    entry.series.front().key += "0";  // as if from another source
     scratch.store.save_study(entry);
   };
   CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
@@ -549,7 +549,7 @@ TEST_CASE("where limits are enforced no solver takes any joint of the arm outsid
 }
 
 TEST_CASE("a refused answer leaves the arm where it was, and the record tells of that", "[runner]") {
-  Study study = load_study("slim2023");  // with the wrist's limits, some of its points are out of reach for some arms
+  Study study = load_study("slim2023");  // with the wrist's limits, some points are out of reach for some arms
   study.limits = Limits::enforced;
   study.solvers = {{"BA", "bat", {}}, {"DE", "differential_evolution", {}}};
   study.stop.iterations = 20;
@@ -568,12 +568,12 @@ TEST_CASE("a refused answer leaves the arm where it was, and the record tells of
     const Eigen::Vector3d tool = arm.chain.position(Eigen::VectorXd::Map(record.start_rad.data(), 7));
     const double away = (tool - poses[static_cast<std::size_t>(record.point - 1)].translation()).norm();
     CHECK(record.position_error_cm == Approx(away * 100));
-    CHECK(record.claimed_error_cm < record.position_error_cm);  // what the solver found for the joints it knows
+    CHECK(record.claimed_error_cm < record.position_error_cm);  // the solver's error for the joints that it knows
   }
   CHECK(refused > 0);
   CHECK(refused < static_cast<int>(records.size()));
 
-  ScratchStore scratch;  // a chain goes on behind a refusal as if it had not been stopped
+  ScratchStore scratch;  // after a stop, a chain continues behind a refusal
   for (int more = 1; more <= 5; ++more) run_for(study, scratch.store, 17);
   run(study, scratch.store, {});
   CHECK(same_numbers(scratch.store.solves(study.name), records));

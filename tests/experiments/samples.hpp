@@ -1,4 +1,4 @@
-// Studies small enough to be run many times.
+// Studies that are small enough to run many times.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace ikbench {
 
-// A path as --set would make it of the default: path_of({"kind=circle", "points=4"}).
+// The default path with settings, as by --set: path_of({"kind=circle", "points=4"}).
 inline experiments::Path path_of(const std::vector<std::string>& settings) {
   experiments::Overrides overrides;
   for (const std::string& setting : settings) overrides.push_back("path." + setting);
   return experiments::parse_study("[[solvers]]\nsolver = \"ik_bat\"\n", "a path", overrides).path;
 }
 
-// Where it goes in the first run with seed 1, with the paper's arm.
+// Its poses in the first run with seed 1, with the paper's arm.
 inline std::vector<robots::Pose> poses_of(const experiments::Path& path) {
   experiments::Study study;
   study.path = path;
@@ -38,7 +38,7 @@ inline experiments::Study small_study() {
   return study;
 }
 
-// A solve without what differs from one run of the program to the next.
+// A solve without the values that differ between runs of the program.
 inline results::SolveRecord without_times(results::SolveRecord record) {
   record.seconds = record.cpu_seconds = record.smallest_seconds = record.largest_seconds = 0;
   record.interruptions = 0;

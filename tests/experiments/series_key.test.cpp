@@ -1,4 +1,4 @@
-// The hash under which solves are remembered: it changes with everything that decides numbers, and with nothing else.
+// The key of stored solves: it changes with everything that decides numbers, and with nothing else.
 #include "experiments/series_key.hpp"
 
 #include <map>
@@ -30,12 +30,12 @@ Study changed(Change&& change) {
   return study;
 }
 
-// Changes the field of a list that stands at one place.
+// Changes the field at one place of a list.
 class Changer final : public Fields {
  public:
   explicit Changer(int place) : left_(place) {}
 
-  std::string changed;  // its name, or empty where there are fewer fields
+  std::string changed;  // its name, or empty if there are fewer fields
   InKey in_key = InKey::by_name;
 
  private:
@@ -87,7 +87,7 @@ std::vector<std::string> all_keys_of(const Study& study) {
   return keys;
 }
 
-// A study with one field more than those there are.
+// A study with one more field.
 struct Extended {
   Study study;
   double damping = 0.5;
@@ -280,7 +280,7 @@ TEST_CASE("a default that is written down is the same series", "[series]") {
   const Study written = changed([](Study& study) { study.solvers[0].options["alpha"] = "0.97"; });  // Table 1
   CHECK(key_of(written) == key_of(small_study()));
   CHECK(key_of(changed([](Study& study) { study.solvers[0].population = study.population; })) == key_of(small_study()));
-  // So is the reading of bounds that a solver has anyway.
+  // The same for the solver's own default of bounds.
   CHECK(key_of(changed([](Study& study) { study.bounds = StudyBounds::initial; })) == key_of(small_study()));
 }
 

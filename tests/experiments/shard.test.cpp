@@ -1,4 +1,4 @@
-// Shards divide a study, and what they solve is what one machine solves.
+// Shards divide a study, and together solve what one machine solves.
 #include "experiments/shard.hpp"
 
 #include "tests/catch.hpp"

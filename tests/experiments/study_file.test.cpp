@@ -1,4 +1,4 @@
-// Study files: what is written is read again, and what is wrong is said with its place.
+// Study files: written files are read again, and mistakes are reported with their places.
 
 #include <cmath>
 #include <limits>
@@ -24,7 +24,7 @@ using namespace ikbench::experiments;
 
 namespace {
 
-// What is said of a file, or "" where it is a study.
+// The complaint about a file, or "" if it is a study.
 std::string said_of(const std::string& toml, const Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { parse_study(toml, "my.toml", overrides); });
 }
@@ -42,7 +42,7 @@ std::vector<std::string> keys_of(const Study& study) {
   return keys;
 }
 
-// A file, and what has to be said of it.
+// A file, and the complaint that it must get.
 struct Mistake {
   std::string toml;
   std::string starts;
@@ -90,7 +90,7 @@ TEST_CASE("every built-in study comes back from its file with the same series", 
   for (const Study& study : studies()) {
     INFO(study.name);
     Study again = read(to_toml(study));
-    CHECK(again.left_out.empty());  // of peers that are not built the file has comments alone
+    CHECK(again.left_out.empty());  // for peers that are not built, the file has only comments
     again.left_out = study.left_out;
     CHECK(keys_of(again) == keys_of(study));
     CHECK(again.name == study.name);
@@ -338,7 +338,7 @@ TEST_CASE("a study's arm may be a file in the study's folder, and for --set in t
   CHECK(arm_of(study).joints() == 2);
   CHECK(study.initial == Eigen::Vector2d(0, 0.125));  // as near to zeros as the limits allow
 
-  // Degrees, and metres of a slide, there and back.
+  // Degrees, and metres for a slide, there and back.
   const std::string slide = (folder.path / "slider.toml").string();
   const Study placed =
       read("robot = '" + slide + "'\nsearch = \"all_joints\"\ninitial_deg = [45, 0.3]\n" + solver_entry);

@@ -1,4 +1,4 @@
-// Whatever a study file holds: it is a study, or a std::invalid_argument says why not.
+// Every text is a study, or a std::invalid_argument says why not.
 #include <random>
 
 #include "experiments/study_reader.hpp"
@@ -15,7 +15,7 @@ using namespace ikbench::experiments;
 
 namespace {
 
-// Whether it was read; any other exception than std::invalid_argument leaves through here.
+// True if it was read; passes on any exception except std::invalid_argument.
 bool is_read(const std::string& text, const Overrides& overrides = {}) {
   try {
     const Study study = parse_study(text, "mutated.toml", overrides);
@@ -42,7 +42,7 @@ TEST_CASE("a study file with up to four random changes is read, or refused with 
   Mutator mutator(2023);
   int read = 0;
   for (int i = 0; i < 2000; ++i) read += is_read(mutator.mutated(file)) ? 1 : 0;
-  CHECK(read > 100);  // else the changes are so wild that they test the TOML parser alone
+  CHECK(read > 100);  // fewer: the changes test the TOML parser alone
   CHECK(read < 1900);
 }
 

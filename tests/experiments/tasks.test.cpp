@@ -1,4 +1,4 @@
-// Kinds of path beside the paper's, sets of random targets and where solves start: by hand, and by what they promise.
+// Kinds of path besides the paper's, sets of random targets, and starts of solves: by hand, and by their promises.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,7 +68,7 @@ TEST_CASE("the points of a polyline are evenly spaced along its length", "[path]
   // 30 cm along x and 10 along y: at 0, 10, 20, 30 and 40 cm.
   check_points(points_of({"kind=polyline", "corners_cm=[0, 0, 0, 30, 0, 0, 30, 10, 0]", "points=5"}),
                {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.3, 0, 0}, {0.3, 0.1, 0}});
-  // Corners that are one place.
+  // Both corners are one place.
   check_points(points_of({"kind=polyline", "corners_cm=[10, 0, 0, 10, 0, 0]", "points=2"}), {{0.1, 0, 0}, {0.1, 0, 0}});
 }
 

@@ -1,4 +1,4 @@
-// Workers side by side, and the record_queue where they hand in.
+// Workers side by side, and the queue of their records.
 #include "experiments/workers.hpp"
 
 #include <atomic>
@@ -27,7 +27,7 @@ TEST_CASE("workers are side by side, also where there are more than processors",
   std::atomic<int> here{0};
   work_together(5, [&] {
     ++here;
-    while (here < 5) std::this_thread::yield();  // for ever, if one came after the other
+    while (here < 5) std::this_thread::yield();  // endless if they ran one after the other
   });
   CHECK(here == 5);
 }

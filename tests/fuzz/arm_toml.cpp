@@ -1,4 +1,4 @@
-// An arm file, and the tool where all joints are in the middle.
+// An arm file, and the tool with all joints in the middle.
 #include "robots/robot.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

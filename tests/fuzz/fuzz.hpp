@@ -1,4 +1,4 @@
-// What every fuzzed input has in common: it is taken, or a std::invalid_argument says why not. Anything else ends the
+// Shared by all fuzzed inputs: an input is accepted, or a std::invalid_argument says why not. Anything else ends the
 // program, and the fuzzer keeps the input.
 #pragma once
 
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace ikbench {
 
-inline int taken = 0;  // by readers, so far
+inline int taken = 0;  // accepted inputs so far
 
 template <class Reader>
 void read_or_refuse(Reader&& reader) {

@@ -1,4 +1,4 @@
-// What a program says, a message a line, and the arm that it is told where it has said hello.
+// A program's messages, one per line, and the robot message that follows its hello.
 #include "experiments/foreign/protocol.hpp"
 
 #include <algorithm>

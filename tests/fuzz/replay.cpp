@@ -1,5 +1,5 @@
-// Gives a reader the files and those of the folders that are its arguments, where there is no fuzzer. It must take
-// each, but for those whose names begin with "refused".
+// Without a fuzzer: gives a reader the files and folders that are its arguments. It must accept each file, except those
+// whose names begin with "refused".
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-// What `ikbench stats` reads: a row a value, a column a group, published summaries.
+// The inputs of `ikbench stats`: one value per row, one group per column, published summaries.
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "tests/fuzz/fuzz.hpp"

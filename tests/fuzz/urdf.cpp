@@ -1,4 +1,4 @@
-// A URDF file, and the tool where all joints are 0. What a file leaves open is left open.
+// A URDF file, read with the default choices, and the tool with all joints at 0.
 #include "robots/urdf.hpp"
 
 #include "tests/fuzz/fuzz.hpp"

@@ -1,4 +1,4 @@
-// A solver of one's own beside a built-in one, by the installed libraries: docs/library.md.
+// A user's own solver beside a built-in one, with the installed libraries: docs/library.md.
 #include <cstdio>
 
 #include "analysis/report/report.hpp"

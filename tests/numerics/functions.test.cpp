@@ -1,4 +1,4 @@
-// The elementary functions that decide numbers, held against long double.
+// The elementary functions that decide numbers, against long double.
 #include "numerics/functions.hpp"
 
 #include <bit>
@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Two numbers next to a multiple of a quarter turn, where what is left of the angle is smallest.
+// Two numbers next to a multiple of a quarter turn, where the rest of the angle is smallest.
 std::vector<double> hard_angles(Dice& dice, double most, int count) {
   std::vector<double> angles;
   for (int i = 0; i < count; ++i) {
@@ -29,7 +29,7 @@ std::vector<double> hard_angles(Dice& dice, double most, int count) {
     const auto nearest = static_cast<double>(turns * (std::numbers::pi_v<long double> / 2));
     angles.push_back(nearest);
     angles.push_back(std::nextafter(nearest, dice.below(2) == 0 ? infinity : -infinity));
-    angles.push_back((turns + 0.5) * (pi / 2));  // where the one polynomial takes over from the other
+    angles.push_back((turns + 0.5) * (pi / 2));  // where one polynomial replaces the other
   }
   return angles;
 }
@@ -44,7 +44,7 @@ TEST_CASE("sine and cosine are within 1.5 ulp, and 1.6e-33 a quarter turn, of lo
       const long double exact = angle;
       const double turns = std::abs(angle) / (pi / 2);
       const auto check = [&](double number, long double truth) {
-        // 1.6e-33: what pi/2 in two doubles leaves out, 1.94 2^-110 (pi/2's bits 108 on).
+        // pi/2 in two doubles leaves out 1.6e-33 = 1.94 2^-110 (pi/2's bits 108 on).
         const long double off = std::abs(number - truth) - 1.6e-33L * turns;
         if (off > 0) worst = std::max(worst, last_places(number, number < truth ? number + off : number - off));
       };
@@ -71,7 +71,7 @@ TEST_CASE("an arc tangent is within 3 ulp of long double in every quadrant", "[f
   Dice dice;
   double worst = 0;
   for (int i = 0; i < 1'000'000; ++i) {
-    // Every ratio alike, or any size of either.
+    // Uniform ratios, or sizes of any magnitude.
     const double turn = dice.between(-pi, pi), scale = std::exp2(dice.between(-300, 300));
     const double y = i % 2 == 0 ? scale * std::sin(turn) : std::copysign(std::exp2(dice.between(-40, 40)), turn);
     const double x = i % 2 == 0 ? scale * std::cos(turn) : dice.between(-1, 1) * std::exp2(dice.between(-40, 40));
@@ -126,7 +126,7 @@ TEST_CASE("a power is the product of its factors", "[functions]") {
     const int n = dice.below(320);  // MO-PSO takes five times the joints
     const long double truth = std::pow(static_cast<long double>(x), n);
     if (truth > 1e-300L)
-      CHECK(last_places(power(x, n), truth) < n + 1);  // half an ulp a product, and what squares grow
+      CHECK(last_places(power(x, n), truth) < n + 1);  // half an ulp per product, and squares grow it
   }
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("a real power is within 0.7 ulp of long double, within 1 ulp where it 
   double worst = 0, worst_denormal = 0;
   for (int i = 0; i < 1'000'000; ++i) {
     const double x = i % 2 == 0 ? std::exp2(dice.between(-1074, 1024)) : dice.between(0.25, 4);
-    // Any result from below the denormal numbers to infinity; or an exponent as they are written down.
+    // Any result from below the denormal numbers to infinity; or a typical printed exponent.
     const double y = i % 4 < 2 ? dice.between(-1080, 1026) / std::log2(x) : dice.between(-8, 8);
     const long double truth = std::pow(static_cast<long double>(x), static_cast<long double>(y));
     const double number = power(x, y);
@@ -226,7 +226,7 @@ TEST_CASE("a real power of zeros, infinities, negative numbers and what is no nu
 
 TEST_CASE("logarithms and real powers have the same bits from every compiler and on every processor", "[functions]") {
   Dice dice;
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, a number at a time
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, one number at a time
   const auto add = [&](double number) { hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3u; };
   for (int i = 0; i < 100'000; ++i) {
     const double x = dice.between(0, 10), y = dice.between(-5, 5);

@@ -1,4 +1,4 @@
-// Memory for the tests of kernels in which nothing beyond an end may be touched.
+// Memory for tests of kernels, which must touch nothing beyond its ends.
 #pragma once
 
 #include <sys/mman.h>
@@ -11,8 +11,8 @@
 
 namespace ikbench {
 
-// Numbers with a page after them (or before them) that may not be touched: also what a masked instruction reads, which
-// no sanitizer sees.
+// Numbers with a forbidden page after them (or before them). It also catches reads of masked instructions, which no
+// sanitizer sees.
 class Guarded {
  public:
   enum class Page { after, before };

@@ -10,7 +10,7 @@ using namespace ikbench::numerics;
 
 namespace {
 
-// (x - r) for each root, times what is given.
+// `product` times (x - r) for each root r.
 Polynomial with_roots(const std::vector<double>& roots, Polynomial product) {
   for (const double root : roots) {
     const Eigen::Index size = product.size();

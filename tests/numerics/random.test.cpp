@@ -94,7 +94,7 @@ const boost::math::uniform unit_interval(0, 1);
 
 double normal_share(double x) { return cdf(standard_normal, x); }
 double uniform_share(double x) { return cdf(unit_interval, x); }
-// Of the standard normal distribution cut off at -1 and 1.
+// The distribution function of the standard normal distribution cut off at -1 and 1.
 double truncated_share(double x) {
   const double below = cdf(standard_normal, -1.0);
   return (cdf(standard_normal, x) - below) / (1 - 2 * below);
@@ -122,7 +122,7 @@ RandomState state_of(Key key) {
   return state;
 }
 
-// Whether pairs are as independent as their marginal distributions say: correlation within 4 standard errors, and the
+// Checks that pairs are independent given their marginal distributions: correlation within 4 standard errors, and the
 // counts of a 10 x 10 grid of equal shares within the chi-square that one in 10000 exceeds.
 void check_independent(const std::vector<double>& a, const std::vector<double>& b,
                        const std::function<double(double)>& share) {
@@ -296,7 +296,8 @@ TEST_CASE("truncated normal numbers have the moments and the distribution of the
   const std::vector<double> values = many(Kind::truncated);
   CHECK(*std::min_element(values.begin(), values.end()) >= -1);
   CHECK(*std::max_element(values.begin(), values.end()) <= 1);
-  // Of the density phi / (Phi(1) - Phi(-1)), by parts: E x^k = (k - 1) E x^(k - 2) - 2 phi(1) / (Phi(1) - Phi(-1)).
+  // Moments of the density phi / (Phi(1) - Phi(-1)), by parts: E x^k = (k - 1) E x^(k - 2) - 2 phi(1) / (Phi(1) -
+  // Phi(-1)).
   const double n = 100000, edge = 2 * pdf(standard_normal, 1.0) / (1 - 2 * cdf(standard_normal, -1.0));
   const double second = 1 - edge, fourth = 3 * second - edge, eighth = 7 * (5 * fourth - edge) - edge;
   CHECK(std::abs(moment(values, 1, 0)) < 4 * std::sqrt(second / n));

@@ -1,5 +1,4 @@
-// What kernels and chains are held against: Eqs. 18 and 26 as 4x4 products in long double, and distances in last
-// places.
+// References for kernels and chains: Eqs. 18 and 26 as 4x4 products in long double, and distances in last places.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace ikbench {
 
 using LongPoint = std::array<long double, 3>;
 
-// A twist within 1e-15 of quarter turns is meant to be that many.
+// A twist within 1e-15 of quarter turns counts as exactly that many.
 inline long double meant_twist(double alpha) {
   constexpr long double quarter = std::numbers::pi_v<long double> / 2;
   const long double turns = std::round(static_cast<long double>(alpha) / quarter);
@@ -79,7 +78,7 @@ inline long double reference_distance(const LongPoint& point, const Eigen::Vecto
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// How far a number is from the true one, in units of the true one's last place as a double.
+// Distance of a number from the true one, in units of the true one's last place as a double.
 inline double last_places(double number, long double truth) {
   if (static_cast<long double>(number) == truth) return 0;
   int exponent = 0;

@@ -1,5 +1,5 @@
-// What the study of Slim et al. 2023 gives, against what the paper prints (Table 3). The ranges are those in which the
-// readings of docs/paper-notes.md put each solver: they hold for the default seed and for the mean over seeds 1 to 5.
+// Compares our study of Slim et al. 2023 with the paper's printed numbers (Table 3). The readings of
+// docs/paper-notes.md put each solver into these ranges, for the default seed and for the mean over seeds 1 to 5.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -33,7 +33,7 @@ const std::map<std::string, Range> errors_cm{{"IK-BA", {0.0014, 0.0021}}, {"BA",
 const std::map<std::string, Range> variations_deg{{"IK-BA", {25, 115}}, {"BA", {240, 330}},    {"DE", {240, 330}},
                                                   {"PSO", {240, 330}},  {"K-ABC", {240, 330}}, {"MO-PSO", {25, 115}}};
 
-// The study with that seed and no repeats, which decide times alone, solved into a store that is gone afterwards.
+// The study with that seed and without repeats, which decide only times, solved into a temporary store.
 StudyResults solved(int seed) {
   const ScratchFolder folder;
   const Study study = load_study("slim2023", {"seed=" + std::to_string(seed), "repeats=1"});
@@ -65,8 +65,8 @@ TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of t
       means[row.metric][row.solver] = row.ours.mean;
       over_seeds[row.metric][row.solver] += row.ours.mean / seeds;
     }
-    // The paper: 7.2e-24 and 7.2e-70. The error's p hangs on BA's spread: over seeds 1 to 20 it is 7e-17 (seed 1, where
-    // a run of BA ends at 4.5 cm) to 1e-42, and below 1e-20 for 19 of them.
+    // The paper: 7.2e-24 and 7.2e-70. The error's p depends on BA's spread: over seeds 1 to 20 it is 7e-17 (seed 1,
+    // where a run of BA ends at 4.5 cm) to 1e-42, and below 1e-20 for 19 of them.
     for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg}) {
       p[metric].push_back(anova(study, metric).table.p);
     }

@@ -1,5 +1,5 @@
-// The solvers of the paper as a shared object: their files as they are, behind the C interface, for the test that they
-// give the same answers as the built-in ones, and the benchmark that they take the same time.
+// The solvers of the paper as a shared object: their unchanged files behind the C interface. A test compares their
+// answers with the built-in ones, a benchmark their times.
 #include <algorithm>
 #include <memory>
 

@@ -1,4 +1,4 @@
-// docs/data-dictionary.md says of the columns what the program says, and its tables are those of a store.
+// docs/data-dictionary.md describes the columns as the program does, and its tables are those of a store.
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// Whatever is changed in a store after it was written shows.
+// Every change of a store after it was written shows.
 #include "results/digest.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -44,7 +44,7 @@ void tamper(const fs::path& file, const std::string& sql) {
   SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(sql);
 }
 
-// After the solves of a series were read, where there is one.
+// Changes of a store after reading the solves of a series, if there is one.
 std::string changes_of(const fs::path& file, const std::string& series = "") {
   const Store store(file, Store::Mode::read);
   if (!series.empty()) store.each_of_series(series, [](const SolveRecord&) {});
@@ -146,7 +146,7 @@ TEST_CASE("a store as it was written has no changes, and what was changed in it 
       CHECK(found.empty());
     else
       CHECK_THAT(found, ContainsSubstring(words));
-    CHECK(changes_of(folder.path / "a", "key-a") == found);  // the solves are read before, and not again
+    CHECK(changes_of(folder.path / "a", "key-a") == found);  // the solves are read first, and only once
     CHECK(changes_of(folder.path / "a", "key-b") == found);
   }
 }
@@ -192,7 +192,7 @@ TEST_CASE("a look that was removed, edited or made up is a change of its study",
       CHECK_THAT(changes_of(folder.path / "a"), ContainsSubstring(words));
       StudyEntry larger = sample_study();
       larger.definition = R"({"robot":"iiwa14","runs":30,"points":20})";
-      Store(folder.path / "a", Store::Mode::write).save_study(larger);  // to which runs are added
+      Store(folder.path / "a", Store::Mode::write).save_study(larger);  // adds runs
     }
   }
 }

@@ -1,4 +1,4 @@
-// What CSV and JSON say of a record, against text written by hand.
+// CSV and JSON of a record, against text written by hand.
 #include "results/export.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ std::vector<SolveRecord> sample_records() {
           sample_record("key-b", 1, 1)};
 }
 
-// Another value of the same type, as little different as can be.
+// The nearest other value of the same type.
 void change(std::string& text) { text += '\0'; }
 void change(int& number) { ++number; }
 void change(std::int64_t& number) { ++number; }

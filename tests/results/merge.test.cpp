@@ -1,4 +1,4 @@
-// Stores that are put together: nothing twice, nothing lost, nothing mixed up.
+// Merged stores: nothing twice, nothing lost, nothing mixed up.
 #include "results/merge.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -35,7 +35,7 @@ void make_store(const fs::path& file, const std::string& machine, const std::vec
   }
 }
 
-// Without digests, which would show the edit.
+// Edits a store and removes the digests that would show the edit.
 void edit(const fs::path& store, const std::string& sql) {
   SQLite::Database(store.string(), SQLite::OPEN_READWRITE)
       .exec(sql + "; UPDATE solves SET digest = 0; DELETE FROM meta WHERE key GLOB 'digest of *'");
@@ -343,7 +343,7 @@ TEST_CASE("a store in a shared folder has no log, and a mark that says who write
   CHECK_FALSE(fs::exists(file.string() + "-wal"));
   CHECK_FALSE(fs::exists(file.string() + "-shm"));
   CHECK(series_of(Store(file, Store::Mode::read), "key-a").size() == 2);
-  CHECK(writing_rate(file).has_value());  // whoever reads is not who writes
+  CHECK(writing_rate(file).has_value());  // a reader is no writer
   REQUIRE(write(done[1], &byte, 1) == 1);
   CHECK(exit_code(writer) == 0);
   CHECK_FALSE(writing_rate(file).has_value());
@@ -410,7 +410,7 @@ TEST_CASE("more stores than SQLite attaches at once, into a store that is there"
   const ScratchFolder folder;
   std::vector<fs::path> stores;
   for (int run = 1; run <= 30; ++run) {
-    stores.push_back(folder.path / fmt::format("100% of #{}?mode=rw&x", run));  // also to a URI nothing but a name
+    stores.push_back(folder.path / fmt::format("100% of #{}?mode=rw&x", run));  // in a URI, too, only a name
     make_store(stores.back(), std::to_string(run), {run});
   }
   make_store(folder.path / "out", "first", {31});

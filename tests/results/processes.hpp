@@ -1,4 +1,4 @@
-// Actions in processes of their own, which may be killed.
+// Actions in separate processes, which may be killed.
 #pragma once
 
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 
 namespace ikbench {
 
-// Runs `action` in a process of its own; the process's exit code is 0 if it returned true.
+// Runs `action` in a new process; its exit code is 0 if `action` returned true.
 inline pid_t in_a_process(const std::function<bool()>& action) {
   const pid_t child = fork();
   if (child != 0) return child;

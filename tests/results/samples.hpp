@@ -37,7 +37,7 @@ inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers:
 
 inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
 
-// What the exception of `action` says; empty where there is none of that type.
+// The text of the exception that `action` throws; empty if it throws none of that type.
 template <class Exception, class Action>
 std::string complaint(Action&& action) {
   try {
@@ -48,7 +48,7 @@ std::string complaint(Action&& action) {
   return "";
 }
 
-// A record with a value of its own in every column; of the series of sample_study, with its label.
+// A record with a different value in every column, of the series and label of sample_study.
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",
           .robot = "iiwa14",
@@ -99,7 +99,7 @@ bool same(const Value& a, const Value& b) {
   return a == b;
 }
 
-// But for the digest, which the store makes.
+// Compares without the digest, which the store makes.
 inline bool same(const results::SolveRecord& a, const results::SolveRecord& b) {
   bool equal = true;
   results::for_each_column([&](std::string_view name, auto member, std::string_view) {

@@ -1,4 +1,4 @@
-// What goes into a store comes out of it: every value, in the promised order.
+// A store returns what it was given: every value, in the promised order.
 #include "results/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -220,7 +220,7 @@ TEST_CASE("a study whose definition has no integer runs is an error of ours", "[
     CHECK_THROWS_AS(store.save_study(study), std::logic_error);
   }
   study = sample_study();
-  study.definition = R"({"runs":1000000,"points":100})";  // what a study file may say: the user's mistake
+  study.definition = R"({"runs":1000000,"points":100})";  // a study file may ask for it: the user's mistake
   CHECK(complaint<std::invalid_argument>([&] { store.save_study(study); }) ==
         "study 'table-3' asks for 200000000 solves (1000000 runs, 100 points, 2 series); expected at most 100000000");
   study = sample_study();

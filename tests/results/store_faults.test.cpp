@@ -1,4 +1,4 @@
-// What a store does when the world is against it: wrong files, damage, kill -9, rivals, no permission to write.
+// A store in adversity: wrong files, damage, kill -9, rivals, no permission to write.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <signal.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ using namespace ikbench::results;
 
 namespace {
 
-// What Store says when it refuses the file; the sentence names the file, always.
+// The message with which Store refuses the file; it always names the file.
 std::string refusal(const std::filesystem::path& file, Store::Mode mode = Store::Mode::read) {
   const std::string said = complaint<std::invalid_argument>([&] { const Store store(file, mode); });
   CHECK_THAT(said, ContainsSubstring(quoted(file)));
@@ -226,7 +226,7 @@ TEST_CASE("JSON may be as deep as it may, and brackets in its texts do not count
 
 TEST_CASE("what is not ours in a store's schema is refused and not run", "[store][faults]") {
   const std::string rename = "ALTER TABLE solves RENAME TO others; ";
-  // A table under its own name, with something of it replaced.
+  // SQL that changes a part of a table's definition.
   const auto remade = [](const std::string& table, const std::string& from, const std::string& to) {
     return fmt::format(
         "PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = replace(sql, '{}', '{}') WHERE name = '{}'", from,
@@ -292,7 +292,7 @@ TEST_CASE("labels and keys that stand twice are refused, whatever the file's con
     const ScratchFolder folder;
     const auto file = folder.path / "a.ikb";
     write_store(file);
-    // The constraint is on another column while the edit is made.
+    // During the edit, the constraint is on another column.
     const auto replace = [&](const std::string& from, const std::string& to) {
       SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
           .exec(fmt::format("PRAGMA writable_schema = ON; UPDATE sqlite_master SET sql = "
@@ -342,7 +342,7 @@ TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
       Store store(file, Store::Mode::write);
       store.save_study(sample_study());
       SolveRecord record = sample_record("key-a");
-      record.trace_cm.assign(500, 0.1234567890123);  // so that the log is folded in now and then
+      record.trace_cm.assign(500, 0.1234567890123);  // large, so that the log is folded in now and then
       for (record.run = 1;; ++record.run) {
         store.append({record});
         if (write(acknowledged[1], "!", 1) != 1) return false;
@@ -366,7 +366,7 @@ TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
       for (int i = 0; i < kept; ++i) CHECK(records[static_cast<std::size_t>(i)].run == i + 1);
     };
     check_solves();
-    Store(file, Store::Mode::write).append({sample_record("key-b")});  // goes on, and closes properly
+    Store(file, Store::Mode::write).append({sample_record("key-b")});  // continues, and closes properly
     CHECK(!std::filesystem::exists(file.string() + "-wal"));
     check_solves();
   }
@@ -580,7 +580,7 @@ TEST_CASE("a reader needs no permission to write, neither to the store nor to it
   std::filesystem::permissions(folder.path, perms{0555});
 
   const pid_t reader = in_a_process([&] {
-    if (geteuid() == 0 && setuid(65534) != 0) return false;  // root may write anything; nobody may not
+    if (geteuid() == 0 && setuid(65534) != 0) return false;  // root may write anything; the user nobody may not
     if (Store(file, Store::Mode::read).solves("table-3").size() != 40) return false;
     if (refusal(file, Store::Mode::write).empty()) return false;
     return refusal(unfinished).find("copy the store with its '-wal' file") != std::string::npos;

@@ -1,4 +1,4 @@
-// Arm files: what they say is what the arm is, and what is wrong is said with its place.
+// Arm files: the arm is as the file says, and mistakes are reported with their places.
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -22,7 +22,7 @@ using numerics::degree;
 
 Robot read_arm(const std::string& text) { return parse_robot(text, "my_arm.toml"); }
 
-// What is said of a file, or "" where it is an arm.
+// The complaint about a file, or "" if it is an arm.
 std::string said_of_arm(const std::string& text) {
   try {
     read_arm(text);
@@ -58,7 +58,7 @@ TEST_CASE("an arm file says summary, source, links, limits, base and tool, and i
   CHECK(links[1].alpha == std::numbers::pi);
   CHECK(links[1].offset == std::numbers::pi / 2);
   CHECK(links[2].joint == Joint::slides);
-  CHECK(arm.limits.lower == Eigen::Vector3d(-130 * degree, -180 * degree, 0));  // half a turn where none is given
+  CHECK(arm.limits.lower == Eigen::Vector3d(-130 * degree, -180 * degree, 0));  // half a turn if none is given
   CHECK(arm.limits.upper == Eigen::Vector3d(130 * degree, 180 * degree, 0.15));
   CHECK(arm.chain.base() == Frame{{0, 0, 1}, {0, 0, std::numbers::pi / 2}});
   CHECK(arm.chain.tool() == Frame{{0, 0, 0.05}, {std::numbers::pi, 0, 0}});
@@ -75,8 +75,8 @@ TEST_CASE("published arms on a base and with a turned tool are where their descr
   const auto check = [](const std::string& text, const Eigen::Vector3d& at_zeros, const Eigen::Vector3d& at_tenths) {
     const Chain arm = read_arm(text).chain;
     const Eigen::VectorXd tenths = Eigen::VectorXd::LinSpaced(arm.joints(), 0.1, 0.1 * arm.joints());
-    CHECK((arm.position(0 * tenths) - at_zeros).norm() < 1e-9);  // as many digits as are printed
-    CHECK((arm.position(tenths) - at_tenths).norm() < 1e-9);     // as many digits as are printed
+    CHECK((arm.position(0 * tenths) - at_zeros).norm() < 1e-9);  // to the printed digits
+    CHECK((arm.position(tenths) - at_tenths).norm() < 1e-9);     // to the printed digits
   };
   check(R"(base = { rpy_deg = [180, 0, 0] }
            links = [{ d_m = -0.28481, alpha_deg = 90 }, { d_m = -0.01175, alpha_deg = -90 },
@@ -177,6 +177,6 @@ TEST_CASE("an arm file with up to four random changes is an arm, or refused with
       REQUIRE(std::string(error.what()).starts_with("my_arm.toml:"));
     }
   }
-  CHECK(arms > 50);  // else the changes are so wild that they test the TOML parser alone
+  CHECK(arms > 50);  // fewer: the changes test the TOML parser alone
   CHECK(arms < 2900);
 }

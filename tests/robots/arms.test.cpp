@@ -1,4 +1,4 @@
-// The library of arms: each has its tool where its maker's description has it.
+// The library of arms: each tool is where its maker's description has it.
 #include <limits>
 #include <numbers>
 #include <vector>

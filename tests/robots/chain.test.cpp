@@ -78,7 +78,7 @@ TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
   // the whole arm down to the side: 0.420 + 0.400 + 0.126 along x, at the shoulder's height
   CHECK((at({0, 90, 0, 0, 0, 0, 0}) - Eigen::Vector3d(0.946, 0, 0.360)).norm() < 1e-15);
   CHECK((at({90, 90, 0, 0, 0, 0, 0}) - Eigen::Vector3d(0, 0.946, 0.360)).norm() < 1e-15);
-  // the elbow bends the forearm the other way than the shoulder
+  // the elbow bends the forearm opposite to the shoulder
   CHECK((at({0, 0, 0, 90, 0, 0, 0}) - Eigen::Vector3d(-0.526, 0, 0.780)).norm() < 1e-15);
   // only the flange is level
   CHECK((at({0, 0, 0, 0, 0, 90, 0}) - Eigen::Vector3d(0.126, 0, 1.180)).norm() < 1e-15);

@@ -40,7 +40,7 @@ Chain general() {
 struct NamedArm {
   std::string name;
   Chain chain;
-  std::vector<int> counts;  // of branches that a reachable pose may have
+  std::vector<int> counts;  // possible numbers of branches of a reachable pose
 };
 
 std::vector<NamedArm> arms() {
@@ -63,12 +63,12 @@ std::vector<NamedArm> arms() {
 
 JointLimits anything() { return {Eigen::VectorXd::Constant(6, -pi), Eigen::VectorXd::Constant(6, pi)}; }
 
-// The largest difference of an angle, whole turns apart.
+// The largest difference of an angle, modulo whole turns.
 double apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).unaryExpr([](double angle) { return std::abs(std::remainder(angle, 2 * pi)); }).maxCoeff();
 }
 
-// Metres, and radians by the chord of the angle between the orientations.
+// The distance in metres, and in radians by the chord of the angle between the orientations.
 double way(const Chain& chain, const Eigen::VectorXd& q, const Pose& wanted) {
   const Pose T = chain.forward(q);
   return std::max((T.translation() - wanted.translation()).norm(),
@@ -127,7 +127,7 @@ TEST_CASE("at singular configurations every branch reaches the pose", "[closed_f
     const ClosedForm closed_form(arm.chain);
     for (int trial = 0; trial < 300; ++trial) {
       Eigen::VectorXd q = random(anything());
-      // The wrist stretched or folded; angles at quarter turns, where arms of right angles are stretched too.
+      // The wrist is stretched or folded; or angles are quarter turns, where arms of right angles are stretched too.
       if (trial % 3 == 0) q[4] = -arm.chain.links()[4].offset + (trial % 2 == 0 ? 0 : pi);
       for (int j = 0; trial % 3 != 0 && j < 6; ++j) {
         if (trial % 3 == 1 || j < 3)

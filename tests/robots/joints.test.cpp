@@ -1,5 +1,5 @@
-// Joints that slide and links that are coupled, bases and tools: by hand, by other people's numbers, and for random
-// arms against 4x4 products in long double.
+// Joints that slide and links that are coupled, bases and tools: by hand, by published numbers, and for random arms
+// against 4x4 products in long double.
 #include <cmath>
 #include <numbers>
 
@@ -26,7 +26,7 @@ void check_position(const Chain& chain, std::initializer_list<double> q, const E
   CHECK((chain.position(joints(q)) - expected).norm() < 1e-15);
 }
 
-// Any arm: joints of all kinds, quarter turns and general twists, lengths that are 0 and others, perhaps a base and a
+// A random arm: joints of all kinds, quarter turns and general twists, lengths of 0 and others, perhaps a base and a
 // turned tool.
 Chain random_chain(Dice& dice) {
   const auto length = [&] { return dice.below(2) == 0 ? 0 : dice.between(-1, 1); };
@@ -51,7 +51,7 @@ Eigen::VectorXd random_joints(const Chain& chain, Dice& dice) {
 }  // namespace
 
 TEST_CASE("a Cartesian arm is where its three slides are", "[joints]") {
-  // Along z, then along y, then along x: every axis is turned to where the next one has to point.
+  // Along z, then along y, then along x: each axis is turned to the direction of the next.
   const Chain arm({{.alpha = -quarter, .joint = Joint::slides},
                    {.alpha = quarter, .offset = quarter, .joint = Joint::slides},
                    {.d = 0.1, .joint = Joint::slides}});
@@ -77,7 +77,7 @@ TEST_CASE("a coupled link moves what comes after it and turns nothing", "[joints
   check_position(arm, {0, quarter, quarter}, {0.6, 0, -0.1});  // the second straight down
   check_position(arm, {quarter, quarter, quarter}, {0, 0.6, -0.1});
   CHECK((arm.forward(joints({0, 0.7, -1.1})).linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() == 0);
-  // With a twist, what comes after is twisted, whatever the angle; an offset is added to the angle.
+  // A twist turns what follows, whatever the angle; an offset is added to the angle.
   const Chain twisted({{.a = 0.5, .alpha = quarter, .offset = quarter, .joint = Joint::coupled}}, {0, 0.1, 0});
   check_position(twisted, {-quarter}, {0.5, 0, 0.1});
   check_position(twisted, {0}, {0, 0, -0.4});

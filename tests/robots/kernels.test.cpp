@@ -1,5 +1,5 @@
-// The kernels of every instruction set that this machine runs, held against the portable ones bit by bit, and these
-// against long double.
+// The kernels of every instruction set of this machine equal the portable ones bit by bit; these agree with long
+// double.
 #include "robots/kernels.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct RandomArm {
   std::vector<DhLink> links;
   Eigen::Vector3d tip;
 
-  // Half of them with joints of any kind, the others with joints that turn.
+  // Half of the arms have joints of any kind; in the others all joints turn.
   RandomArm(Dice& dice, int joints) : links(static_cast<std::size_t>(joints)) {
     const bool all_turn = dice.below(2) == 0;
     for (DhLink& link : links) {
@@ -88,12 +88,12 @@ KernelPose random_pose(Dice& dice) {
   return pose;
 }
 
-// The errors of `count` candidates from column `from` on, in rows of `row`, are those of the portable kernels and
-// nothing before or behind them is written.
+// Checks that the errors of `count` candidates from column `from` on, in rows of `row`, are those of the portable
+// kernels, and that nothing before or behind them is written.
 void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, ptrdiff_t from, Guarded::Page page) {
   const auto joints = static_cast<ptrdiff_t>(arm.links.size());
   CAPTURE(joints, count, row, from);
-  // As few numbers as there may be: the last row ends with the last candidate.
+  // No spare numbers: the last row ends with the last candidate.
   Guarded q(static_cast<std::size_t>((joints - 1) * row + from + count), page);
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = dice.between(-7, 7);
   const KernelPose goal = random_pose(dice);
@@ -123,7 +123,7 @@ void check_errors(const Arm& arm, Dice& dice, ptrdiff_t count, ptrdiff_t row, pt
   check(pose_errors);
 }
 
-// The environment variable as it was, afterwards too.
+// Restores the environment variable at its end.
 class InstructionSetVariable {
  public:
   explicit InstructionSetVariable(const char* value) {
@@ -227,7 +227,7 @@ TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long do
       }
       Eigen::VectorXd by_chain(1);
       chain.position_errors(q, target, by_chain);
-      REQUIRE(by_chain[0] == error);  // which leaves out the joints that move nothing
+      REQUIRE(by_chain[0] == error);  // the chain leaves out joints that move nothing
     }
   }
 }
@@ -276,7 +276,7 @@ TEST_CASE("an angle that is none spoils its own candidate, in whatever joint, an
         CHECK_FALSE(std::isfinite(errors[victim]));
         errors[victim] = good[victim];
         CHECK(errors == good);
-        Eigen::VectorXd by_chain(count);  // in which the last joint moves nothing
+        Eigen::VectorXd by_chain(count);  // the last joint moves nothing
         Chain(iiwa).position_errors(q, target, by_chain);
         CHECK_FALSE(std::isfinite(by_chain[static_cast<Eigen::Index>(victim)]));
         robots::kernels(set).pose_errors(arm.chain(), random_pose(dice), q.data(), count, count, errors.data());
@@ -320,7 +320,7 @@ TEST_CASE("a logarithm is within 2.5 ulp of long double from 2^-52 to 1", "[kern
     worst = std::max(worst, last_places(logarithm(x), std::log(static_cast<long double>(x))));
   };
   for (int i = 0; i < 1'000'000; ++i) {
-    check(1 - std::floor(dice.between(0, 1) * 0x1p52) * 0x1p-52);  // as a radius of normal numbers has it
+    check(1 - std::floor(dice.between(0, 1) * 0x1p52) * 0x1p-52);  // as for a radius of normal numbers
     check(std::exp2(dice.between(-52, 0)));
     check(1 - std::exp2(dice.between(-52, -1)));
   }

@@ -9,7 +9,7 @@ namespace ikbench {
 
 class RandomConfigurations {
  public:
-  // Uniform within the limits, and within half a turn each way where there are none.
+  // Uniform within the limits, or within half a turn each way of 0 without limits.
   Eigen::VectorXd operator()(const robots::JointLimits& all) {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(all.lower.size());
     const robots::JointLimits limits = all.around(q);

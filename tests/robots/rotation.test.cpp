@@ -1,4 +1,4 @@
-// Rotation vectors, held against Rodrigues' formula in long double.
+// Rotation vectors against Rodrigues' formula in long double.
 #include "robots/rotation.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 namespace {
 
-// About a unit axis.
+// A rotation about a unit axis.
 Eigen::Matrix3d turned(const Eigen::Vector3d& axis, double angle) {
   using Long = Eigen::Matrix<long double, 3, 3>;
   const Eigen::Matrix<long double, 3, 1> unit = axis.cast<long double>().normalized();
@@ -43,7 +43,7 @@ TEST_CASE("a rotation vector is the axis times the angle, from next to nothing t
     if (trial % 7 == 0) axis = Eigen::Vector3d::Unit(dice.below(3)) * (trial % 2 == 0 ? 1 : -1);
     CAPTURE(angle, axis);
     const Eigen::Vector3d found = rotation_vector(turned(axis, angle));
-    // Of half a turn either of the two.
+    // For half a turn, either of the two is right.
     const double off = std::min((found - angle * axis).norm(), (found + (2 * pi - angle) * axis).norm());
     REQUIRE(off < 3e-15);
     if (angle < 1e-3) REQUIRE(off < 1e-15 * angle + 1e-18);

@@ -67,7 +67,7 @@ TEST_CASE("position and orientation come back through a wrist of opposite sense,
 }
 
 TEST_CASE("whatever is behind the last axis, a wrist is spherical and reaches given poses", "[wrist]") {
-  // As Fetch has it: a length and a quarter turn to a tool whose z is not the axis about which it rolls.
+  // As in Fetch: a length and a quarter turn to a tool whose z is not its roll axis.
   std::vector<DhLink> links = robot("kuka_iiwa14").chain.links();
   links[6].a = 0.03;
   links[6].alpha = -pi / 2;

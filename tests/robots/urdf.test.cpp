@@ -1,4 +1,4 @@
-// Arms from URDF files: what is read, the traps of the format, and that the chain is the arm that the file describes.
+// Arms from URDF files: their content, the traps of the format, and the equality of chain and file.
 #include "robots/urdf.hpp"
 
 #include <cmath>
@@ -47,7 +47,7 @@ const std::string to_tool = "<origin xyz='0.5 0 0'/>";
 Robot read(const std::string& text, const UrdfChoice& choice = {}) { return parse_urdf(text, "my_arm.urdf", choice); }
 Robot read(const std::vector<Given>& joints, const UrdfChoice& choice = {}) { return read(urdf(joints), choice); }
 
-// What is said of a file, or "" where it is an arm.
+// The complaint about a file, or "" if it is an arm.
 std::string said_of(const std::string& text, const UrdfChoice& choice = {}) {
   try {
     read(text, choice);
@@ -57,7 +57,7 @@ std::string said_of(const std::string& text, const UrdfChoice& choice = {}) {
   return "";
 }
 
-// The largest difference of any element of the tool's pose over a thousand configurations.
+// The largest difference of an element of the tool's pose over a thousand configurations.
 double difference(const Robot& arm, const Robot& other) {
   RandomConfigurations random;
   double largest = 0;
@@ -80,7 +80,7 @@ double difference(const Robot& arm) {
   return largest;
 }
 
-// An arm of up to nine joints of all kinds, of any origins and axes, some of them with round numbers.
+// A random arm of up to nine joints of all kinds, with any origins and axes, some of them round numbers.
 Description random_description(RandomConfigurations& random) {
   const auto below = [&](int count) { return static_cast<int>(random.between(0, count)); };
   const auto length = [&] { return below(2) == 0 ? 0 : random.between(-1, 1); };
@@ -136,7 +136,7 @@ TEST_CASE("joints are where a drawing by hand puts them", "[urdf]") {
   const Given tool{"fixed", to_tool};
   CHECK((at(read({{"revolute", about_z + limit}, tool}), pi / 2) - Eigen::Vector3d(0, 0.5, 0)).norm() < 1e-15);
   CHECK((at(read({{"revolute", limit}, tool}), pi / 2) - Eigen::Vector3d(0.5, 0, 0)).norm() < 1e-15);
-  // A slide along an axis that is not of length 1 goes by metres.
+  // A slide along an axis of another length than 1 still moves in metres.
   const Robot slide = read({{"prismatic", "<axis xyz='0 -3 0'/>" + limit}, tool});
   CHECK((at(slide, 0.25) - Eigen::Vector3d(0.5, -0.25, 0)).norm() < 1e-15);
   CHECK(slide.chain.links()[0].joint == Joint::slides);
@@ -258,9 +258,9 @@ TEST_CASE("angles that a file prints short are made whole, and by how much that 
   CHECK(file("gen3", {.snap = 0}).notes.empty());
   const Robot iiwa = file("iiwa14", {.snap = 0});  // 14 decimals: nothing to do
   CHECK(iiwa.notes.empty());
-  // What calibration found is no rounding.
+  // Calibrated digits are no rounding.
   CHECK(file("ur5_calibrated").description[3].origin.rpy == Eigen::Vector3d(0.0001, 0.00074, 0.01));
-  // Axes that are parallel but for the digits of two angles become parallel.
+  // Axes that are parallel up to the digits of two angles become parallel.
   const std::vector<Given> bent{{"revolute", about_z + limit},
                                 {"fixed", "<origin xyz='0.4 0 0' rpy='0 0.34906585 0'/>"},
                                 {"revolute", "<origin rpy='0 -0.34906586 0'/>" + about_z + limit},

@@ -3,7 +3,8 @@
 #include <atomic>
 #include <cstddef>
 
-// Eigen takes its memory by malloc, the standard library by operator new, which calls malloc: malloc is what counts.
+// Counts calls of malloc: Eigen takes its memory by malloc, and the standard library by operator new, which calls
+// malloc.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define IKBENCH_SANITIZED 1
@@ -37,7 +38,7 @@ extern "C" void* malloc(std::size_t size) {
   return __libc_malloc(size);
 }
 
-extern "C" void* calloc(std::size_t number, std::size_t size) {  // what compilers make of malloc and zeros
+extern "C" void* calloc(std::size_t number, std::size_t size) {  // compilers replace malloc and zeros by it
   ++count;
   return __libc_calloc(number, size);
 }

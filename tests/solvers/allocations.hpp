@@ -1,4 +1,4 @@
-// How often this program has asked for heap memory, by malloc or operator new.
+// The number of this program's requests for heap memory, by malloc or operator new.
 #pragma once
 
 namespace ikbench {

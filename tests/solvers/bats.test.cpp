@@ -13,7 +13,7 @@ using namespace ikbench::solvers;
 
 namespace {
 
-// What IK-BA draws in an iteration, in its order.
+// The draws of an iteration of IK-BA, in its order.
 struct IkBatDraws {
   explicit IkBatDraws(Random& random, int bats = 2)
       : beta(drawn_vector(random, bats)), epsilon(drawn_normals(random, 2, bats)), chance(drawn_vector(random, bats)) {}
@@ -132,7 +132,7 @@ TEST_CASE("IK-BA's bats leave the limits unless they are clamped", "[ik_bat]") {
 TEST_CASE("BA moves, searches locally, accepts and grows quiet by Eqs. 5 to 10", "[bat][paper]") {
   const Task task = planar_task(2);
   const double alpha = 0.5, gamma = 0.5, r0 = 0.8;
-  // Errors by turn, so that some candidates improve, some tie and some fail.
+  // Errors in the order of evaluation: some candidates improve, some tie and some fail.
   const std::vector<double> script{3, 2, 2.5, 2, 1.5, 2.5, 1.5, 1.2, 1.1, 1.3, 1, 0.9, 0.8, 0.9, 0.7, 0.6};
   int moves = 0, searches = 0, ties = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -1,4 +1,4 @@
-// The closed form as a solver: which branch it picks, and whom it refuses.
+// The closed form as a solver: its choice of a branch, and the arms that it refuses.
 #include "robots/closed_form.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 const Robot irb120 = robot("abb_irb120");
 
 struct Posed {
-  Eigen::VectorXd q;  // that reaches it
+  Eigen::VectorXd q;  // a configuration that reaches the goal
   Goal goal;
   Problem problem;
 };

@@ -1,4 +1,4 @@
-// What holds for every solver of the registry, and for each value of its options.
+// The contract of every registered solver, for each value of its options.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,10 +19,10 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// With the peers that were built.
+// Includes the peers that were built.
 std::vector<SolverInfo> solvers_of_positions() { return solvers_for(iiwa_task().chain, Asked::position); }
 
-// Without peers: their libraries take memory as they like, and some of them draw nothing.
+// Leaves out peers: their libraries allocate as they like, and some draw nothing.
 std::vector<SolverInfo> own_solvers_of_positions() {
   std::vector<SolverInfo> own = solvers_of_positions();
   std::erase_if(own, [](const SolverInfo& info) { return !info.library.empty(); });
@@ -69,7 +69,7 @@ Solution solved(Solver& solver, const Task& task, Objective& objective, std::uin
   return solve(solver, task.problem, objective, random, {.iterations = 30}, Trace::best_error);
 }
 
-// That best() never worsens and is exactly as good as it says, on this objective.
+// Checks that best() never worsens and that its error is exactly the objective's.
 void check_best(Solver& solver, const Task& task, Objective& objective) {
   Random random{Key(7)};
   Objective judge(task.chain, task.target);
@@ -143,7 +143,7 @@ TEST_CASE("a solve in which no error is a number ends as not finite", "[contract
       SpoiltObjective objective(task.chain, task.target, not_a_number, 1);
       const auto solver = info.make(settings);
       CHECK(solved(*solver, task, objective).stopped == Stopped::not_finite);
-      check_best(*solver, task, objective);  // and nothing breaks where someone goes on
+      check_best(*solver, task, objective);  // and nothing breaks if somebody continues
     }
   }
 }
@@ -235,7 +235,7 @@ TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]"
 TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
   for (const SolverInfo& info : solvers_of_positions()) {
     if (info.options({}).contains("bounds")) continue;
-    if (info.name == "kdl_lma" || info.name == "ceres_tiny") continue;  // which know no limits
+    if (info.name == "kdl_lma" || info.name == "ceres_tiny") continue;  // they know no limits
     CAPTURE(info.name);
     const Task task = iiwa_task();
     RecordingObjective objective(task.chain, task.target);

@@ -48,7 +48,7 @@ TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the
 
 TEST_CASE("a step that makes it worse is undone, and damped by 2, 4, 8 and so on", "[dls]") {
   const Task task = planar_task(1);
-  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // whatever follows is worse
+  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse
   Random random{Key(1)};
   const auto descent = solver("damped_least_squares").make({{"damping", "1"}});
   descent->start(task.problem, objective, random);

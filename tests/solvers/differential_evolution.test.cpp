@@ -31,7 +31,7 @@ struct Started {
   const Eigen::VectorXd& seen(int turn) const { return objective.candidates.at(static_cast<std::size_t>(turn)); }
 };
 
-// The three others in the order in which x_a + F (x_b - x_c) is the candidate; empty where none is.
+// The indices a, b, c, in order, for which x_a + F (x_b - x_c) is the candidate; empty if there are none.
 std::vector<std::size_t> mutant_of(const Eigen::VectorXd& candidate, const std::vector<Eigen::VectorXd>& x,
                                    std::size_t i, double F) {
   std::vector<std::size_t> others;

@@ -1,4 +1,4 @@
-// Arms whose joints turn without end: no solver is held at a turn, and first candidates are drawn from one.
+// Arms whose joints turn without end: no solver stops at a whole turn, and first candidates are drawn from one.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-// The moves of the solvers' kernels, on every instruction set that this machine runs, held against plain loops bit by
-// bit. The random streams' kernels: random.test.cpp.
+// The solvers' kernels on every instruction set of this machine equal plain loops bit by bit. random.test.cpp has those
+// of random streams.
 #include "solvers/kernels.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<std::size_t> sizes() {
   return sizes;
 }
 
-// Mostly ordinary numbers, and sometimes one of the others.
+// Draws mostly ordinary numbers, sometimes one of the others.
 double drawn(Dice& dice) {
   constexpr double others[] = {0.0, -0.0, infinite, -infinite, no_number, largest, -largest, tiniest, -tiniest};
   return dice.below(20) == 0 ? others[dice.below(static_cast<int>(std::size(others)))] : dice.between(-7, 7);
@@ -45,7 +45,7 @@ Column drawn(Dice& dice, std::size_t count) {
   return numbers;
 }
 
-// Numbers between a page that may not be touched and, on their other side, some that may not change.
+// Numbers between a page that must not be touched and, on the other side, some that must not change.
 class Row {
  public:
   Row(const Column& numbers, Guarded::Page page)
@@ -72,19 +72,19 @@ class Row {
   std::size_t first_, count_;
 };
 
-// To the last bit; but of a sum of two NaN no compiler promises which it is.
+// Compares to the last bit, except NaN: of a sum of two, no compiler promises which it is.
 bool same_column(const Column& a, const Column& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::memcmp(&x, &y, sizeof x) == 0 || (std::isnan(x) && std::isnan(y));
   });
 }
 
-// A column of numbers that a kernel reads: they are what they were, and nothing beside them was touched.
+// Checks that a kernel only read a column: it is unchanged, and nothing beside it was touched.
 bool only_read(Row& row, const Column& numbers) {
   return row.kept_within() && same_bits(row.data(), numbers.data(), numbers.size());
 }
 
-// Calls check(kernels, count, page, in place?) for everything that a row of candidates may be.
+// Calls check(kernels, count, page, in place?) for all kinds of rows of candidates.
 template <class Check>
 void for_each_case(Check check) {
   for (const InstructionSet set : instruction_sets()) {
@@ -209,7 +209,7 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
           for (std::size_t i = 0; i < size; ++i) expected[i] = q[i] < lower ? lower : q[i] > upper ? upper : q[i];
           Row row(q, page);
           solvers::kernels(set).clamp(lower, upper, row.data(), static_cast<ptrdiff_t>(size));
-          REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN is the NaN that it was
+          REQUIRE(same_bits(row.data(), expected.data(), size));  // NaN keeps its bits
           REQUIRE(row.kept_within());
         }
       }

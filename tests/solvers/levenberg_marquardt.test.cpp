@@ -1,4 +1,4 @@
-// Levenberg and Marquardt's method: its steps by hand, where it ends, and its restarts.
+// Levenberg and Marquardt's method: its steps by hand, its end, and its restarts.
 #include <Eigen/LU>
 #include <vector>
 
@@ -13,13 +13,13 @@ using namespace ikbench::solvers;
 TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metres and radians", "[lm]") {
   struct Case {
     std::string rule;
-    double (*damping)(double E);  // of the factor or term 0.1
+    double (*damping)(double E);  // with the factor or term 0.1
   };
   const std::vector<Case> cases{{"chan", [](double E) { return 0.1 * E; }},
                                 {"sugihara", [](double E) { return E + 0.1; }},
                                 {"wampler", [](double) { return 0.1; }}};
   for (const auto& [rule, damping] : cases) {
-    for (const double weight : {0.3, 4.0}) {  // whatever a radian weighs in the error
+    for (const double weight : {0.3, 4.0}) {  // for any weight of a radian
       const ReachablePose task("franka_panda", 3, weight);
       RecordingObjective recorded(task.arm.chain, task.goal);
       Random random{Key(1)};
@@ -45,7 +45,7 @@ TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metr
 
 TEST_CASE("Levenberg and Marquardt's method takes a step that makes it worse, within the limits", "[lm]") {
   const Task task = planar_task(1);
-  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // whatever follows is worse
+  RecordingObjective objective(task.chain, std::vector<double>{0.5});  // every later candidate is worse
   Random random{Key(1)};
   const auto descent = solver("levenberg_marquardt").make({{"rule", "wampler"}, {"damping", "1e-6"}});
   descent->start(task.problem, objective, random);

@@ -1,4 +1,4 @@
-// Newton's method: its steps by hand, where it ends, and its restarts.
+// Newton's method: its steps by hand, its end, and its restarts.
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@ using namespace ikbench::solvers;
 
 TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and radians", "[newton]") {
   for (const std::string name : {"abb_irb120", "franka_panda"}) {
-    for (const double weight : {0.05, 1.0, 4.0}) {  // whatever a radian weighs
+    for (const double weight : {0.05, 1.0, 4.0}) {  // for any weight of a radian
       ReachablePose task(name, 3, weight);
       task.problem.start.array() += 0.3;  // in the middle of its limits the arm is singular
       RecordingObjective recorded(task.arm.chain, task.goal);

@@ -1,4 +1,4 @@
-// Objectives that watch, feed or spoil what a solver evaluates, and tasks to evaluate it on.
+// Objectives that record, script or spoil the evaluations of a solver, and tasks to evaluate it on.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace ikbench {
 
-// Logs every candidate, one by one. Its errors are the real ones, or those of `script` in turn and then infinity.
+// Records every candidate, one by one. Its errors are the real ones, or those of `script` in order and then infinity.
 class RecordingObjective final : public solvers::Objective {
  public:
   RecordingObjective(const robots::Chain& chain, const solvers::Goal& goal) : solvers::Objective(chain, goal, 1) {}
@@ -42,7 +42,7 @@ class RecordingObjective final : public solvers::Objective {
   std::vector<double> script_;
 };
 
-// Looks no further ahead than the candidate at hand, as the pseudo-codes do.
+// Looks only at the present candidate, as the pseudo-codes do.
 class OneAheadObjective final : public solvers::Objective {
  public:
   OneAheadObjective(const robots::Chain& chain, const solvers::Goal& goal) : solvers::Objective(chain, goal, 1) {}
@@ -92,7 +92,7 @@ inline Task iiwa_task(int population = 10) {
            .iterations = 50}};
 }
 
-// Any number of joints, about axes in turn upright and level; half of the stretched arm away.
+// Any number of joints, with axes alternately upright and level; its target is half of the stretched arm away.
 inline Task snake_task(int joints, int population = 10) {
   std::vector<robots::DhLink> links;
   for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});
@@ -116,7 +116,7 @@ inline Task planar_task(int population) {
            .iterations = 50}};
 }
 
-// Of a pose that the arm reaches within its limits, from their middle.
+// A task with a pose that the arm reaches within its limits, from their middle.
 struct ReachablePose {
   explicit ReachablePose(std::string_view name, std::uint64_t seed, double weight = 0.3)
       : arm(robots::robot(name)), goal(Eigen::Vector3d::Zero()) {

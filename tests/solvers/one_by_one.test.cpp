@@ -1,5 +1,5 @@
-// The solvers that look ahead in batches, held bit for bit against the loops that they stand for: one candidate after
-// another, each drawn, evaluated and decided on before the next, as the pseudo-code has it.
+// Solvers that look ahead in batches equal, bit for bit, the loops of their pseudo-code, which draw, evaluate and
+// decide one candidate after another.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +57,7 @@ struct Loop {
     random.uniforms(drawn);
     return {drawn.begin(), drawn.end()};
   }
-  // Of candidate i and joint j in [i][j]; drawn joint by joint.
+  // Draws, joint by joint, numbers for candidate i and joint j in [i][j].
   std::vector<Vector> each(std::size_t count, void (*draw)(Random&, Candidates&)) {
     Candidates drawn(static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(count));
     draw(random, drawn);
@@ -108,7 +108,7 @@ void ik_bat(Loop& loop) {
   loop.evaluate_first();
   double A = loop.number("loudness");
   for (int t = 0; t < iterations; ++t) {
-    loop.uniforms(bats);  // the frequencies, which change nothing that is evaluated
+    loop.uniforms(bats);  // the frequencies, which change no evaluation
     const std::vector<Vector> epsilon =
         loop.is("epsilon", "normal")
             ? loop.each(bats, [](Random& from, Candidates& out) { from.normals(out); })
@@ -168,7 +168,7 @@ void bat(Loop& loop) {
   }
 }
 
-// Kennedy and Eberhart 1995 with inertia; the swarm's best is told at once.
+// Kennedy and Eberhart 1995 with inertia; each particle sees the swarm's best at once.
 void particle_swarm(Loop& loop) {
   const std::size_t particles = candidates_a_step;
   const double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
@@ -195,7 +195,7 @@ void particle_swarm(Loop& loop) {
   }
 }
 
-// rand/1/bin, a better trial in its place at once.
+// rand/1/bin; a better trial takes its place at once.
 void differential_evolution(Loop& loop) {
   const std::size_t candidates = candidates_a_step;
   const double crosses_below = loop.number("crossover"), weight = loop.number("weight");
@@ -207,7 +207,7 @@ void differential_evolution(Loop& loop) {
     const std::vector<Vector> crossover = loop.each_uniform(candidates);
     const Vector forced = loop.uniforms(candidates);
     for (std::size_t i = 0; i < candidates; ++i) {
-      // Three of the others, each among those that are left, in order.
+      // Three of the others, in order, each from those that are left.
       std::vector<std::size_t> left;
       for (std::size_t k = 0; k < candidates; ++k) {
         if (k != i) left.push_back(k);
@@ -251,7 +251,7 @@ void k_artificial_bee_colony(Loop& loop) {
       const Vector joint = loop.uniforms(sources), phi = loop.uniforms(sources);
       const Vector neighbour = takes_random ? loop.uniforms(sources) : Vector(sources, 0);
       const Vector roulette = onlookers ? loop.uniforms(sources) : Vector(sources, 0);
-      Vector shares;  // added up; as they are before the first onlooker flies
+      Vector shares;  // sums, from before the first onlooker flies
       for (const double error : loop.errors) {
         shares.push_back((shares.empty() ? 0 : shares.back()) + 1 / (1 + error / unit));
       }
@@ -327,7 +327,7 @@ void check_against(const std::string& name, void (*run)(Loop&), const std::vecto
         REQUIRE(solution.best.q == loop.best.q);
         REQUIRE(solution.best.error == loop.best.error);
         REQUIRE(solution.evaluations == by_itself.evaluations());
-        REQUIRE(random.uniform() == loop.random.uniform());  // both have drawn the same
+        REQUIRE(random.uniform() == loop.random.uniform());  // both have drawn equally many
         ++solves;
       }
     }

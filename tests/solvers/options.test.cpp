@@ -1,4 +1,4 @@
-// What may be written as an option's value, and what is said of the rest.
+// Values of options, and messages about wrong ones.
 #include "solvers/options.hpp"
 
 #include <clocale>

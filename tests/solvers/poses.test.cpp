@@ -1,4 +1,4 @@
-// Whole poses as goals: what the objective says of them, how solves stop, and that every solver keeps its contract.
+// Whole poses as goals: the objective's errors, the ends of solves, and the contract of every solver.
 #include <Eigen/Cholesky>
 #include <cmath>
 
@@ -148,7 +148,7 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
     CHECK(solution.position_error == left.position);
     if (name == std::string("damped_least_squares")) REQUIRE(is_near);
     if (!is_near) continue;
-    // One iteration less and it is not there.
+    // With one iteration less it is not near enough.
     Objective again(task.arm.chain, task.goal);
     Random same{Key(1)};
     const StopRule before{.iterations = static_cast<int>(solution.iterations) - 1};
@@ -159,7 +159,7 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
 }
 
 TEST_CASE("no pose within both tolerances has a larger error than those that are looked at", "[pose][solve]") {
-  // A solver that stands still at a configuration: it stops where the deviation says so, whatever direction it is in.
+  // A solver that stays at one configuration: it stops if the deviation says so, in whatever direction.
   class Still final : public Solver {
    public:
     void start(const Problem& problem, Objective& objective, Random&) override {

@@ -1,4 +1,4 @@
-// The one loop: when it stops, what it counts and what it traces.
+// The loop of all solvers: its ends, its counts and its traces.
 #include "solvers/solve.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST_CASE("a solve stops when its time is over", "[solve]") {
 }
 
 TEST_CASE("a solve stops where its solver has finished, unless it is within the tolerance", "[solve]") {
-  // It evaluates the start, in every step anew, and has had enough after three.
+  // It evaluates the start, and again in each step, and finishes after three.
   struct Finishing final : Solver {
     void start(const Problem& problem, Objective& objective, Random&) override {
       best_ = {problem.start, objective.error(problem.start)};
@@ -158,7 +158,7 @@ TEST_CASE("MO-PSO's mutation ends with the budget, whichever rule ends it", "[so
     Random random{Key(1)};
     return solve(*solver("multi_objective_swarm").make({}), task.problem, objective, random, stop).best;
   };
-  // The first population is evaluated too: 39 iterations and it are 2000 evaluations, of which 40 are planned.
+  // The first population counts too: it and 39 iterations are 2000 evaluations; 40 are planned.
   const Best least = answer({.iterations = 40, .evaluations = 2000}),
              most = answer({.iterations = 100'000, .evaluations = 2000});
   CHECK(least.q == most.q);

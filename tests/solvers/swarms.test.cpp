@@ -22,7 +22,7 @@ struct Coefficients {
   double inertia, cognitive, social;
 };
 
-// Two particles for five iterations against the equations, with errors that make either best change.
+// Compares two particles for five iterations with the equations; the errors make both bests change.
 void check_particle_swarm(const Settings& settings, const Coefficients& c) {
   const Task task = planar_task(2);
   const std::vector<double> script{3, 2, 2.5, 2.2, 1, 1.5, 4, 0.9, 0.8, 0.7, 0.6, 0.95};
@@ -69,7 +69,7 @@ bool dominates(const Point& a, const Point& b) {
   return a.error <= b.error && a.variation <= b.variation && (a.error < b.error || a.variation < b.variation);
 }
 
-// The non-dominated of these, one by one against all and equal ones once; then the least crowded of them.
+// The non-dominated of these, compared one by one with all, equal ones once; then the least crowded of them.
 std::vector<Point> reference_archive(const std::vector<Point>& all, std::size_t capacity) {
   std::vector<Point> front;
   for (const Point& p : all) {
@@ -201,7 +201,7 @@ TEST_CASE("MO-PSO's velocity is used whole, kept within 5 % of the range, and tu
 
 TEST_CASE("MO-PSO's leaders are the non-dominated and least crowded of all it has seen", "[mo_pso]") {
   const Task task = iiwa_task(40);
-  // Only the leader moves a particle: x + U (leader - x), so that the log tells the leader of each.
+  // Only the leader moves a particle: x + U (leader - x), so that the log shows each particle's leader.
   const Settings settings{{"inertia", "0"},  {"cognitive", "0"}, {"social", "1"},
                           {"mutation", "0"}, {"archive", "5"},   {"leader", "per_particle"}};
   RecordingObjective objective(task.chain, task.target);

@@ -35,7 +35,7 @@ std::vector<Claim> claims_of(StudyResults study, const std::vector<StudyResults>
   return analysis::paper("slim2023").claims({judged, {others.begin(), others.end()}});
 }
 
-// By its id.
+// Finds a claim by its id.
 const Claim& claim_of(const std::vector<Claim>& claims, const std::string& id) {
   const auto found = std::ranges::find(claims, id, &Claim::id);
   REQUIRE(found != claims.end());

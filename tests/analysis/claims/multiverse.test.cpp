@@ -107,7 +107,7 @@ std::vector<Universe> universes_of(const Multiverse& multiverse) {
   return all;
 }
 
-// Which of its printed numbers a solver's runs explain, in the order of the paper.
+// For each of its printed numbers, in the order of the paper: do a solver's runs explain it?
 std::vector<bool> explained_by(const Multiverse::Own& own, const std::string& solver) {
   std::vector<bool> all;
   for (std::size_t m = 0; m < metrics.size(); ++m) {

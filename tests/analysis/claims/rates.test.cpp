@@ -1,4 +1,4 @@
-// The rules on solve rates, by the claims of beeson2015 and studies of so many solves that are ok.
+// The rules on solve rates, with the claims of beeson2015 and studies with given numbers of solves that are ok.
 #include <algorithm>
 
 #include "analysis/claims/rules_of_arms.hpp"

@@ -1,4 +1,4 @@
-// What writing a file does to what is already in its place.
+// Writing a file over what is already in its place.
 #include "results/files.hpp"
 
 #include <sys/stat.h>
@@ -28,7 +28,7 @@ bool make_device(const fs::path& file, unsigned number) {
   return ::mknod(file.c_str(), S_IFCHR | 0666, ::makedev(1, number)) == 0 && ::access(file.c_str(), W_OK) == 0;
 }
 
-// What is said where the file cannot be written; nothing where it can.
+// The complaint if the file cannot be written; nothing if it can.
 std::string complaint(const fs::path& file) {
   try {
     write_through(file, "text");

@@ -1,5 +1,4 @@
-// Whether the methods were fixed before the data were seen, as the store has it; and stores that say nothing, or
-// nonsense.
+// The store shows whether the methods were fixed before the data were seen; some stores say nothing, or nonsense.
 #include "analysis/inference/analysis_plan.hpp"
 
 #include "analysis/report/provenance.hpp"

@@ -80,7 +80,7 @@ constexpr int repetitions = 200;
 // Three binomial standard errors below 0.95.
 const double least_coverage = 0.95 - 3 * std::sqrt(0.95 * 0.05 / repetitions);
 
-// How often the interval of the expected running time holds the true one.
+// The share of intervals of the expected running time that contain the true one.
 double coverage(double truth, const char* definition, const std::function<Runs(std::mt19937_64&)>& sample) {
   std::mt19937_64 engine(3);
   int covered = 0;

@@ -332,7 +332,7 @@ TEST_CASE("the trace of a pose is drawn as the error of the pose, and counts for
 }
 
 TEST_CASE("success is drawn against the budget and the time: failures count as never solved", "[convergence]") {
-  // Of four solves of A, two are ok after 100 and 400 evaluations, two others end earlier and fail, as all of B do.
+  // Two of four solves of A are ok after 100 and 400 evaluations; the others end earlier and fail, as do all of B.
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B"}, .runs = 4, .points = 1});
   for (std::size_t i = 0; i < solves.size(); ++i) {
     solves[i].evaluations = std::array{100, 400, 50, 80}[i % 4];
@@ -414,7 +414,7 @@ TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "
   const auto drawn = [](std::vector<SolveRecord> solves) {
     StudyResults study = make_study("s", std::move(solves));
     std::vector<Figure> figures = convergence_figures(study);
-    // Without a tolerance there is one of them that is not among those with it.
+    // Without a tolerance, one of the figures is not among those with it.
     std::erase_if(figures, [](const Figure& figure) { return figure.name != "statistics-profile-error"; });
     study.facts = facts_of(with_tolerance);
     for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));

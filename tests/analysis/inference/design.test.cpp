@@ -1,4 +1,4 @@
-// Which solves of a study make an observation, and which of them are of the same problem.
+// Solves of a study as observations, and as solves of the same problem.
 #include "analysis/inference/design.hpp"
 
 #include <cmath>

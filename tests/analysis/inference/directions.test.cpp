@@ -1,5 +1,4 @@
-// Which of two groups is called the better one is the word of the statistic that decides, here computed once more and
-// in another way: by counting.
+// The deciding statistic says which of two groups is better; here it is computed in another way, by counting.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +45,7 @@ class Random {
   std::uint64_t state_;
 };
 
-// What makes means, medians and ranks point apart: long tails on one side or both, ties, rare and large effects.
+// Laws that make means, medians and ranks point apart: long tails on one side or both, ties, rare and large effects.
 enum class Law { normal, skewed, heavy_tailed, tied, often_little_rarely_much };
 constexpr std::array<Law, 5> laws{Law::normal, Law::skewed, Law::heavy_tailed, Law::tied,
                                   Law::often_little_rarely_much};
@@ -100,7 +99,7 @@ Made make(Design design, Random& random) {
 
 int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-// Of the first less the second: above 0 where the first has the larger values by the statistic.
+// The first less the second: above 0 if the first has the larger values by the statistic.
 double of_means(const std::vector<double>& first, const std::vector<double>& second) {
   const auto mean = [](const std::vector<double>& values) {
     long double sum = 0;
@@ -110,7 +109,7 @@ double of_means(const std::vector<double>& first, const std::vector<double>& sec
   return static_cast<double>(mean(first) - mean(second));
 }
 
-// In how many pairs of values that of the first is above, less in how many it is below.
+// The number of pairs of values in which the first is above, less those in which it is below.
 double of_pairs(const std::vector<double>& first, const std::vector<double>& second) {
   double sum = 0;
   for (const double one : first) {
@@ -119,7 +118,7 @@ double of_pairs(const std::vector<double>& first, const std::vector<double>& sec
   return sum;
 }
 
-// In how many blocks that of the first is above, less in how many it is below.
+// The number of blocks in which the first is above, less those in which it is below.
 double of_signs(const std::vector<double>& first, const std::vector<double>& second) {
   double sum = 0;
   for (std::size_t i = 0; i < first.size(); ++i) sum += sign(first[i] - second[i]);
@@ -140,7 +139,7 @@ Made negated(Made made) {
   return made;
 }
 
-// As evidence() has it, without what takes longer and decides nothing: bootstrap, normality.
+// Like evidence(), without slow parts that decide nothing: bootstrap, normality.
 Evidence judged(const Made& made, Better better, const std::string& test) {
   const auto name = [](std::size_t group) { return fmt::format("g{}", group); };
   Evidence found{.name = "x",
@@ -165,7 +164,7 @@ Made reversed(Made made) {
   return made;
 }
 
-// How many pairs were decided, and in how many of them another measure is for the other of the two.
+// The number of decided pairs, and of those in which another measure is for the other group.
 struct Decided {
   int pairs = 0, against_the_mean = 0, against_the_median = 0, against_the_share = 0;
 };
@@ -197,7 +196,7 @@ void check_directions(const Made& made, const std::string& test, Decided& decide
   const Evidence other = judged(negated(made), Better::larger, test);
   const Evidence swapped = judged(reversed(made), Better::smaller, test);
   const std::size_t last = made.groups.size() - 1;
-  // Of several groups that are the best, the first is the reference: turned round it may be another.
+  // If several groups are the best, the first is the reference; in reverse order it may be another.
   const bool same_reference = !found.reference || *swapped.reference == last - *found.reference;
   CHECK(found.reference.has_value() == (made.control || last >= most_groups_in_pairs));
   for (std::size_t i = 0; i < found.contrasts.size(); ++i) {

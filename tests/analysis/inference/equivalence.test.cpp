@@ -53,7 +53,7 @@ TEST_CASE("equal values are the same within the margin where so many are not equ
   CHECK(two.contrasts[0].extent == Extent::unknown);
   CHECK_FALSE(is_same(evidence(with({{7, 7, 7}, {7, 7, 7}}), {})));
   CHECK(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}}), {})));
-  // Of three groups there are three pairs: 3 * 2 / 70 is not below 0.05, 3 * 2 / 252 is.
+  // Three groups make three pairs: 3 * 2 / 70 is not below 0.05, 3 * 2 / 252 is.
   CHECK_FALSE(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}, {2, 2, 2, 2}}), {})));
   CHECK(is_same(evidence(with({{7, 7, 7, 7, 7}, {7, 7, 7, 7, 7}, {2, 2, 2, 2, 2}}), {})));
   // Nor is a difference that is not found a small one.

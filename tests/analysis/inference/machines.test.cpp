@@ -1,4 +1,4 @@
-// Which machines solved a study.
+// The machines that solved a study.
 #include "analysis/inference/machines.hpp"
 
 #include <vector>

@@ -117,7 +117,7 @@ TEST_CASE("claims counted by products are those counted universe by universe", "
         counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A", .rival = rival}}, plan).front();
     CHECK(counts.all.all() == Approx(2));  // seeds
     CHECK(are_same(counts.all, all));
-    // Of every kind some, else this would show little.
+    // Some of every kind, or this shows little.
     CHECK(all.holds > 0);
     CHECK(all.fails > 0);
     CHECK(all.undecided > 0);

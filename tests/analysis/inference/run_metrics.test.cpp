@@ -1,5 +1,5 @@
-// What is said of a run as a whole, of turned answers and of targets beyond the reach, by hand; and which metrics a
-// report shows.
+// Metrics of whole runs, of turned answers and of targets beyond the reach, by hand; and the metrics that a report
+// shows.
 #include "analysis/inference/run_metrics.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What one interruption adds to a time: it is told, and decides nothing.
+// The effect of one interruption on a time: it is reported, and decides nothing.
 #include "analysis/inference/times.hpp"
 
 #include <algorithm>

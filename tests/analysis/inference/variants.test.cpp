@@ -80,7 +80,7 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     CHECK(compared_alone.contrast.relation == in_report.relation);
     CHECK(compared_alone.contrast.extent == in_report.extent);
     if (!std::isnan(in_report.p)) CHECK(compared_alone.contrast.p == in_report.p);
-    // Among several metrics less is decided, and nothing else.
+    // Among several metrics less is decided; nothing else changes.
     const MetricComparison among = compared(a, b).metrics.front();
     if (is_decided(among.contrast)) CHECK(among.contrast.relation == in_report.relation);
     decided += is_decided(compared_alone.contrast) ? 1 : 0;

@@ -1,5 +1,5 @@
-// What two lines more in the table of metrics (tests/examples/analysis/inference/metrics.inc) come to: nothing else is
-// changed.
+// The effect of two more lines in the table of metrics (tests/examples/analysis/inference/metrics.inc): nothing else
+// changes.
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>

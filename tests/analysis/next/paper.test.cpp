@@ -1,4 +1,5 @@
-// What a report has of a paper, and that it needs none. Here the papers are slim2023 and that of tests/examples.
+// The parts of a report that come from a paper, and a report without one. The papers here are slim2023 and that of
+// tests/examples.
 #include "analysis/report/paper.hpp"
 
 #include <set>
@@ -37,7 +38,7 @@ void save(Store& store, const std::string& name, const std::string& published) {
   store.append(solves);
 }
 
-// What would be slim2023's, in the names of the pieces and in the words.
+// Checks that neither the names of the files nor the text are slim2023's.
 void has_nothing_of_slim2023(const std::set<std::string>& files, const std::string& text) {
   for (const std::string& file : files) {
     CAPTURE(file);

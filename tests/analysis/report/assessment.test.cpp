@@ -307,7 +307,7 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   const auto of = [](std::vector<Group> groups) {
     return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {.test = "welch"});
   };
-  // Of reasons: the group by its name, not by its number.
+  // Reasons give the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
   CHECK(says(
       infinite,

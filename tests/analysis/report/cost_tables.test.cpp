@@ -23,8 +23,8 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const char* const independent = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "random"}, "start": "initial"})";
 const char* const chained = R"({"stop": {"tolerance_cm": 0.1}, "path": {"kind": "helix"}, "start": "previous"})";
 
-// Eight solves of one solver in two runs, each of another target, of which five come to the tolerance. By hand: ERT
-// 4320 / 5 = 864.
+// Eight solves of one solver in two runs, each of another target, of which five reach the tolerance. By hand: ERT 4320
+// / 5 = 864.
 std::vector<SolveRecord> eight_records() {
   const std::vector<std::int64_t> evaluations{120, 340, 80, 1000, 1000, 560, 1000, 220};
   const std::vector<double> error_cm{0.05, 0.1, 0, 0.2, 3, 0.01, not_a_number, 0.09};

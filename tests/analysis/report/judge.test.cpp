@@ -72,7 +72,7 @@ struct Judged {
   MetricComparison compared;
 };
 
-// What the studies say, and over it what is given for their report.
+// The significance levels of the studies, and those given for their report.
 struct Significance {
   double study, companion;
   std::optional<double> given = {};

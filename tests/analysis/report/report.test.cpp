@@ -123,8 +123,8 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     CHECK(std::filesystem::exists(folder.path / target));
     ++links;
   }
-  // Of figures PDF, SVG, script and data, but none of the one beside the verdict; of tables three files each; and the
-  // files report.md, solves.csv and statistics.json.
+  // Each figure has PDF, SVG, script and data, except the one beside the verdict; each table has three files; then
+  // report.md, solves.csv and statistics.json.
   CHECK(links == (figures - 1) * 4 + tables * 3 + 3);
 }
 
@@ -339,7 +339,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
 
 namespace {
 
-// From a heading to the next one of its level, and empty where there is no such heading.
+// The section from a heading to the next one of its level; empty if there is no such heading.
 std::string section_of(const std::string& report, const std::string& heading, const std::string& next) {
   const std::size_t at = report.find(heading);
   return at == std::string::npos ? "" : report.substr(at, report.find(next, at + heading.size()) - at);
@@ -387,7 +387,7 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   for (const char* part : {"differences", "ranks", "effects"}) {
     CHECK(!files.contains("figures/statistics-time-" + std::string(part) + ".dat"));
   }
-  // What the printed times say among themselves has a section of its own: "computing time, as printed [s]".
+  // The comparison of the printed times has its own section: "computing time, as printed [s]".
   for (const std::string& whole : {text, page}) {
     for (const char* verdict :
          {"<li>typical computing time [s]: ", "- typical computing time \\[s\\]: ", "Pairwise comparisons: typical computing time [s]",

@@ -1,4 +1,4 @@
-// What report.html is made of: pictures, claims, the arm's data, the policy, the order of pieces.
+// The parts of report.html: pictures, claims, the arm's data, the policy, the order of pieces.
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// What a repetition of our study would give, beside what the paper prints.
+// A repetition of our study, beside the printed numbers of the paper.
 #include "analysis/slim2023/agreement.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ TEST_CASE("the predictive interval of one more value is by order statistics", "[
   const auto [low, high] = predictive_interval(values, 0.95);
   CHECK(low == Approx(1.275));
   CHECK(high == Approx(49.725));
-  // Of 39 values the outermost: each is passed by one in 40.
+  // The outermost of 39 values: each is passed by one in 40.
   values.resize(39);
   std::iota(values.begin(), values.end(), 1);
   CHECK(predictive_interval(values, 0.95).low == Approx(1));

@@ -45,7 +45,7 @@ TEST_CASE("equal variances are not supported, and all means are still not the sa
   CHECK(has(item("3.2b").follows, "17.6"));
   CHECK(has(item("3.2c").follows, "99.3"));
   for (const char* id : {"3.2a", "3.2b", "3.2c"}) CHECK(words_of(item(id)) == "not supported");
-  // What that does to ANOVA at 0.05: Box's approximation; 0.122, 0.064 and 0.118 of 400000 normal data sets (NumPy).
+  // The effect on ANOVA at 0.05: Box's approximation; 0.122, 0.064 and 0.118 of 400000 normal data sets (NumPy).
   CHECK(has(item("3.2a").follows, "level 0.13 instead of 0.05"));
   CHECK(has(item("3.2b").follows, "level 0.065 instead of 0.05"));
   CHECK(has(item("3.2c").follows, "level 0.13 instead of 0.05"));

@@ -18,7 +18,7 @@ using Sample = std::vector<double>;
 
 namespace {
 
-// From every difference, made and sorted.
+// Makes and sorts every difference.
 Shift shift_of_all_differences(const Sample& first, const Sample& second, double level) {
   Sample all = first, differences;
   all.insert(all.end(), second.begin(), second.end());

@@ -34,7 +34,7 @@ TEST_CASE("the ozone of May and August has the approximate p of R", "[mann_whitn
 }
 
 TEST_CASE("the exact distribution of two and three values, counted by hand", "[mann_whitney]") {
-  // Of the ten arrangements one has U = 0 and one U = 6; U = 1 has one; U = 2 and 3 two each.
+  // Ten arrangements: one has U = 0 and one U = 6; one has U = 1; two each have U = 2 and 3.
   CHECK(mann_whitney(Sample{1, 2}, Sample{3, 4, 5}).p == Approx(0.2));
   CHECK(mann_whitney(Sample{4, 5}, Sample{1, 2, 3}).p == Approx(0.2));
   CHECK(mann_whitney(Sample{1, 3}, Sample{2, 4, 5}).p == Approx(0.4));

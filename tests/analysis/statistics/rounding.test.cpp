@@ -22,7 +22,7 @@ using Sample = std::vector<double>;
 
 namespace {
 
-// As the header says it: each number, the most exact first, is compared with all before it.
+// The header's rule: compares each number, the most exact first, with all before it.
 Sample joined_one_by_one(const Sample& numbers, const Sample& sizes) {
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -95,7 +95,7 @@ TEST_CASE("within blocks ten thousand resamples come close to all 46656 of six",
 }
 
 TEST_CASE("a pair that a rare value decides does not hide what others show", "[studentized_bootstrap]") {
-  // Of the first two groups one block in fifty differs, by much. The third is larger in every block.
+  // The first two groups differ in one block of fifty, by much. The third is larger in every block.
   Groups groups(3, std::vector<double>(50, 1.0));
   for (std::size_t i = 0; i < 50; ++i) {
     const double wave = 0.01 * std::sin(static_cast<double>(i));

@@ -1,4 +1,4 @@
-// In a shared object: the random stream of the C interface, under the name that solvers of this project know.
+// For shared objects: the random stream of the C interface, under the name that this project's solvers use.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// In a shared object: what solvers of this project call their objective is the one of the C interface, so that their
-// files can be compiled for it as they are (six.cpp).
+// For shared objects: the objective of the C interface, under the name that this project's solvers use, so that their
+// files compile unchanged (six.cpp).
 #pragma once
 
 #include <ikbench_plugin.hpp>

@@ -1,4 +1,4 @@
-// What a program has of five columns more (tests/examples/results/columns.inc).
+// A program with five more columns (tests/examples/results/columns.inc).
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "results/csv.hpp"

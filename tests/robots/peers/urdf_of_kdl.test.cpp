@@ -11,7 +11,8 @@ using namespace ikbench::robots;
 
 namespace {
 
-// As kdl_parser has it: the joint's origin and axis in the frame of the joint before it, and the frame behind it.
+// The chain as kdl_parser makes it: the joint's origin and axis in the frame of the previous joint, and the frame
+// behind it.
 KDL::Chain kdl_chain(const Description& description) {
   KDL::Chain chain;
   for (const DescribedJoint& joint : description) {

@@ -14,9 +14,8 @@ TEST_CASE("newton without restarts solves the poses that KDL solves, from the mi
           "[newton][peers]") {
   const std::vector<MissingPeer> missing = missing_peers();
   if (std::ranges::find(missing, "kdl_newton", &MissingPeer::name) != missing.end()) return;
-  // The two round differently, and a descent that bounces off limits for long may end otherwise for that. So few in 100
-  // may differ; of 300 poses that KDL solves with the probability p, two independent samples would differ in 2 p (1 -
-  // p).
+  // The two round differently, and a long descent that bounces off limits may end elsewhere for that. So few in 100 may
+  // differ; two independent samples of 300 poses, which KDL solves with the probability p, would differ in 2 p (1 - p).
   constexpr int poses = 300, most_iterations = 100;
   constexpr double tolerance = 1e-5;  // [m], [rad]; KDL's of each coordinate
   const auto newton = solver("newton").make({{"restarts", "none"}});
@@ -46,7 +45,7 @@ TEST_CASE("newton without restarts solves the poses that KDL solves, from the mi
     }
     CAPTURE(name, solved_by_kdl, solved_by_us, differ);
     CHECK(differ <= poses / 50);
-    // What Beeson and Ames print, within 4 standard errors.
+    // The rate that Beeson and Ames print, within 4 standard errors.
     for (const int solved : {solved_by_kdl, solved_by_us}) {
       CHECK(std::abs(solved - poses * printed) < 4 * std::sqrt(poses * printed * (1 - printed)));
     }

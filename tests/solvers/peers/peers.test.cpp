@@ -1,4 +1,4 @@
-// What holds for the solvers of libraries that this program was built with, beside the contract of all solvers.
+// The contract of solvers of libraries, besides the contract of all solvers.
 #include <algorithm>
 #include <functional>
 #include <stdexcept>

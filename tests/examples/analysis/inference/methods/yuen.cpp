@@ -10,7 +10,7 @@ using namespace statistics;
 
 namespace {
 
-// The mean without a fifth of the values on either side. With this standard deviation, Welch's test of it is Yuen's.
+// Summarizes the values without a fifth on either side. With this standard deviation, Welch's test is Yuen's.
 GroupSummary trimmed(std::vector<double> values) {
   std::ranges::sort(values);
   const auto cut = static_cast<std::ptrdiff_t>(values.size() / 5);
