@@ -31,7 +31,7 @@ const Choices<std::pair<Verdict, bool>> faults{{"misprint", {Verdict::fails, tru
 // An entry of audit.toml; each row of its query is an item.
 struct AuditEntry {
   std::string id, query, holds, where, printed, follows, why;
-  std::pair<Verdict, bool> otherwise = faults.back().second;  // where it does not hold
+  std::pair<Verdict, bool> otherwise = faults.back().second;  // if it does not hold
 };
 
 AuditEntry read_entry(TomlReader reader) {
@@ -63,7 +63,7 @@ std::vector<Words> rows_of(SQLite::Database& database, const std::string& query)
   return rows;
 }
 
-// What the paper says outside its tables, as printed.
+// The paper's statements outside its tables, as printed.
 Words statements(SQLite::Database& database) {
   const Words row = rows_of(database, "SELECT * FROM said").front();
   Words said;
@@ -108,7 +108,7 @@ std::vector<AuditItem> audited(std::string_view paper, std::string_view text, st
   std::string views;
   read_prose(file, "views", views);
   std::vector<AuditItem> items;
-  std::map<std::string, char> letters;  // the next, by id
+  std::map<std::string, char> letters;  // the next letter, by id
   const toml::node* at = &table;
   try {
     database.exec(views);
@@ -122,7 +122,7 @@ std::vector<AuditItem> audited(std::string_view paper, std::string_view text, st
         item.id += letters.try_emplace(item.id, 'a').first->second++;
       }
     }
-  } catch (const std::runtime_error& error) {  // SQLite's are such too
+  } catch (const std::runtime_error& error) {  // also SQLite's errors
     throw std::invalid_argument(file.where(at->source(), "") + error.what());
   }
   file.refuse_unknown_keys();

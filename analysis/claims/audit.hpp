@@ -1,5 +1,5 @@
-// The audit of a paper: every item of its audit.toml is SQL over its printed tables, and what follows from them in
-// words. Nothing is solved.
+// The audit of a paper: every item of its audit.toml is SQL over its printed tables, with the conclusion in words.
+// Nothing is solved.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,12 @@
 
 namespace ikbench::claims {
 
-// The items of an audit.toml, judged; `source` is how messages name it. A query that fails, or whatever is missing or
-// unknown, is std::invalid_argument with the item's line; so is a paper that is not among the published.
+// Judges the items of an audit.toml; `source` is its name in messages. Throws std::invalid_argument with the item's
+// line for a query that fails, for anything missing or unknown, and for a paper that is not published.
 std::vector<report::AuditItem> audited(std::string_view paper, std::string_view text, std::string_view source);
 
-// A printed number against the one that follows; `slack` is what the rounding of what it follows from may change.
+// Compares a printed number with the one that follows; `slack` is the possible change of the latter by the rounding of
+// its sources.
 report::Verdict judged(std::string_view printed, double follows, double slack);
 
 }  // namespace ikbench::claims

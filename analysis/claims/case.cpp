@@ -23,7 +23,7 @@ using namespace report;
 
 namespace {
 
-// The solver's numbers from the one, the others' from the other: they share no block.
+// Takes the solver's numbers from the one, the others' from the other: they share no block.
 Observations mixed(Observations of_solver, Observations of_others, const std::string& solver) {
   std::erase_if(of_others.groups, [&](const Group& group) { return group.name == solver; });
   for (Group& group : of_solver.groups) {

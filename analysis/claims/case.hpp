@@ -1,5 +1,5 @@
-// A claim on the way to its verdict: its entry and the numbers that a report has for it; and what of several
-// comparisons follows for a claim.
+// A claim before its verdict: its entry and the report's numbers for it; and the verdict that follows from several
+// comparisons.
 #pragma once
 
 #include <optional>
@@ -30,50 +30,49 @@ struct Case {
   const report::Reported& reported;
 
   const inference::JudgedStudy& study() const { return reported.study; }
-  // Undecided so far.
+  // The claim, still undecided.
   report::Claim begun() const;
-  // Whether the study is one that the paper's means are about; any is where it prints none.
+  // True if the paper's means are about this study, or if the paper prints no means.
   bool is_of_means() const;
-  // In the printed order, the smallest first.
+  // The pairs in the printed order, the smallest first.
   std::vector<Pair> pairs(inference::Metric metric) const;
-  // Whether the study has the claim's solver, and another, of what is printed where anything is.
+  // True if the study has the claim's solver and another one, among the printed ones if there are any.
   bool has_solver() const;
-  // What the paper printed of those solvers, judged by what of the plan means and standard deviations allow.
+  // The paper's numbers of those solvers, judged by the plan as far as means and standard deviations allow.
   inference::Evidence printed_evidence(const std::vector<Pair>& pairs) const;
-  // The companion that the claim names, where the report has it and its targets are those of the study.
+  // The companion that the claim names, if the report has it and its targets are those of the study.
   const inference::JudgedStudy* companion() const;
-  // Of the solvers that the claim is about, each from the study that it says; none where one of them has no
-  // observations.
+  // Evidence on the claim's solvers, each from its study; nothing if one of them has no observations.
   std::optional<inference::Evidence> evidence(inference::Metric metric) const;
 };
 
-// The printed rows that a study can be held against; none on a path that they are not about.
+// The printed rows that are comparable with a study; none on a path that they are not about.
 std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const inference::StudyResults& study,
                                      inference::Metric metric);
 
-// The same as summaries, which the report assesses by its own methods: those of two solvers at least.
+// The same as summaries of at least two solvers, which the report assesses by its own methods.
 std::vector<inference::Summaries> printed_summaries(const ClaimsFile& file, const inference::StudyResults& study);
-// The printed ANOVA of that metric where it answers the same question: the same solvers, runs as observations.
+// The printed ANOVA of that metric, if it answers the same question: the same solvers, runs as observations.
 std::optional<statistics::AnovaTable> printed_anova(const ClaimsFile& file, const inference::StudyResults& study,
                                                     inference::Metric metric);
 
-// What was found of one against others, one by one.
+// Counts of one solver's comparisons with others.
 struct Found {
   int better = 0, worse = 0, open = 0;
 
   void add(inference::Relation relation);
   int all() const { return better + worse + open; }
 };
-// Against all it holds, against some and none the better in part.
+// Holds if better than all, fails if worse than one; in between it holds in part if better than some.
 report::Verdict verdict_on(const Found& found);
-// Of several questions: all hold, some, none.
+// The verdict on several questions: all hold, some, or none.
 report::Verdict verdict_on(const std::vector<report::Verdict>& verdicts);
 
-// A solver against each other group of an evidence. Where it should be the largest, the others are better.
+// Compares a solver with each other group of an evidence. If it should be the largest, the others are better.
 enum class Should { be_smallest, be_largest };
 struct Against {
   Found found = {};
-  std::string nearest = {};  // of the others, by the mean
+  std::string nearest = {};  // the nearest other, by the mean
   double own_mean = statistics::not_defined, nearest_mean = statistics::not_defined;
 };
 Against against(const inference::Evidence& evidence, const std::string& solver, Should should = Should::be_smallest);

@@ -1,4 +1,4 @@
-// The claims of a paper as they are declared: claims.toml, an entry a claim (docs/adding-anything.md).
+// The claims of a paper, declared in claims.toml, one entry per claim (docs/adding-anything.md).
 #pragma once
 
 #include <map>
@@ -13,30 +13,30 @@
 
 namespace ikbench::claims {
 
-// Whose numbers come from the companion that a claim names; the others' are of the study itself.
+// The solvers whose numbers come from the companion that a claim names; those of the rest come from the study itself.
 enum class Take { all, solver, others };
 
 struct ClaimEntry {
   std::string id, sentence, section, decides;
   report::By by = report::By::paper;
-  std::string rule;     // that judges it (rules.hpp)
-  std::string solver;   // of whom it is; empty: the paper's own
+  std::string rule;     // the rule that judges it (rules.hpp)
+  std::string solver;   // its solver; empty: the paper's own
   std::string against;  // one solver; empty: all others
   std::vector<inference::Metric> metrics;
   std::string study;  // "limits" of the companion NAME-limits; empty: the study itself
   Take take = Take::all;
-  // The numbers by which every universe of what the paper leaves open judges it too (docs/multiverse.md); none: it is
-  // not judged there. Only "smallest" and "has_effect" can be, of one solver and one metric that universes have.
+  // The numbers by which every universe of the paper's open points judges it too (docs/multiverse.md); none: not judged
+  // there. Only "smallest" and "has_effect" can be, with one solver and one metric that universes have.
   std::vector<inference::JudgedBy> universes;
-  std::string dimension;  // of "has_effect" in universes: the one that is without it, "IK-BA.f_max"
-  std::string table;      // or figure of the report, with its numbers; empty: the table of means
-  std::string note;       // what the evidence says besides, where the rule has a place for it
-  // Of some rules alone.
-  std::vector<std::string> solvers;            // of whom it is
-  double limit_ms = 0;                         // of a solve that is in time
-  std::string row;                             // the solver that a row of a printed table is of: "{bats} bats"
+  std::string dimension;  // for "has_effect" in universes: the dimension without it, "IK-BA.f_max"
+  std::string table;      // table or figure of the report with its numbers; empty: the table of means
+  std::string note;       // addition to the evidence, if the rule has a place for it
+  // For some rules only.
+  std::vector<std::string> solvers;            // its solvers
+  double limit_ms = 0;                         // limit of a solve in time
+  std::string row;                             // names a printed row's solver: "{bats} bats"
   std::string path;                            // the kind of path that it is about
-  std::vector<std::string> joints;             // what a joint is where it is straight; "" of no account
+  std::vector<std::string> joints;             // each joint's value if straight; "" does not matter
   std::map<std::string, std::string> reasons;  // why "KDL on the Baxter arm" may differ
 };
 
@@ -46,12 +46,13 @@ struct ClaimsFile {
   std::string means;                          // its table of means (printed.hpp); empty: none is printed
   std::vector<std::string> not_on;            // kinds of path that this table is not about
   std::string implementation;                 // of the printed times: "MATLAB"
-  std::map<std::string, std::string> anovas;  // the printed table of each metric's
+  std::map<std::string, std::string> anovas;  // the printed table, by metric
   std::vector<ClaimEntry> entries;
   report::RatesPlan rates = {};
 };
 
-// From the text of a file. Whatever is missing, unknown or twice is std::invalid_argument with `source` and the line.
+// Reads the text of a file. Throws std::invalid_argument with `source` and the line for anything missing, unknown or
+// repeated.
 ClaimsFile read_claims(std::string_view paper, std::string_view text, std::string_view source);
 
 }  // namespace ikbench::claims

@@ -37,7 +37,7 @@ RatesPlan read_rates(TomlReader reader, const std::string& name) {
   return rates;
 }
 
-// What the claims make of a report.
+// Adds the claims' parts of a report.
 void add_claims(Paper& paper, ClaimsFile file) {
   const auto shared = std::make_shared<const ClaimsFile>(std::move(file));
   paper.claims = [shared](const Reported& reported) { return judged(*shared, reported); };

@@ -1,4 +1,4 @@
-// A collection of studies by its files: NAME/collection.toml and, of a paper, claims.toml and audit.toml beside it.
+// Collections of studies by their files: NAME/collection.toml and, for a paper, claims.toml and audit.toml beside it.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace ikbench::claims {
 
-// All that have a collection.toml, by name. Whatever is missing, unknown or twice is std::invalid_argument with the
-// file and the line; items of an audit are looked at when it is asked for.
+// Reads all collections, by name. Throws std::invalid_argument with the file and the line for anything missing, unknown
+// or repeated; the items of an audit are checked only when it is asked for.
 std::vector<report::Collection> read_collections(std::span<const numerics::EmbeddedFile> files);
 
 }  // namespace ikbench::claims

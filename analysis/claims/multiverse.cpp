@@ -18,7 +18,7 @@ using namespace report;
 
 namespace {
 
-// The dimension that decides most, and those that decide nearly as much; the first decides most.
+// The dimensions that decide nearly as much as the one that decides most, which comes first.
 std::vector<std::size_t> deciding_dimensions(const Multiverse& multiverse, const ClaimCounts& counts) {
   constexpr double nearly = 0.8;
   std::vector<std::size_t> result;

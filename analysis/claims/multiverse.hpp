@@ -1,4 +1,4 @@
-// The claims of a paper between solvers in every universe of what the paper leaves open.
+// The claims of a paper between solvers in every universe of its open points.
 #pragma once
 
 #include "analysis/claims/claims_file.hpp"
@@ -7,10 +7,10 @@
 
 namespace ikbench::claims {
 
-// Those that the file has every universe judge.
+// The claims that every universe judges.
 std::vector<inference::MultiverseClaim> claims_in_universes(const ClaimsFile& file);
 
-// std::invalid_argument where there is no universe, or none has the paper's own solver.
+// Throws std::invalid_argument if there is no universe, or none has the paper's own solver.
 report::MultiverseReport multiverse_report(const ClaimsFile& file, const inference::Multiverse& multiverse,
                                            const results::AnalysisPlan& plan);
 

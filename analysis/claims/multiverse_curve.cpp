@@ -22,12 +22,13 @@ namespace {
 
 constexpr std::size_t most_drawn = 150;
 
-// The universes of one choice of the study and one of the solver in which one choice of one rival is the best.
+// The universes of one choice of the study and one of the solver in which the same choice of the same rival is the
+// best.
 struct BestRival {
   double estimate = 0;   // log10 of the solver's mean by the rival's
   double error = 0;      // its standard error, by propagation of those of the means
-  double universes = 0;  // how many these are
-  double weight = 0;     // and what they weigh together
+  double universes = 0;  // their number
+  double weight = 0;     // their weight together
   std::size_t study = 0, own = 0, rival = 0;
 };
 
@@ -43,7 +44,8 @@ PooledMean pooled(const Multiverse::Own& own) {
 
 using PooledMeans = std::vector<std::vector<PooledMean>>;  // by solver, by its choice
 
-// In how many combinations of all other rivals' choices this mean is the smallest; of equal ones the first counts.
+// The number of combinations of all other rivals' choices in which this mean is the smallest; of equal ones the first
+// counts.
 double universes_of_best(const PooledMeans& means, std::size_t solver, std::size_t rival, double best) {
   double universes = 1;
   for (std::size_t other = 0; other < means.size(); ++other) {
@@ -88,7 +90,7 @@ std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t sol
   return all;
 }
 
-// The rows of the choices, by dimension and alternative; rivals are rows of a group of their own.
+// The rows of the choices, by dimension and alternative; rivals are rows of a separate group.
 struct CurveRows {
   std::vector<SpecificationCurve::Group> groups;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> of_choice;

@@ -8,7 +8,7 @@
 
 namespace ikbench::claims {
 
-// At most 400 universes, evenly by rank. Runs of all seeds are taken together.
+// Draws at most 400 universes, evenly by rank. Pools the runs of all seeds.
 figures::Figure error_curve(const inference::Multiverse& multiverse, const std::string& solver);
 
 }  // namespace ikbench::claims

@@ -37,13 +37,13 @@ struct PrintedNumber {
   double value = not_defined, rounding = 0;
 };
 
-// Of one solver: its numbers of error, then of variation; fewer where they are not printed.
+// One solver's printed numbers of error, then of variation; fewer if some are not printed.
 struct PrintedSolver {
   std::array<PrintedNumber, numbers_of_solver> numbers;
   std::size_t runs = 0;
 };
 
-// By solver; without runs where the paper has none of that name.
+// By solver; without runs if the paper has none of that name.
 std::vector<PrintedSolver> printed_solvers(const ClaimsFile& file, const Multiverse& multiverse) {
   std::vector<PrintedSolver> all(multiverse.solvers.size());
   for (std::size_t i = 0; i < numbers_of_solver; ++i) {
@@ -62,7 +62,7 @@ std::vector<PrintedSolver> printed_solvers(const ClaimsFile& file, const Multive
 
 using Ranges = std::array<Interval, numbers_of_solver>;
 
-// Ranges by the values that they are of: many universes share a series.
+// Known ranges by their values, since many universes share a series.
 class KnownRanges {
  public:
   Ranges of(const Multiverse::Own& own, std::size_t runs) {
@@ -83,7 +83,7 @@ class KnownRanges {
   std::map<std::pair<std::size_t, std::vector<double>>, PredictedRanges> known_;
 };
 
-// Which numbers of a solver are explained.
+// The explained numbers of a solver.
 using Explained = std::bitset<numbers_of_solver>;
 
 Explained explained_numbers(const PrintedSolver& printed, const Ranges& ranges) {
@@ -95,25 +95,25 @@ Explained explained_numbers(const PrintedSolver& printed, const Ranges& ranges) 
   return explained;
 }
 
-// By choice of the study, by solver, by its own choice.
+// Indexed by choice of the study, by solver, by its own choice.
 using ExplainedBy = std::vector<std::vector<std::vector<Explained>>>;
 
-// What is counted over all universes by their weights, and over the best by their number.
+// Sums over all universes by their weights, and over the best by their number.
 struct Support {
-  std::vector<double> universes;             // weights, by how many numbers they explain
-  std::vector<std::vector<double>> mean_of;  // by dimension, alternative: numbers explained on average
+  std::vector<double> universes;             // weights, by the number of explained numbers
+  std::vector<std::vector<double>> mean_of;  // by dimension, alternative: explained numbers on average
   std::vector<std::vector<int>> best_of;     // and at most
-  std::vector<std::vector<double>> in_best;  // and how many of the best universes have it
-  std::vector<std::array<double, numbers_of_solver>> share_of;  // by solver: of universes that explain a number
+  std::vector<std::vector<double>> in_best;  // and the number of the best universes that have it
+  std::vector<std::array<double, numbers_of_solver>> share_of;  // by solver: share of universes that explain a number
   std::vector<std::array<double, numbers_of_solver>> share_of_best;
   int most = 0;
-  double best = 0;  // universes that explain the most
+  double best = 0;  // number of universes that explain the most
   double all = 0;   // the weight of all
 };
 
 int count_of(const Explained& explained) { return static_cast<int>(explained.count()); }
 
-// How many of a study's choices' universes explain so many numbers.
+// The numbers of universes of a study's choice, by how many numbers they explain.
 std::vector<double> spread_of(const std::vector<std::vector<Explained>>& solvers) {
   std::vector<double> spread{1};
   for (const std::vector<Explained>& of_solver : solvers) {
@@ -126,14 +126,14 @@ std::vector<double> spread_of(const std::vector<std::vector<Explained>>& solvers
   return spread;
 }
 
-// Of one choice of the study.
+// Sums for one choice of the study.
 struct StudySums {
   double universes = 1, attaining = 1;
-  int best = 0;                  // the sum of what each solver's best choice explains
+  int best = 0;                  // sum over the solvers of their best choices' explained numbers
   double mean = 0;               // the sum of the solvers' means
   std::vector<double> means;     // by solver
   std::vector<int> bests;        // by solver
-  std::vector<double> how_many;  // of its choices attain its best
+  std::vector<double> how_many;  // per solver: number of choices that attain its best
 };
 
 StudySums sums_of(const std::vector<std::vector<Explained>>& solvers) {
@@ -218,7 +218,8 @@ class SupportCount {
     }
   }
 
-  // `mean` explained on average in universes of that weight, `most` at most, `best` of the best universes.
+  // Counts a choice: universes of that weight explain `mean` numbers on average and `most` at most; `best` of them are
+  // among the best.
   void count(const Multiverse::Choice& choice, Weighted mean, int most, double best) {
     Weighted& sum = means_[choice.dimension][choice.alternative];
     sum.sum += mean.sum * mean.weight;
@@ -260,7 +261,7 @@ Table alternatives_support(const Multiverse& multiverse, const Support& support,
   return table;
 }
 
-// What of the printed numbers is explained, a row each.
+// The explained printed numbers, one row each.
 Table numbers_support(const Multiverse& multiverse, const std::vector<PrintedSolver>& printed, const Support& support,
                       KnownRanges& ranges) {
   Table table{
@@ -311,7 +312,7 @@ std::string unexplained_sentence(const Multiverse& multiverse, const std::vector
                      named < none.size() ? fmt::format(" and {} more", none.size() - named) : "");
 }
 
-// What all of the best universes have in common.
+// The choices that all best universes share.
 std::string best_sentence(const Multiverse& multiverse, const Support& support) {
   std::vector<std::string> shared;
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {

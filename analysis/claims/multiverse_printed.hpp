@@ -1,4 +1,4 @@
-// Which universe is the paper's: how many of its printed numbers of error and variation each of them explains.
+// Compares universes with the paper: the number of printed numbers of error and variation that each explains.
 #pragma once
 
 #include <string>
@@ -10,13 +10,12 @@
 
 namespace ikbench::claims {
 
-// Adds tables and sentences. A printed number is explained where it lies, but for its rounding, in the range that 95 %
-// of studies of as many runs would have by that universe. Nothing is added where no
-// solver is printed or there are too few runs.
+// Adds tables and sentences. A universe explains a printed number if, up to its rounding, it lies in the range of 95 %
+// of studies with as many runs. Adds nothing if no solver is printed or there are too few runs.
 void add_printed(report::MultiverseReport& report, const ClaimsFile& file, const inference::Multiverse& multiverse);
 
-// How many of its printed numbers each solver's first choice explains, by universe, by solver; none where there are too
-// few runs. All have the same solvers.
+// The number of printed numbers that each solver's first choice explains, by universe, by solver; empty if there are
+// too few runs. All universes need the same solvers.
 std::vector<std::vector<int>> explained_numbers(const ClaimsFile& file,
                                                 const std::vector<inference::Multiverse>& universes);
 

@@ -32,7 +32,7 @@ namespace {
 constexpr std::array<Metric, 2> compared_metrics{Metric::position_error_cm, Metric::variation_deg};
 
 // The universe of a study's choice in which a solver has one of its own choices and the others their first, as a
-// multiverse of its own.
+// separate multiverse.
 Multiverse universe_of(const Multiverse& all, const Multiverse::OfStudy& study, std::size_t solver, std::size_t own) {
   Multiverse one{.dimensions = all.dimensions, .solvers = all.solvers, .studies = {}};
   one.studies.push_back({.chosen = study.chosen, .weight = 1, .out_of_reach = study.out_of_reach, .solvers = {}});
@@ -46,7 +46,7 @@ const Multiverse::Own& own_of(const Multiverse& universe, std::size_t solver) {
   return universe.studies.front().solvers[solver].front();
 }
 
-// The one that is not a default; of the default universe none.
+// The choice that is not a default; none for the default universe.
 std::optional<Choice> departure_of(const Multiverse& universe) {
   Chosen chosen = universe.studies.front().chosen;
   for (std::size_t s = 0; s < universe.solvers.size(); ++s) {
@@ -99,7 +99,7 @@ bool is_same(const Multiverse::Own& one, const Multiverse::Own& other) {
   return one.error_cm == other.error_cm && one.variation_deg == other.variation_deg;
 }
 
-// "holds", or "holds in 67 %, undecided in 33 %" where seeds differ.
+// "holds", or "holds in 67 %, undecided in 33 %" if seeds differ.
 std::string verdict_words(const UniverseCounts& counts) {
   std::string words;
   for (const auto& [part, word] :
@@ -121,7 +121,7 @@ Verdicts verdicts_in(const ClaimsFile& file, const Multiverse& universe, const A
   return all;
 }
 
-// Those that differ from these; without these all.
+// The verdicts that differ from the usual ones; all if there are none.
 std::string told(const Verdicts& verdicts, const Verdicts& usual) {
   std::string words;
   for (const auto& each : verdicts) {
@@ -133,18 +133,18 @@ std::string told(const Verdicts& verdicts, const Verdicts& usual) {
 
 Cell rounded(double value) { return std::isfinite(value) ? std::round(value * 1000) / 1000 + 0.0 : value; }
 
-// The default, and what another universe is compared with it.
+// Compares a universe with the default one.
 class AgainstDefault {
  public:
   AgainstDefault(const ClaimsFile& file, const Multiverse& usual) : file_(file), usual_(usual) {}
 
-  // Of one metric: our mean of a solver, its log ratio, and how far the choice moved that.
+  // Adds, for one metric, our mean of a solver, its log ratio, and how far the choice moved that.
   void add(std::vector<Cell>& row, const Multiverse& universe, std::size_t solver, Metric metric) const {
     const double now = log_ratio(file_, universe, solver, metric);
     row.emplace_back(pooled_mean(values_of(own_of(universe, solver), metric)));
     add(row, now, log_ratio(file_, usual_, solver, metric), universe);
   }
-  // The same of all solvers, which have no mean.
+  // Adds the same for all solvers, which have no mean.
   void add(std::vector<Cell>& row, const Multiverse& universe, Metric metric) const {
     row.emplace_back();
     add(row, distance(file_, universe, metric), distance(file_, usual_, metric), universe);

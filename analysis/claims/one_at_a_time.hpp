@@ -1,4 +1,4 @@
-// Each alternative of what the paper leaves open by itself: what it does to the printed means and to the claims.
+// Each alternative of a paper's open points by itself: its effect on the printed means and on the claims.
 #pragma once
 
 #include "analysis/claims/claims_file.hpp"
@@ -7,8 +7,8 @@
 
 namespace ikbench::claims {
 
-// Of a multiverse in which a universe has at most one choice that is not the default. std::invalid_argument where there
-// is no universe.
+// Needs a multiverse in which a universe has at most one choice that is not the default. Throws std::invalid_argument
+// if there is no universe.
 report::Table one_at_a_time(const ClaimsFile& file, const inference::Multiverse& multiverse,
                             const results::AnalysisPlan& plan);
 

@@ -28,7 +28,7 @@ Words words_of(const CsvTable& table, std::size_t row) {
   return words;
 }
 
-// Those statistics of a row that the table has, in columns such as mean_ms.
+// The statistics of a row that the table has, in columns such as mean_ms.
 Description description_of(const CsvTable& table, std::size_t row, std::string_view unit) {
   Description of{.n = static_cast<int>(table.number(row, "n"))};
   for (const auto& [name, field] : printed_statistics) {

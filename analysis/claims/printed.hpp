@@ -1,4 +1,4 @@
-// The printed tables of a paper (results/published), as claims, audit and a paper's own tables read them.
+// The printed tables of a paper (results/published), for claims, audit and a paper's own tables.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -19,10 +19,10 @@
 
 namespace ikbench::claims {
 
-// Half a unit of the last printed digit: what rounding may have taken from, or added to, "1.7824e-4".
+// Half a unit of the last printed digit: the possible rounding error of "1.7824e-4".
 double half_unit(std::string_view printed);
 
-// A table as printed; without rows where the paper has none of that name.
+// A table as printed; without rows if the paper has none of that name.
 results::CsvTable printed_table(std::string_view paper, std::string_view name);
 
 // The statistics that a table of means may have, by their columns.
@@ -33,11 +33,11 @@ constexpr std::array<std::pair<std::string_view, double statistics::Description:
      {"max", &statistics::Description::max},
      {"min", &statistics::Description::min}}};
 
-// What is printed of one metric of one solver.
+// The printed numbers of one metric of one solver.
 struct PrintedRow {
   std::string algorithm;
   inference::Metric metric = {};
-  statistics::Description printed = {};  // not defined where the table has no such column
+  statistics::Description printed = {};  // not defined if the table has no such column
   std::array<std::string, printed_statistics.size()> digits = {};
 
   statistics::GroupSummary summary() const { return {printed.mean, printed.std, printed.n}; }
@@ -52,22 +52,23 @@ struct PrintedTime {
   std::string solver;
   statistics::Description ms = {};
 };
-// `row` is the solver that a row is of: "{bats} bats" with its column bats.
+// `row` names a row's solver: "{bats} bats" with its column bats.
 std::vector<PrintedTime> printed_times(std::string_view paper, std::string_view table, const std::string& row);
 
-// An analysis of variance, cells as printed, of the rows between, within and total.
+// A printed analysis of variance: the rows between, within and total.
 std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, std::string_view table);
-// Nothing where it answers another question than the study asks: of other solvers than these rows are of, or of points.
+// The printed ANOVA; nothing if it answers another question than the study's: about other solvers than those of these
+// rows, or about points.
 std::optional<statistics::AnovaTable> comparable_anova(const inference::StudyResults& study,
                                                        const std::vector<PrintedRow>& rows, std::string_view table);
 
-// "{word} of {n}" with what these names stand for; std::runtime_error where one is unknown.
+// Fills the names in "{word} of {n}"; throws std::runtime_error for an unknown name.
 using Words = std::map<std::string, std::string, std::less<>>;
 std::string filled(const std::string& text, const Words& words);
 const std::string& word(const Words& words, std::string_view name);
 
 // All tables of a paper for SQL: table-3.csv is table_3, its rows in order. A column has its numbers, and
-// COLUMN_as_printed its digits. `said` is one row of what statements.csv has, a column a name.
+// COLUMN_as_printed its digits. `said` is one row with the statements of statements.csv, one column per name.
 constexpr std::string_view printed_suffix = "_as_printed";
 SQLite::Database printed_database(std::string_view paper);
 

@@ -35,7 +35,7 @@ constexpr std::pair<std::string_view, Rule> rules[]{{"smallest", smallest},
                                                     {"solves_more", solves_more},
                                                     {"untested", [](const Case&) { return std::vector<Claim>(); }}};
 
-// What nothing here can decide, for want of what the claim says would.
+// A claim that no data here can decide.
 Claim untested(const Case& of) {
   Claim claim = of.begun();
   claim.verdict = Verdict::untested;
@@ -69,7 +69,7 @@ std::vector<Claim> judged(const ClaimsFile& file, const Reported& reported) {
     if (found.empty() && of.is_of_means() && entry.by == By::paper && !is_of_many) found.push_back(untested(of));
     std::ranges::move(found, std::back_inserter(claims));
   }
-  // What another study could test is no shortcoming of the paper's.
+  // Claims that another study could test are no shortcoming of the paper.
   if (departs_from_paper(reported.study)) {
     std::erase_if(claims, [](const Claim& claim) { return claim.verdict == Verdict::untested; });
   }

@@ -9,13 +9,14 @@
 
 namespace ikbench::claims {
 
-// None where a report has nothing that it could judge; several where its sentence is of many: "{solver} on the {arm}".
+// A rule returns no claim if the report has nothing to judge, and several if the sentence is about many: "{solver} on
+// the {arm}".
 using Rule = std::vector<report::Claim> (*)(const Case& of);
-Rule rule_of(std::string_view name);  // null where there is none of that name
+Rule rule_of(std::string_view name);  // null if there is none of that name
 std::vector<std::string> rule_names();
 
-// Of a study that is held against the paper's means all that the paper makes: what a report cannot judge is told to be
-// untested. Ours, and claims about another study, where there are numbers for them.
+// The judged claims. For a study that is compared with the paper's means: all claims of the paper, untested ones
+// included. Our claims, and claims about another study, only if there are numbers for them.
 std::vector<report::Claim> judged(const ClaimsFile& file, const report::Reported& reported);
 
 }  // namespace ikbench::claims

@@ -17,8 +17,8 @@ namespace {
 
 bool is_solved_here(const Rate& rate) { return rate.ours.undefined.empty(); }
 
-// The rates of one arm are of one number of iterations, which is not printed. So a rate depends on that number only
-// where it can be the other's, too.
+// All rates of one arm belong to one number of iterations, which is not printed. So a rate depends on that number only
+// if it can be the other's, too.
 bool shares_iterations(const Rate& one, const Rate& other) {
   return one.first > 0 && (other.first == 0 || (one.first <= other.last && other.first <= one.last));
 }
@@ -64,7 +64,7 @@ std::vector<Claim> rate_as_printed(const Case& of) {
 
 namespace {
 
-// Of the solvers that a solver is held against, the one that solves most; null where none is solved here.
+// The compared solver that solves most; null if none is solved here.
 const Rate* best_rival(const RatesOfArm& arm, const ClaimEntry& entry) {
   const Rate* best = nullptr;
   for (const Rate& rate : arm.rates) {
@@ -75,7 +75,7 @@ const Rate* best_rival(const RatesOfArm& arm, const ClaimEntry& entry) {
   return best;
 }
 
-// On every arm of the printed table, also those that nothing here is solved on.
+// The verdict of the printed table on all of its arms, also those without solves here.
 Verdict printed_more(const Case& of) {
   const RatesPlan& plan = of.file.rates;
   const results::CsvTable table = printed_table(plan.paper, plan.table);

@@ -1,4 +1,4 @@
-// Rules for what is claimed of the poses that are solved, on the arm of each study that is reported together.
+// Rules for claims about the solved poses, on the arm of each study that is reported together.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace ikbench::claims {
 
-// The printed share is inside the interval of ours: a claim for each solver on each arm, in whose sentence {solver},
-// {arm} and {share} stand for these. It depends where fewer iterations give it, and as many the other printed shares on
-// this arm.
+// The printed share is inside the interval of ours: one claim per solver and arm, whose sentence has {solver}, {arm}
+// and {share}. The verdict is "depends" if fewer iterations give the share, and as many give the other printed shares
+// on this arm.
 std::vector<report::Claim> rate_as_printed(const Case& of);
-// The solver solves more than the one that it is held against, or than all others, on every arm.
+// The solver solves more than the one that it is compared with, or than all others, on every arm.
 std::vector<report::Claim> solves_more(const Case& of);
 
 }  // namespace ikbench::claims

@@ -40,7 +40,7 @@ std::string number_of(const Against& ours, Metric metric) {
                      ours.nearest, short_number(unit * ours.nearest_mean));
 }
 
-// What the other estimands of the study's plan say of a solver that is claimed to be the first.
+// The answers of the plan's other estimands about a solver that is claimed to be the first.
 struct OtherEstimands {
   std::string against = {};  // "; by typical error PSO is better": those that find others better; empty where none does
   std::string sentences = {};  // who is first by each
@@ -64,7 +64,7 @@ OtherEstimands other_estimands(const JudgedStudy& study, const std::string& solv
   return result;
 }
 
-// The printed numbers of the solvers that a claim is about; none where it is about another study's too.
+// The printed numbers of the claim's solvers; none if the claim is about another study, too.
 std::vector<Pair> printed_of(const Case& of, Metric metric) {
   if (!of.entry.study.empty()) return {};
   std::vector<Pair> all = of.pairs(metric);
@@ -120,7 +120,7 @@ std::vector<Claim> smallest(const Case& of) {
   const bool is_of_all = entry.metrics.size() == 1 && entry.study.empty() && entry.against.empty();
   const Metric metric = entry.metrics.front();
   if (claims.empty() || !is_of_all || !is_comparable(of.study(), metric)) return claims;
-  // A paper compares means, so the verdict is by the mean; what holds by the worst cases alone holds in part.
+  // A paper compares means, so the verdict is by the mean; a claim that only the worst cases support holds in part.
   Claim& claim = claims.front();
   const OtherEstimands others = other_estimands(of.study(), entry.solver, metric);
   claim.evidence += others.sentences;
@@ -138,13 +138,13 @@ std::vector<Claim> largest(const Case& of) { return compared(of, Should::be_larg
 
 namespace {
 
-// How many pairs a test finds in the printed order, how many in the reverse.
+// The number of pairs that a test finds in the printed order, and in the reverse one.
 struct FoundOrder {
   Found pairs;
   bool first_leads = true;  // the printed first is found ahead of every other
 };
 
-// Of solvers in the printed order.
+// Tests solvers in the printed order.
 FoundOrder found_order(const Evidence& tested, const std::vector<Pair>& printed) {
   FoundOrder order;
   for (std::size_t i = 0; i < printed.size(); ++i) {
@@ -157,7 +157,7 @@ FoundOrder found_order(const Evidence& tested, const std::vector<Pair>& printed)
   return order;
 }
 
-// The one rule, for our numbers and the printed ones.
+// One rule for our numbers and the printed ones.
 Verdict verdict_on(const FoundOrder& order) {
   const Found& pairs = order.pairs;
   if (pairs.better == pairs.all()) return Verdict::holds;
@@ -222,8 +222,8 @@ Relation dominance(const std::vector<Evidence>& metrics, const std::string& one,
 }
 
 struct Front {
-  Found found;                     // of the solver against each other
-  std::vector<std::string> names;  // whom nobody dominates
+  Found found;                     // of the solver against each other one
+  std::vector<std::string> names;  // solvers that nobody dominates
 };
 
 Front front_of(const std::vector<Evidence>& metrics, const std::vector<Pair>& solvers, const std::string& solver) {
@@ -303,7 +303,7 @@ std::vector<Claim> differ(const Case& of) {
 
 namespace {
 
-// Which of two groups has the smaller spread, by a test whose p-values are corrected for the others.
+// The group with the smaller spread of two, by a test whose p-values are corrected for the others.
 struct Spread {
   std::string other;
   double own, others, p;

@@ -29,7 +29,7 @@ using namespace report;
 std::vector<Claim> least_at_each_point(const Case& of) {
   const StudyResults& study = of.study();
   if (!of.has_solver()) return {};
-  std::map<std::string, int> first;  // at so many points
+  std::map<std::string, int> first;  // number of points
   std::vector<std::vector<double>> means;
   for (const std::string& solver : study.solvers) {
     means.push_back(figures::averages_by_point(study, solver, of.entry.metrics.front()));
@@ -44,7 +44,7 @@ std::vector<Claim> least_at_each_point(const Case& of) {
       if (mean <= smallest) least.push_back(study.solvers[s]);
       if (mean < smallest) smallest = mean;
     }
-    if (least.size() == 1) ++first[least.front()];  // a tie is nobody's
+    if (least.size() == 1) ++first[least.front()];  // a tie counts for nobody
   }
   Claim claim = of.begun();
   const int own = first[of.entry.solver];
@@ -127,7 +127,7 @@ std::vector<Claim> singularities(const Case& of) {
 
 namespace {
 
-// Of the study itself or the first companion that the rule has something to say of.
+// The rule's claims about the study itself or the first companion that it can judge.
 std::vector<Claim> first_of(const Case& of, const std::function<std::vector<Claim>(const StudyResults&)>& rule) {
   std::vector<Claim> claims = rule(of.study());
   for (const StudyResults& companion : of.reported.companions) {
@@ -136,7 +136,7 @@ std::vector<Claim> first_of(const Case& of, const std::function<std::vector<Clai
   return claims;
 }
 
-// What a study has of a solver that a table of times is printed of.
+// A study's times of a solver in a printed table of times.
 struct TimedRow {
   PrintedTime printed;
   TimeAssessment ours;

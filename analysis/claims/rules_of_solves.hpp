@@ -1,5 +1,5 @@
-// Rules for what is claimed of the solves of one solver: at each point, of its joints and its times, and of what it
-// does without one of its equations.
+// Rules for claims about the solves of one solver: at each point, about its joints and its times, and about its work
+// without one of its equations.
 #pragma once
 
 #include <vector>
@@ -12,19 +12,20 @@ namespace ikbench::claims {
 std::vector<report::Claim> least_at_each_point(const Case& of);
 // No answer has a joint outside its limits.
 std::vector<report::Claim> inside_limits(const Case& of);
-// Its metric is smaller than in the companion that goes without something; it fails where no answer changes.
+// Its metric is smaller than in the companion that goes without something; fails if no answer changes.
 std::vector<report::Claim> has_effect(const Case& of);
-// Never decided; how near answers come to joints that are straight is told.
+// Never decided; tells how near answers come to joints that are straight.
 std::vector<report::Claim> singularities(const Case& of);
-// It reaches the tolerance within the limit at every target; in part, if the median time is within it. The claim's
-// solvers are slower: their median times are not. Of the study or the first companion that has them and a tolerance.
+// The solver reaches the tolerance within the limit at every target; in part, if the median time is within it. The
+// claim's solvers are slower: their median times exceed it. From the study or the first companion that has them and a
+// tolerance.
 std::vector<report::Claim> in_time(const Case& of);
 std::vector<report::Claim> too_slow(const Case& of);
 // The mean error of the first solver, on the claim's kind of path, is at most ten times the spacing of doubles at the
 // farthest target.
 std::vector<report::Claim> rounding_level(const Case& of);
 
-// Of a study's targets from the base [cm]; 0 where no target is known.
+// The largest distance of a study's target from the base [cm]; 0 if no target is known.
 double farthest_target_cm(const inference::StudyResults& study);
 
 }  // namespace ikbench::claims

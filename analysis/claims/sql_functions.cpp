@@ -34,7 +34,7 @@ std::vector<GroupSummary> groups_of(const Rows& rows) {
   return groups;
 }
 
-// What half a unit of every mean and standard deviation may change F by, all in the same direction.
+// The possible change of F by half a unit of every mean and standard deviation, all in the same direction.
 double anova_slack(const Rows& rows) {
   const std::vector<GroupSummary> groups = groups_of(rows);
   double slack = 0;
@@ -48,7 +48,7 @@ double anova_slack(const Rows& rows) {
   return slack;
 }
 
-// p of the pair whose rows have a 1 behind them.
+// The p of the pair whose rows end with a 1.
 double p_of_pair(const Rows& rows, const std::vector<MeanDifference>& pairs) {
   const auto pair = std::ranges::find_if(
       pairs, [&](const MeanDifference& each) { return rows[each.first][3] == 1 && rows[each.second][3] == 1; });

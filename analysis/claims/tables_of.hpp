@@ -1,4 +1,4 @@
-// What files of claims and items have beside the fields of numerics/toml_table.hpp.
+// Fields of files of claims and items, besides those of numerics/toml_table.hpp.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace ikbench::claims {
 
-// The tables [[key]] of a file, of which there is one at least.
+// The tables [[key]] of a file; there must be one at least.
 std::vector<numerics::TomlReader> tables_of(numerics::TomlReader& file, std::string_view key);
 // A text of any length, in any number of lines.
 void read_prose(numerics::TomlReader& reader, std::string_view key, std::string& field);

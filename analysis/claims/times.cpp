@@ -32,7 +32,7 @@ std::vector<TimeAssessment> assess_times(const StudyResults& measured, double li
         iterations_reached.push_back(static_cast<double>(solve.iterations));
         if (time_ms < limit_ms) ++row.in_time;
       } else {
-        ++row.never_reached;  // an answer that is not finite too
+        ++row.never_reached;  // also an answer that is not finite
       }
     }
     row.solves = static_cast<int>(times.size());

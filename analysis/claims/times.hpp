@@ -1,4 +1,4 @@
-// How long solves take until they come to the study's tolerance, at random targets.
+// The times of solves until they reach the study's tolerance, at random targets.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace ikbench::claims {
 
-// Of a solve that comes to the tolerance, for which the verifier has a rounding of its own.
+// The largest error of a solve that reaches the tolerance, including the verifier's rounding.
 double most_error_cm(const inference::StudyResults& study);
 
-// How long one solver of a study took.
+// The times of one solver of a study.
 struct TimeAssessment {
   std::string solver;
   statistics::Description time_ms = {};  // of all solves, at the solver's median speed (analysis/inference/times.hpp)
-  statistics::Description reached_ms = {};  // of those alone that came to the tolerance, at the median speed
+  statistics::Description reached_ms = {};  // only those that reached the tolerance, at the median speed
   double iterations_median = statistics::not_defined;
   double iterations_reached_median = statistics::not_defined;
   double evaluations_median = statistics::not_defined;
@@ -27,7 +27,7 @@ struct TimeAssessment {
 };
 std::vector<TimeAssessment> assess_times(const inference::StudyResults& study, double limit_ms);
 
-// What the printed mean and maximum say of that limit.
+// Compares the printed mean and maximum with that limit.
 std::string printed_words(const PrintedTime& printed, double limit_ms);
 
 }  // namespace ikbench::claims

@@ -24,12 +24,12 @@ struct Drawn {
 };
 
 std::string logarithmic_settings(const Drawn& of) {
-  // Whole decades; gnuplot works in doubles, so 300 of them either way.
+  // Whole decades, at most 300 either way, since gnuplot works in doubles.
   int low = static_cast<int>(std::floor(std::log10(std::max(of.factor * of.smallest, 1e-300))));
   const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(of.factor * of.largest, 1e300)))));
   if (of.room_for_least) low -= 1;
   const int decades_per_tick = 1 + (high - low - 1) / 7;
-  // The lower edge is where what is too small is drawn, and says so; the ticks are those of the decades above.
+  // Too small values are drawn at the lower edge, which says so; the ticks are those of the decades above.
   const std::string edge = !of.room_for_least
                                ? ""
                                : fmt::format("set ytics add ('{}' 1e{})\n",

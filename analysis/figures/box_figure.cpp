@@ -22,14 +22,14 @@ using namespace inference;
 
 namespace {
 
-// Quartiles of so few say nothing: each is drawn.
+// Quartiles of so few values say nothing: draws each value.
 bool are_few(const Box& box) { return box.n < 5; }
 
 bool is_below_resolution(const Mark& mark) { return mark.min <= 0 && mark.resolution > 0; }
 
 double least_of(const Mark& mark) { return is_below_resolution(mark) ? mark.resolution : mark.min; }
 
-// Of the marks' solvers: position, smallest, median, largest, and how far an arrow points below the smallest.
+// The marks' lines: position, smallest, median, largest, and how far an arrow points below the smallest.
 std::string marks_data(const StudyResults& study, const std::vector<Mark>& marks) {
   std::string data;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
@@ -62,7 +62,7 @@ std::string data_of(const StudyResults& study, const std::vector<Box>& boxes, co
                    marks;
 }
 
-// Above a box: how many of its observations it does not show.
+// Labels above boxes: how many observations a box does not show.
 std::string counts_above(const std::vector<Box>& boxes) {
   std::string counts;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -75,8 +75,8 @@ std::string counts_above(const std::vector<Box>& boxes) {
   return counts.empty() ? counts : counts + "set tmargin 2.5\n";
 }
 
-// The solvers below their boxes. Labels lie flat where they have room (about 6 characters a centimetre), else they
-// stand, and the figure becomes higher.
+// The solvers' labels below their boxes. Labels lie flat if they have room (about 6 characters per centimetre), else
+// they stand, and the figure becomes higher.
 std::string label_settings(const StudyResults& study, Figure& figure) {
   const std::size_t n = study.solvers.size();
   std::size_t longest = 0;
@@ -134,7 +134,7 @@ std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool
   return plot_command(clauses);
 }
 
-// What the grey marks are.
+// Explains the grey marks.
 std::string printed_note(const BoxRequest& request) {
   std::string note = fmt::format(" Grey: {}.", request.printed_words);
   for (const Mark& mark : request.printed) {

@@ -1,4 +1,4 @@
-// Box plots of one metric, a box a solver.
+// Box plots of one metric, one box per solver.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace ikbench::figures {
 
-// What is known of a solver from elsewhere, drawn in grey beside its box.
+// Numbers of a solver from elsewhere, drawn in grey beside its box.
 struct Mark {
   std::string solver;
   double min, median, max;
   double resolution = 0;  // a smallest value of 0 means: below this
 };
 
-// Unit and quartiles are the plan's.
+// The plan gives unit and quartiles.
 struct BoxRequest {
   std::string name;
   inference::Metric metric = inference::Metric::position_error_cm;

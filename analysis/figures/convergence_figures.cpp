@@ -33,7 +33,7 @@ std::string dependence(const StudyResults& study) {
              : " The curves describe the solves; they have no intervals.";
 }
 
-// What the bands of share curves are.
+// Explains the bands of share curves.
 std::string bands(const StudyResults& study, const Clusters& clusters) {
   if (!clusters.undefined().empty()) return fmt::format(" There are no intervals: {}.", clusters.undefined());
   return fmt::format(" {} {} intervals at each position, from {} bootstrap samples of the {} with all their solves{}.",
@@ -159,7 +159,7 @@ Figure error_figure(const StudyResults& study, const Clusters& clusters) {
   return figure;
 }
 
-// What a problem is, for the caption.
+// Explains a problem, for the caption.
 std::string problem(const StudyResults& study) {
   std::string words = " A problem is one target in one run";
   if (study.facts.starts_anew() || study.points == 1) words += ", from the same start for all solvers.";
@@ -172,7 +172,7 @@ std::string problem(const StudyResults& study) {
   return words;
 }
 
-// Of what the tolerance costs, or else of the error.
+// The profile of the tolerance's cost, or else of the error.
 std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Cost> cost) {
   const Profile profile = performance_profile(study, [&](const Solve& solve) {
     if (!cost) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
@@ -269,7 +269,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
     add_of_evaluations(
         [](const StudyResults& known, const Clusters&) { return convergence_figure(known, traced_by_solver(known)); });
-    if (!study.facts.pose) add_of_both(runtime_figure);  // whose traces have another error than the tolerance
+    if (!study.facts.pose) add_of_both(runtime_figure);  // traces of poses have another error than the tolerance
   }
   add(error_figure(study, clusters));
   if (!std::isfinite(tolerance_cm(study))) {

@@ -1,4 +1,4 @@
-// Figures of what an error costs: convergence, runtime distributions and performance profiles (methods and sources:
+// Figures of the cost of an error: convergence, runtime distributions and performance profiles (methods and sources:
 // analysis/inference/convergence.hpp).
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace ikbench::figures {
 
-// "statistics-ecdf-error", and where the study has what they need
+// "statistics-ecdf-error", and, as far as the study has
 // - traces: "statistics-convergence", "statistics-ecdf-evaluations", and with comparable times
 // "statistics-ecdf-seconds";
 // - a tolerance: "statistics-solved-evaluations", and with comparable times "-seconds";
 // - two solvers: "statistics-profile-evaluations" and with comparable times "-seconds" where there is a tolerance, else
 //   "statistics-profile-error".
-// None where there are no solves.
+// None if there are no solves.
 std::vector<Figure> convergence_figures(const inference::StudyResults& study);
 
 }  // namespace ikbench::figures

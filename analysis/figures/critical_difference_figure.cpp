@@ -41,7 +41,7 @@ struct Bar {
 
 std::vector<Bar> bars_of(std::span<const Ranked> sorted, double critical_difference) {
   std::vector<Bar> bars;
-  std::vector<double> ends;  // of each level: how far its last bar reaches
+  std::vector<double> ends;  // per level: the end of its last bar
   for (std::size_t first = 0; first < sorted.size(); ++first) {
     std::size_t last = first;
     while (last + 1 < sorted.size() && sorted[last + 1].rank - sorted[first].rank <= critical_difference) ++last;
@@ -93,7 +93,7 @@ Frame frame_of(std::span<const Ranked> sorted, std::span<const Bar> bars) {
           .side_cm = widest_cm + 1.2};  // and a rank
 }
 
-// How far the bar of the critical difference reaches, from the best rank; it may be cut at the axis' end.
+// The bar of the critical difference, from the best rank; it may be cut at the axis' end.
 struct Reach {
   double end;
   bool is_cut;

@@ -18,7 +18,7 @@ struct CriticalDifference {
   std::string method;  // "Nemenyi, 14 problems"
 };
 
-// Bars join what does not differ.
+// Bars join groups that do not differ.
 Figure critical_difference_figure(const CriticalDifference& ranks);
 
 }  // namespace ikbench::figures

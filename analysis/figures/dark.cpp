@@ -22,7 +22,7 @@ std::optional<int> number_of(std::string_view text, int base) {
   return is_whole && value >= 0 && value <= 255 ? std::optional(value) : std::nullopt;
 }
 
-// "#1a2B3c", "rgb( 26, 43,  60)", "black", "white", as gnuplot writes colours; nothing where it is something else.
+// Reads "#1a2B3c", "rgb( 26, 43,  60)", "black", "white", as gnuplot writes colours; nothing for anything else.
 std::optional<Rgb> rgb_of(std::string_view text) {
   if (text == "black") return Rgb{0, 0, 0};
   if (text == "white") return Rgb{255, 255, 255};
@@ -47,7 +47,7 @@ std::optional<Rgb> rgb_of(std::string_view text) {
   return rgb;
 }
 
-// Empty where the colour stays.
+// The dark colour; empty if the colour stays.
 std::string dark_of(const Rgb& rgb) {
   for (std::size_t i = 0; i < series_colours.size(); ++i) {
     if (rgb_of(series_colours[i]) == rgb) return std::string(dark_series_colours[i]);

@@ -8,10 +8,10 @@
 
 namespace ikbench::figures {
 
-// The script below a line that holds its digest, so that an edit shows.
+// Puts a line with the script's digest above it, so that an edit shows.
 std::string with_digest(std::string_view script);
 
-// The script that is there, if it is not what with_digest() wrote. A link is none: it may lead anywhere.
+// The script in the file, if it is not as with_digest() wrote it. Ignores links, which may lead anywhere.
 std::optional<std::string> edited_script(const std::filesystem::path& file);
 
 }  // namespace ikbench::figures

@@ -31,12 +31,12 @@ namespace {
 const std::string style_file = "style.gp";
 
 struct PictureType {
-  std::string_view name, end;  // with which a whole file ends
+  std::string_view name, end;  // the end of a whole file
 };
 constexpr std::array<PictureType, 3> picture_types{
     {{"svg", "</svg>"}, {"pdf", "%%EOF"}, {"png", "IEND\xAE\x42\x60\x82"}}};
 
-// Of an earlier report; a link or a device in their place is not ours to remove.
+// Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
 void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const PictureType& type : picture_types) {
@@ -46,7 +46,8 @@ void remove_pictures(const std::string& name, const std::filesystem::path& folde
   }
 }
 
-// The same figure is the same bytes: Cairo writes into a PDF when it was drawn. Blanks, because offsets follow.
+// Makes the same figure the same bytes: Cairo writes the time of drawing into a PDF. Fills with blanks, because offsets
+// follow.
 void blank_date(std::string& pdf) {
   const std::size_t begin = pdf.find("/CreationDate (");
   if (begin == std::string::npos) return;
@@ -54,7 +55,7 @@ void blank_date(std::string& pdf) {
   std::fill(pdf.begin() + static_cast<std::ptrdiff_t>(begin), pdf.begin() + static_cast<std::ptrdiff_t>(end), ' ');
 }
 
-// Gnuplot names one font, where machines without it would show another shape of letters.
+// Adds similar fonts: gnuplot names only one, and machines without it would show other letters.
 void name_similar_fonts(std::string& svg) {
   constexpr std::string_view one = "font-family=\"Liberation Sans\"",
                              several = "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"";
@@ -63,10 +64,10 @@ void name_similar_fonts(std::string& svg) {
   }
 }
 
-// Draws in the workshop, then writes the pictures to their place. std::invalid_argument says why it could not,
-// std::runtime_error that a disk is full.
+// Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
+// could not, std::runtime_error if a disk is full.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
-  // -d: the same look whatever ~/.gnuplot says.
+  // -d gives the same look whatever ~/.gnuplot says.
   const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
   if (!result.succeeded) {
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
@@ -92,7 +93,7 @@ struct Source {
   bool is_edited = false;  // by the user, so it stays
 };
 
-// What a report writes beside its pictures, or what the user has made of its scripts.
+// The files that a report writes beside its pictures, or the user's edited scripts.
 std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
   std::vector<Source> sources;
   const auto add_script = [&](const std::string& file, const std::string& script) {
@@ -184,7 +185,7 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
   const TemporaryFolder workshop(folder);
   for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
   std::atomic<std::size_t> next = 0;
-  std::vector<std::exception_ptr> failures(figures.size());  // that end the report, and not only a figure
+  std::vector<std::exception_ptr> failures(figures.size());  // these end the report, not only a figure
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {

@@ -1,5 +1,5 @@
 // Figures: a gnuplot script and a data file each, kept beside the pictures so that anyone can restyle and draw again
-// with `gnuplot NAME.gp`. Every figure of the program goes through this module.
+// with `gnuplot NAME.gp`. Every figure of the program uses this module.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@ namespace ikbench::figures {
 
 constexpr double two_columns_cm = 17.0;  // of a journal
 
-// What a reader who points at a series is told: of a curve a text for every marker that is drawn, of a box one.
-// `series` is the title of the curve, or the tick below the box.
+// Texts for a reader who points at a series: for a curve one per drawn marker, for a box one. `series` is the title of
+// the curve, or the tick below the box.
 struct Told {
   std::string series;
   std::vector<std::string> words = {};
@@ -22,14 +22,14 @@ struct Figure {
   std::string caption;    // plain text
   double width_cm = 8.5;  // one column of a journal
   double height_cm = 6.4;
-  std::string settings = {};  // gnuplot commands before the plot; any foreign text through gnuplot_string
+  std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_string
   std::string plot = {};      // the one plot or splot command, or those from "set multiplot" on; reads NAME.dat
   std::string data = {};      // the numbers as drawn; comment lines start with '#'
   std::vector<Told> told = {};
 };
 
 struct RenderOptions {
-  bool render = true;               // else only scripts and data are written, and pictures stay
+  bool render = true;               // false: writes only scripts and data, and pictures stay
   std::string gnuplot = "gnuplot";  // the program, sought on the PATH
   int jobs = 2;                     // figures drawn at once
 };
@@ -37,17 +37,17 @@ struct RenderOptions {
 struct FigureOutcome {
   std::string name;
   bool rendered = false;
-  std::string error = {};  // gnuplot's message, where it should have been rendered and was not
+  std::string error = {};  // gnuplot's message, if drawing failed
 };
 
 struct WrittenFigures {
   std::vector<FigureOutcome> outcomes;
-  std::vector<std::string> edited_scripts;  // by the user
+  std::vector<std::string> edited_scripts;  // edited by the user
 };
 
-// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Scripts that the user
-// has edited stay, and are drawn with. Pictures that could not be drawn are not left over from before. A folder that
-// cannot be written to is std::invalid_argument, a full disk std::runtime_error.
+// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Keeps scripts that the
+// user has edited, and draws with them. Removes old pictures that could not be drawn again. Throws
+// std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
 WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                              const RenderOptions& options);
 

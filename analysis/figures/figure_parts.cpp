@@ -50,7 +50,7 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
   std::size_t longest = 1;
   for (const std::string& label : labels) longest = std::max(longest, character_count(shortened(label, longest_label)));
   if (labels.size() > 8) figure.width_cm = two_columns_cm;
-  // What gnuplot 5.4 reserves for an entry in an SVG, where it reserves most: more columns than fit would be one.
+  // The largest width that gnuplot 5.4 reserves for an entry in an SVG: if it does not fit, it makes only one column.
   const double column_cm = 1.3 + 0.2 * static_cast<double>(longest);
   const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>(figure.width_cm / column_cm));
   const std::size_t rows = (labels.size() + columns - 1) / columns;

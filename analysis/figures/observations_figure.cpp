@@ -30,7 +30,7 @@ std::vector<double> drawable_values(const Group& group) {
   return values;
 }
 
-// All sorted values, or as many at even ranks, the extremes among them.
+// All sorted values, or as many as fit at even ranks, including the extremes.
 std::vector<double> strip_values(const std::vector<double>& sorted) {
   if (sorted.size() <= most_strip_values) return sorted;
   std::vector<double> chosen;
@@ -52,7 +52,7 @@ std::string strip_block(std::size_t row, const std::vector<double>& sorted) {
   return block.empty() ? "NaN NaN\n" : block;
 }
 
-// No box where a part of it cannot be drawn: it would seem to end where the rest does.
+// Draws no box if a part of it cannot be drawn: it would seem to end where the rest does.
 std::string box_line(std::size_t row, Box b) {
   if (!is_drawable(b.q1) || !is_drawable(b.q3) || !is_drawable(b.whisker_low) || !is_drawable(b.whisker_high)) {
     b.whisker_low = b.q1 = b.median = b.q3 = b.whisker_high = not_defined;

@@ -1,4 +1,4 @@
-// What was observed: a box plot and the values of each group, a row a group.
+// Draws the observations: a box plot and the values of each group, one row per group.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ikbench::figures {
 
-// The axis is logarithmic where the values differ by more than 30 times.
+// The axis is logarithmic if the values differ by more than 30 times.
 Figure observations_figure(const inference::Observations& observations, statistics::QuantileType quartiles,
                            const std::string& name);
 

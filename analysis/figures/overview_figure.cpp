@@ -53,7 +53,7 @@ double longest_time(const std::vector<OverviewMark>& marks) {
   return longest;
 }
 
-// What the sizes say.
+// Explains the sizes.
 std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_times) {
   if (!has_times) return "Without times.";
   const double longest = longest_time(marks), least = longest * std::pow(smallest_size / largest_size, 2);
@@ -61,7 +61,7 @@ std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_time
   return is_cut ? "Area: median time; all times below a sixteenth of the longest look the same." : "Area: median time.";
 }
 
-// Lines of variation, error and size. The area is in proportion to the time, but for a smallest that can be seen.
+// Lines of variation, error and size. The area is in proportion to the time, but never too small to see.
 std::string disc_lines(const std::vector<OverviewMark>& marks, bool has_times) {
   const double slowest = longest_time(marks);
   std::string lines;

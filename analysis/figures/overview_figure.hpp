@@ -1,4 +1,4 @@
-// A study at a glance: what each solver's accuracy costs in joint movement and in time.
+// A study at a glance: the cost of each solver's accuracy in joint movement and in time.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct OverviewMark {
   double error_cm, variation_deg, seconds;
 };
 
-// "overview": a disc a solver, mean position error against mean angles variation, its area the computing time relative
-// to the slowest. Printed means are rings, relative to the slowest printed.
+// "overview": one disc per solver, mean position error against mean angles variation; its area is the computing time
+// relative to the slowest. Printed means are rings, relative to the slowest printed.
 Figure overview_figure(const inference::StudyResults& study, const std::vector<OverviewMark>& printed);
 
 }  // namespace ikbench::figures

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_output = 4096;
 constexpr std::chrono::seconds patience{60};
 
-// What comes out of a pipe until the other side closes it, the first bytes of it; nothing where that takes too long.
+// Reads a pipe until the other side closes it, and keeps the first bytes; nothing if that takes too long.
 std::optional<std::string> read_all(int descriptor) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point deadline = Clock::now() + patience;
@@ -73,7 +73,7 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
-  posix_spawnattr_t attributes;  // it is not ours to decide what signals do to it
+  posix_spawnattr_t attributes;  // the program decides itself what signals do to it
   ::posix_spawnattr_init(&attributes);
   sigset_t none;
   ::sigemptyset(&none);

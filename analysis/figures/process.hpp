@@ -1,4 +1,4 @@
-// Another program, run without a shell.
+// Runs another program without a shell.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,10 @@ namespace ikbench::figures {
 
 struct ProcessResult {
   bool succeeded = false;
-  std::string output;  // what it printed, both streams; or why it could not be started
+  std::string output;  // its output, both streams; or why it could not start
 };
 
-// words[0] is the program, sought on the PATH; `folder` is where it works. It reads nothing, and its
-// clock shows UTC.
+// words[0] is the program, sought on the PATH; it works in `folder`, reads nothing, and its clock shows UTC.
 ProcessResult run_process(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
 }  // namespace ikbench::figures

@@ -1,4 +1,4 @@
-// Shares of what succeeded, a row each, with the marks of several series in it.
+// Shares of successes, one row each, with the marks of several series.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace ikbench::figures {
 
 struct RateSeries {
   std::string name;
-  int colour = 1;                              // of the line styles; a printed number has that of ours
-  bool is_ring = false;                        // as printed numbers are drawn
-  std::vector<statistics::Proportion> shares;  // a row each; one that is not defined is not drawn, nor an interval
+  int colour = 1;                              // line style; a printed number has that of ours
+  bool is_ring = false;                        // drawn like printed numbers
+  std::vector<statistics::Proportion> shares;  // one per row; undefined shares and intervals are not drawn
 };
 
 struct RatesWords {
@@ -22,7 +22,7 @@ struct RatesWords {
   std::string caption;
 };
 
-// Each series has as many shares as there are rows.
+// Each series needs one share per row.
 Figure rates_figure(const std::vector<std::string>& rows, const std::vector<RateSeries>& series,
                     const RatesWords& words);
 

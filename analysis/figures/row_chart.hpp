@@ -1,4 +1,4 @@
-// What figures with one row a label have in common: the labels at the left, the values along the x axis.
+// Common parts of figures with one row per label: the labels at the left, the values along the x axis.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,27 @@
 
 namespace ikbench::figures {
 
-constexpr std::size_t most_rows = 200;      // that a picture shows; captions say where there are more
+constexpr std::size_t most_rows = 200;      // in a picture; captions say if there are more
 constexpr double largest_drawable = 1e300;  // gnuplot works in doubles
 
-// Finite and not too large for an axis.
+// True for a value that is finite and not too large for an axis.
 bool is_drawable(double value);
 
-// About how wide a label is in 7 pt text.
+// Approximate width of a label in 7 pt text.
 double label_cm(std::string_view label);
 
-// Rows 1, 2, ... from the top, and the figure's size.
+// Adds rows 1, 2, ... from the top, and sets the figure's size.
 void add_rows(Figure& figure, std::span<const std::string> labels, double row_cm);
 
 struct RowAxis {
   bool logarithmic = false;
-  bool shows_at_edge = false;  // values of zero, which a logarithmic axis does not have
+  bool shows_at_edge = false;  // values of zero, which a logarithmic axis cannot show
   double low = 0;
   double high = 1;
-  std::string settings = {};  // sets label, range and ticks of x, and the function shown(x): what is drawn for x
+  std::string settings = {};  // sets label, range and ticks of x, and shown(x), the drawn place of x
 };
 
-// Around the drawable values. Scale::by_spread is linear where a value is negative.
+// An axis around the drawable values. Scale::by_spread is linear if a value is negative.
 RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scale scale);
 
 }  // namespace ikbench::figures

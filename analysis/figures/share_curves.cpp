@@ -19,7 +19,7 @@ using namespace inference;
 namespace {
 
 constexpr double cost_spread_for_logarithmic = 4;
-constexpr double decades_for_powers = 2;  // in which are two powers at least
+constexpr double decades_for_powers = 2;  // these contain at least two powers
 constexpr double margin = 0.02;           // of the axis
 
 CostAxis axis_between(double left, double right, std::string ticks) {
@@ -29,7 +29,7 @@ CostAxis axis_between(double left, double right, std::string ticks) {
                                   text_of(left), text_of(right))};
 }
 
-// 1, 2 and 5 times every power of ten within.
+// Ticks at 1, 2 and 5 times every power of ten within the axis.
 std::string round_ticks(double smallest, double largest) {
   std::vector<std::string> ticks;
   for (int decade = static_cast<int>(std::floor(std::log10(smallest))); std::pow(10, decade) <= largest; ++decade) {
@@ -75,7 +75,7 @@ CostAxis cost_axis(double smallest, double largest) {
 }
 
 CostAxis ratio_axis(double largest) {
-  constexpr double powers_of_two = 12;  // beyond, powers of ten are read more easily
+  constexpr double powers_of_two = 12;  // beyond, powers of ten are easier to read
   const double powers = std::clamp(std::ceil(std::log2(std::max(largest, 1.0))), 1.0, 990.0);
   const double decades = std::ceil(std::log10(std::max(largest, 10.0)));
   if (powers > powers_of_two) {
@@ -107,7 +107,7 @@ std::string add_missing_curve(std::vector<std::string>& clauses, std::size_t sol
 
 namespace {
 
-// A curve as rows of a data file: the corners of its stairs, and of those of its band where it has one.
+// A curve as rows of a data file: the corners of its stairs, and those of its band if it has one.
 struct Corners {
   std::string rows;
   std::size_t count = 0;

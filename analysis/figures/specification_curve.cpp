@@ -21,9 +21,9 @@ namespace {
 constexpr double curve_rows = 13;  // height of the curve, in rows of the choices below it
 constexpr double row_height_cm = 0.34;
 constexpr std::size_t longest_choice = 60;
-constexpr double label_width = 0.0066;  // of a letter, by the figure's; gnuplot's own guess for SVG is twice that
+constexpr double label_width = 0.0066;  // of a letter, relative to the figure's; gnuplot guesses twice that for SVG
 
-// Where a log10 ratio is drawn above the rows.
+// The axis that places log10 ratios above the rows.
 struct CurveAxis {
   double low = -0.5, high = 0.5;
   double at(double value) const { return 1 + (value - low) / (high - low) * (curve_rows - 1); }
@@ -51,10 +51,10 @@ std::vector<std::string> curve_ticks(const CurveAxis& axis) {
   return ticks;
 }
 
-// Where the whole interval is: below 1, above, or on both sides.
+// The side of the whole interval: below 1, above, or 0 for both.
 int side_of(const SpecificationCurve::Universe& universe) { return universe.high < 0 ? -1 : universe.low > 0 ? 1 : 0; }
 
-// As it stands, where labels are enhanced text.
+// Escapes a text for labels of enhanced text.
 std::string literal_label(std::string_view text) {
   constexpr std::string_view meaningful = "_^{}@&~\\";
   std::string escaped;

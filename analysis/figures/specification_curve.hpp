@@ -1,5 +1,5 @@
 // The specification curve of a multiverse (Simonsohn, Simmons and Nelson, Nature Human Behaviour 4 (2020) 1208):
-// universes sorted by their estimate, and below each the choices that it is made of.
+// universes sorted by their estimate, and below each its choices.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace ikbench::figures {
 struct SpecificationCurve {
   struct Universe {
     double estimate, low, high;     // log10 of a ratio, with its interval
-    std::vector<std::size_t> rows;  // of the choices, by place
+    std::vector<std::size_t> rows;  // indices of its choices' rows
   };
   struct Group {
     std::string name;               // a dimension
@@ -21,7 +21,7 @@ struct SpecificationCurve {
   };
   std::string name, caption;
   std::string quantity;      // "IK-BA's mean error / best rival's"
-  std::string below, above;  // what it means that an interval is below 1, and above
+  std::string below, above;  // the meaning of an interval below 1, and above
   std::vector<Group> groups;
   std::vector<Universe> universes;  // sorted by estimate
 };

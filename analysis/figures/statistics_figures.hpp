@@ -1,5 +1,5 @@
-// Figures of a statistical analysis: by how much groups differ, and how strong the differences are. Each names in its
-// caption what its picture does not show.
+// Figures of a statistical analysis: the sizes and the strengths of differences between groups. Each caption names what
+// its picture does not show.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace ikbench::figures {
 
 struct DifferenceRow {
   std::string label;                            // "BA - IK-BA"
-  double difference = statistics::not_defined;  // all of the unit of the quantity
+  double difference = statistics::not_defined;  // all in the unit of the quantity
   double low = statistics::not_defined;
   double high = statistics::not_defined;
 };
@@ -24,7 +24,7 @@ struct DifferencesWords {
   std::string method;    // "Games-Howell"
 };
 
-// A forest plot: intervals of differences, those that exclude zero coloured.
+// A forest plot: intervals of differences; those that exclude zero are coloured.
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
 
 struct EffectMatrix {

@@ -30,8 +30,8 @@ using namespace inference;
 
 namespace {
 
-// A helix as its definition has it (experiments/paths/helix.cpp), as lines of x, y, z [cm]; empty where it is none, or
-// somebody's own.
+// The lines of a helix, x, y, z [cm], by its definition (experiments/paths/helix.cpp); empty if the path is no helix,
+// or a user's own.
 std::string helix_lines(const StudyFacts::Path& path) {
   const std::vector<double>& centre = path.centre_cm;
   const double turns = path.turns, length = path.length_cm, radius = path.radius_cm;
@@ -123,7 +123,7 @@ struct Curves {
   std::map<int, std::vector<double>> by_point = {};  // the averages of all solvers, then the quartiles of each
   std::vector<double> all = {};
 
-  // Of gnuplot's data file, which begins with the point.
+  // The column of gnuplot's data file, which begins with the point.
   static std::size_t column(std::size_t solver) { return solver + 2; }
   std::size_t band_column(std::size_t solver) const { return averages.size() + 2 + 2 * solver; }
 };
@@ -232,7 +232,7 @@ std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const S
   return limits;
 }
 
-// The joints in a solver's first run: angles [deg], and where they slide positions [cm].
+// The joints in a solver's first run: angles [deg], or positions [cm] if they slide.
 struct Panel {
   std::string solver;
   int run;

@@ -1,5 +1,5 @@
-// The figures of any study: its path, a metric point by point, and the joint angles of each solver's first run. The
-// study has solves.
+// The figures of any study with solves: its path, a metric point by point, and the joint angles of each solver's first
+// run.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ Figure path_figure(const inference::StudyResults& study, const std::string& name
 // `printed` is drawn in grey, by point.
 Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed = {});
-// One sheet, a panel a solver with answers; none where there is none.
+// One sheet with a panel per solver with answers; none if there is no such solver.
 std::optional<Figure> joints_figure(const inference::StudyResults& study, const std::string& name);
 
 }  // namespace ikbench::figures

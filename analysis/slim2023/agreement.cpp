@@ -49,14 +49,14 @@ Cell cell_of(const Agreement& agreement) {
   return cell;
 }
 
-// With as many digits after the point as a printed number.
+// Formats a value with as many digits after the point as a printed number.
 std::string like(std::string_view printed, double value) {
   const std::size_t e = std::min(printed.find_first_of("eE"), printed.size()), point = printed.find('.');
   const std::size_t decimals = point < e ? e - point - 1 : 0;
   return e < printed.size() ? fmt::format("{:.{}e}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
 }
 
-// Only how a time stands to IK-BA's can be compared.
+// Only the ratio of a time to IK-BA's can be compared.
 void add_times(Table& table, const StudyResults& study) {
   const std::vector<Sample> all = samples(study, Metric::seconds);
   const Sample* const reference = sample_of(all, std::string(time_reference));

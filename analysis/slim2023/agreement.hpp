@@ -21,28 +21,28 @@ struct Agreement {
   std::string statistic;  // "mean", as a column of the printed table
   std::string printed;    // its digits
   double ours = statistics::not_defined;
-  double ratio = statistics::not_defined;  // ours by the printed; not defined where that is 0
+  double ratio = statistics::not_defined;  // ours by the printed; not defined if that is 0
   statistics::Interval expected = {};
-  bool is_expected = false;  // what may have been rounded to the printed digits lies within the range
+  bool is_expected = false;  // a number that rounds to the printed digits is in the range
 };
 
-// Of ours by the printed: near is less than that many times as much or as little.
+// Limit of ours by the printed, in both directions, for "near".
 constexpr double near_ratio = 1.5;
 bool is_near(double ratio);
 
 // "in our range", "1.8 times, outside our range 0.6213 to 0.8254"
 std::string words_of(const Agreement& agreement);
 
-// Of each printed number of the solvers that were repeated; `repetitions` are the run means of the study by seed. None
-// where there are no repetitions.
+// The agreement of each printed number of the repeated solvers. `repetitions` are the run means of the study by seed;
+// empty if there are none.
 std::vector<Agreement> agreements(const inference::StudyResults& study,
                                   std::span<const report::RepeatedSolver> repetitions);
 
-// A block for each metric, all five statistics of a solver in a row; nothing where there are no repetitions.
+// One block per metric, all five statistics of a solver in a row; nothing if there are no repetitions.
 std::optional<report::Table> agreement_table(const inference::StudyResults& study,
                                              std::span<const report::RepeatedSolver> repetitions);
 
-// How many are in our range, and by how much the means that are not differ; empty where there are none.
+// The number of agreements in our range, and the ratios of the other means; empty if there are none.
 std::string agreement_sentence(const std::vector<Agreement>& agreements);
 
 }  // namespace ikbench::slim2023

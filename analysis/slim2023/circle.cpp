@@ -31,8 +31,7 @@ constexpr std::size_t compared_angles = 3;  // theta4 is printed equal to theta1
 
 using Angles = std::array<double, angles_of_table>;
 
-// theta4 turns the tool about the vertical; where the arm of the study has no such joint, it is theta1, as in the
-// paper.
+// theta4 turns the tool about the vertical; if the study's arm has no such joint, it is theta1, as in the paper.
 Angles angles_of(const SolveRecord& solve) {
   Angles result;
   for (std::size_t i = 0; i < angles_of_table; ++i) {
@@ -49,7 +48,7 @@ struct Row {
   double error_cm = not_defined;
   std::optional<PrintedPosture> printed = {};
   std::size_t within = 0;             // of the compared angles
-  double largest_difference_deg = 0;  // not_defined where one of ours is
+  double largest_difference_deg = 0;  // not_defined if one of ours is
 };
 
 std::vector<Row> rows_of(const StudyResults& study) {
@@ -97,7 +96,7 @@ std::string verdict(const std::vector<Row>& rows, std::size_t printed_points) {
   return text + ".";
 }
 
-// The printed errors against the mean that the text gives, and the one misprint that would explain the difference.
+// Compares the printed errors with the mean in the text, and names the one misprint that would explain the difference.
 std::string printed_errors_note(const std::vector<PrintedPosture>& printed) {
   std::vector<double> errors;
   for (const PrintedPosture& posture : printed) errors.push_back(posture.error_cm);
@@ -134,7 +133,7 @@ std::optional<Table> table_8(const StudyResults& study) {
   const std::vector<Row> rows = rows_of(study);
   std::vector<double> errors;
   for (const Row& row : rows) {
-    std::vector<Cell> cells(table.columns.size());  // empty where nothing is printed
+    std::vector<Cell> cells(table.columns.size());  // empty if nothing is printed
     cells[0] = std::int64_t{row.point};
     for (std::size_t i = 0; i < angles_of_table; ++i) cells[1 + i] = row.ours[i];
     cells[error_column] = row.error_cm;

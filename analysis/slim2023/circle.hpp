@@ -11,11 +11,10 @@ namespace ikbench::slim2023 {
 
 bool is_circle(const inference::StudyResults& study);
 
-// The first run of the study's first solver. Nothing where the study is not a circle that is held against a printed
-// Table 8.
+// Table 8 for the first run of the study's first solver. Nothing unless the study is a circle with a printed Table 8.
 std::optional<report::Table> table_8(const inference::StudyResults& study);
 
-// How many of the printed angles are ours within what their rounding hides; empty where there is no Table 8.
+// The number of printed angles that ours equal within their rounding; empty if there is no Table 8.
 std::string printed_angles_verdict(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

@@ -51,12 +51,12 @@ std::vector<double> mean_trace(const StudyResults& study, const std::string& sol
   return result;
 }
 
-// Of each joint [deg].
+// The limits of each joint [deg].
 struct Limits {
   std::vector<double> lower, upper;
 };
 
-// The limits that are within the axis, dashed.
+// Draws the limits within the axis, dashed.
 std::string limits_settings(const Limits& limits, double low, double high) {
   std::string settings;
   for (std::size_t joint = 0; joint < limits.lower.size(); ++joint) {
@@ -96,7 +96,7 @@ Figure circle_joints_figure(const StudyResults& study) {
   }
   const std::vector<PrintedPosture> printed = printed_table_8(study.facts.published);
   std::map<int, std::vector<double>> angles = joint_angles_deg(solves);
-  const bool has_fourth = angles.begin()->second.size() == 3;  // as the paper: it turns the tool as joint 1 the arm
+  const bool has_fourth = angles.begin()->second.size() == 3;  // as in the paper: turns the tool as joint 1 the arm
   for (auto& [point, of_joints] : angles) {
     if (has_fourth) of_joints.push_back(of_joints[0]);
   }

@@ -29,9 +29,9 @@ using namespace report;
 
 namespace {
 
-constexpr std::array<int, 3> arm_colours{2, 3, 4};  // of the style's; as many arms are drawn
+constexpr std::array<int, 3> arm_colours{2, 3, 4};  // line styles, one per drawn arm
 
-// The solver that figures 14 to 16 are of.
+// The solver that figures 14 to 16 show.
 const std::string& shown_solver(const StudyResults& study) { return solver_of(study, study.solves.front()); }
 
 double cm(const std::vector<double>& position_m, std::size_t axis) {
@@ -54,7 +54,7 @@ std::string largest_error(const StudyResults& study) {
                                 : " Some of its answers are not finite.";
 }
 
-// Targets and where the arm came to, x, y, z [cm].
+// Targets and reached points, x, y, z [cm].
 std::string points_data(const StudyResults& study) {
   std::string data = "# target x, y, z [cm]; reached x, y, z [cm]; point; position error [cm] of " +
                      one_line(shown_solver(study)) + "\n";
@@ -67,7 +67,7 @@ std::string points_data(const StudyResults& study) {
   return data;
 }
 
-// The circle itself as the definition has it; where it does not, the polygon through the targets.
+// The circle of the definition; if it has none, the polygon through the targets.
 std::string circle_data(const StudyResults& study) {
   const std::vector<double>& centre = study.facts.path.centre_cm;
   const double radius = study.facts.path.radius_cm;
@@ -89,7 +89,7 @@ std::string circle_data(const StudyResults& study) {
   return data + first;
 }
 
-// Targets and where the arm came to, of the columns that are named.
+// Plot clauses for targets and reached points, from the named columns.
 std::string points_clauses(const std::string& target, const std::string& reached) {
   return fmt::format(
       "'' index 0 using {} with points pt 7 ps 0.35 lc rgb '#000000' title 'target', \\\n"
@@ -111,7 +111,7 @@ std::map<int, std::vector<Point>> arms(const StudyResults& study) {
   return result;
 }
 
-// 0 where it is not finite.
+// The mean target [cm]; 0 if it is not finite.
 Point mean_target_cm(const StudyResults& study) {
   Point result{};
   for (std::size_t axis = 0; axis < result.size(); ++axis) {

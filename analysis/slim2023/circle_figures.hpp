@@ -12,7 +12,7 @@ namespace ikbench::slim2023 {
 figures::Figure circle_plane_figure(const inference::StudyResults& study);  // figure-14
 figures::Figure circle_space_figure(const inference::StudyResults& study);  // figure-15
 
-// All of them, without figure-18 where no solve has a trace; none where the path is no circle or nothing was solved.
+// All of them, without figure-18 if no solve has a trace; none if the path is no circle or nothing was solved.
 std::vector<figures::Figure> circle_figures(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

@@ -29,7 +29,7 @@ using namespace report;
 
 namespace {
 
-// What only a companion has.
+// True for pieces that only a companion study has.
 bool is_of_companions(const std::string& piece) {
   constexpr std::array<std::string_view, 8> names{"table-7",   "table-7-cost", "table-8",   "figure-14",
                                                   "figure-15", "figure-16",    "figure-17", "figure-18"};

@@ -1,5 +1,5 @@
 // Slim, Rokbani, Neji, Terres and Beyrouthy (2023), the bat algorithm for inverse kinematics: the tables, figures and
-// sentences that a report of its study has of the paper alone.
+// sentences that only reports of its study have.
 #pragma once
 
 #include "analysis/report/paper.hpp"

@@ -24,7 +24,7 @@ using namespace figures;
 
 namespace {
 
-// By which a printed time is multiplied so that IK-BA's median is ours; not defined where ours are not comparable.
+// The factor that makes IK-BA's printed median time ours; not defined if our times are not comparable.
 double time_scale(const StudyResults& study) {
   const std::optional<PrintedRow> printed = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !times_are_comparable(study)) return not_defined;

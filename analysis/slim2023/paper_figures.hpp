@@ -12,7 +12,7 @@ namespace ikbench::slim2023 {
 // figure-10, 11, 12, with the printed numbers beside the boxes.
 figures::Figure printed_box_figure(const inference::StudyResults& study, figures::BoxRequest request);
 
-// All of them in the paper's order; none where nothing was solved.
+// All of them in the paper's order; none if nothing was solved.
 std::vector<figures::Figure> paper_figures(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

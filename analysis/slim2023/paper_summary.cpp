@@ -30,7 +30,7 @@ using namespace report;
 
 namespace {
 
-// The printed ranking of those solvers that are in ours.
+// The printed ranking of the solvers that we have.
 std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, const std::vector<Standing>& ours) {
   std::vector<Standing> standings;
   for (const PrintedRow& row : printed_table_3(study, metric)) {
@@ -40,7 +40,7 @@ std::vector<Standing> printed_ranking(const StudyResults& study, Metric metric, 
   return ranked(std::move(standings));
 }
 
-// Our ranking, and how the printed one stands to it.
+// Our ranking, compared with the printed one.
 std::string rankings(const StudyResults& study, Metric metric) {
   const std::string text = ranking_sentence(study, metric);
   const auto ours = standings(study, metric);
@@ -54,7 +54,7 @@ std::string rankings(const StudyResults& study, Metric metric) {
 }
 
 // The paper's second claim: its solver moves the joints less than every other. The plan's test says where the
-// difference cannot be told from chance; points of one run depend on each other, so it is asked of run means only.
+// difference may be chance; points of one run depend on each other, so it uses run means only.
 std::string variation_sentence(const JudgedStudy& study, const std::vector<Comparison>& rows) {
   if (study.plan.unit == Unit::point) return "";
   const auto printed = printed_ranking(study, Metric::variation_deg, standings(study, Metric::variation_deg));
@@ -112,7 +112,7 @@ std::string anova_sentence(const StudyResults& study, Metric metric) {
   return text + ".";
 }
 
-// By how much our means differ from the printed ones.
+// The ratios of our means to the printed ones.
 std::string ratios_sentence(const std::vector<Comparison>& rows) {
   std::string list;
   for (const Comparison& row : rows) {
@@ -124,7 +124,7 @@ std::string ratios_sentence(const std::vector<Comparison>& rows) {
   return list.empty() ? "" : fmt::format("Our mean divided by the printed mean: {}.", list);
 }
 
-// The paper's metrics without the times where those cannot be compared.
+// The paper's metrics, without the times if those cannot be compared.
 std::span<const Metric> judged_metrics(const StudyResults& study) {
   static_assert(paper_metrics.back() == Metric::seconds);
   const std::span<const Metric> all = paper_metrics;

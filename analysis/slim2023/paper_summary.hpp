@@ -1,4 +1,4 @@
-// The summary of a study that is held against Slim et al. (2023): our numbers beside the printed.
+// The summary of a study that is compared with Slim et al. (2023): our numbers beside the printed ones.
 #pragma once
 
 #include <string>

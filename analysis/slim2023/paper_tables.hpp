@@ -17,7 +17,7 @@
 
 namespace ikbench::slim2023 {
 
-// One row of Table 3, with the printed mean and what is said of the two.
+// One row of Table 3, with the printed mean and a remark on both.
 struct Comparison {
   std::string solver;
   inference::Metric metric;
@@ -30,7 +30,7 @@ struct Comparison {
 
 constexpr std::string_view time_reference = "IK-BA";
 
-// `repetitions` are the run means of the same study by seed; where there are none, only ratios are told.
+// `repetitions` are the run means of the same study by seed; without them, there are only ratios.
 std::vector<Comparison> compare(const inference::StudyResults& study,
                                 std::span<const report::RepeatedSolver> repetitions = {});
 

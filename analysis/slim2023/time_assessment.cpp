@@ -73,14 +73,14 @@ std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,
                             printed_words(printed.front(), real_time_ms));
 }
 
-// Nothing where the solver has no solves.
+// The place of a solver; nothing if it has no solves.
 std::optional<std::size_t> place_of(const StudyResults& study, const std::string& solver) {
   const auto found = std::ranges::find(study.solvers, solver);
   if (found == study.solvers.end()) return std::nullopt;
   return static_cast<std::size_t>(found - study.solvers.begin());
 }
 
-// What the tolerance costs each solver of a study in seconds.
+// The cost of the tolerance in seconds for each solver of a study.
 struct TimeCosts {
   const Clusters& clusters;
   std::vector<SolverCost> solvers;
@@ -91,7 +91,7 @@ struct TimeCosts {
   }
 };
 
-// How many times as long the last printed row takes as the first, and the standard error of its logarithm.
+// The ratio of the last printed row's time to the first's, and the standard error of its logarithm.
 struct Growth {
   double ratio;
   double standard_error_of_log;
@@ -103,7 +103,7 @@ Growth printed_growth(const std::vector<PrintedTime>& printed) {
           std::sqrt(relative_variance(printed.front().ms) + relative_variance(printed.back().ms))};
 }
 
-// Of the last solver against the first.
+// Compares the last solver with the first.
 std::string scaling_answer(const Finding& ours, double standard_error_of_log, const Growth& theirs,
                            const AnalysisPlan& plan) {
   const Judgement more = judge(std::log(ours.estimate.value / theirs.ratio),
@@ -122,7 +122,7 @@ double standard_error_of_log_ratio(const SolverCost& first, const SolverCost& se
   return standard_deviation(logarithms);
 }
 
-// Whether our time grows with the number of bats as the printed does; empty where either end has no solves.
+// Says whether our time grows with the number of bats as the printed one does; empty if either end has no solves.
 std::string scaling_verdict(const StudyResults& study, const std::vector<TimeAssessment>& rows,
                             const std::vector<PrintedTime>& printed, const TimeCosts& of) {
   const auto first = place_of(study, printed.front().solver), last = place_of(study, printed.back().solver);
@@ -205,7 +205,7 @@ std::vector<double> times_ms_of(const StudyResults& study, const std::string& so
   return times;
 }
 
-// The chance that a solve of the second takes longer than one of the first, as measured.
+// The measured chance that a solve of the second takes longer than one of the first.
 double chance_to_take_longer(const StudyResults& study, const std::string& first, const std::string& second) {
   return vargha_delaney(times_ms_of(study, second), times_ms_of(study, first), 1 - study.plan.significance).value;
 }

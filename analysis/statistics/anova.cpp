@@ -11,7 +11,7 @@
 namespace ikbench::statistics {
 namespace {
 
-// A group as the sums need it: its mean less a shift common to all, and its sum of squares.
+// A group's moments: its mean less a common shift, and its sum of squares.
 struct Moments {
   double n = 0;
   double shifted_mean = 0;

@@ -20,7 +20,7 @@ struct AnovaTable {
   double F = not_defined;
   double p = not_defined;  // upper tail of the F distribution
   double r_squared = not_defined;
-  std::string undefined;  // why F and p are not defined; empty where they are
+  std::string undefined;  // why F and p are not defined; empty if they are
 
   int df_total() const { return df_between + df_within; }
 };
@@ -28,12 +28,13 @@ struct AnovaTable {
 AnovaTable anova(std::span<const std::vector<double>> groups);
 AnovaTable anova_from_summaries(std::span<const GroupSummary> groups);
 
-// Upper tail of the F distribution; NaN where F is not a number or a degree of freedom is missing.
+// Upper tail of the F distribution; NaN if F is not a number or a degree of freedom is missing.
 double f_upper_tail(double F, double df_between, double df_within);
 
-// How often one-way ANOVA at that significance finds a difference where all means are equal and normal groups spread as
-// these: about, with F's degrees of freedom lessened for variances that differ (Box, Annals of Mathematical Statistics
-// 25 (1954) 290). NaN for fewer than two groups, or where one has no standard deviation or all have none.
+// The approximate share in which one-way ANOVA at that significance finds a difference if all means are equal and
+// normal groups spread as these: with F's degrees of freedom lessened for variances that differ (Box, Annals of
+// Mathematical Statistics 25 (1954) 290). NaN for fewer than two groups, or if one has no standard deviation or all
+// have none.
 double level_of_anova(std::span<const GroupSummary> groups, double significance);
 
 }  // namespace ikbench::statistics

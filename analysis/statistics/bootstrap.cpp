@@ -23,8 +23,8 @@ void check(const Resampling& settings) {
   }
 }
 
-// How many standard deviations of the replicates reach as far as Student's t does where the normal distribution has z:
-// t for the degrees of freedom, and n by n - 1 because replicates vary as if their mean were known.
+// The number of standard deviations of the replicates that reach as far as Student's t does where the normal
+// distribution has z: t for the degrees of freedom, and n by n - 1 because replicates vary as if their mean were known.
 double expanded(double z, std::size_t clusters) {
   const auto n = static_cast<double>(clusters);
   return std::sqrt(n / (n - 1)) * t_quantile(1 - normal_two_sided(z) / 2, n - 1);

@@ -17,9 +17,9 @@ struct Resampling {
   double level = 0.95;
 };
 
-// Clusters (runs, targets) drawn with replacement, each with all that belongs to it: a row for each replicate, which
-// says how often it drew each cluster. A statistic of sums within clusters is thus a weighted sum. The level is not
-// used. No cluster, or fewer than two resamples, is std::invalid_argument.
+// Draws clusters (runs, targets) with replacement, each with all its members. One row per replicate counts how often it
+// drew each cluster, so a statistic of sums within clusters is a weighted sum. The level is not used. Throws
+// std::invalid_argument for no cluster or fewer than two resamples.
 std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const Resampling& settings);
 
 struct Interval {
@@ -27,12 +27,12 @@ struct Interval {
   double high = not_defined;
 };
 
-// The percentile interval of a statistic from so many clusters, with tails as far out as Student's t has them:
-// Hesterberg, The American Statistician 69 (2015) 371, "expanded percentile". The ends are replicates, which may be
-// infinite. NaN where one of them is NaN or there are fewer than two clusters.
+// The percentile interval of a statistic from so many clusters, with tails as far out as Student's t: Hesterberg, The
+// American Statistician 69 (2015) 371, "expanded percentile". The ends are replicates, which may be infinite. NaN if
+// one of them is NaN or there are fewer than two clusters.
 Interval expanded_percentiles(std::vector<double> replicates, std::size_t clusters, double level);
 
-// Estimates that are compared with 0 together; replicates[i] are those of estimates[i], in the same order of draws.
+// Estimates that are compared with 0 together; replicates[i] belong to estimates[i], in the same order of draws.
 struct Family {
   std::vector<double> estimates;
   std::vector<std::vector<double>> replicates;
@@ -40,7 +40,8 @@ struct Family {
 };
 // Intervals that hold all at once: the critical value is that of the largest studentized deviation in a replicate
 // (Romano and Wolf, Econometrica 73 (2005) 1237), widened for few clusters as above. An estimate with a replicate that
-// is not finite has no interval and does not count in the family; one that is the same in every replicate has no width.
+// is not finite has no interval and does not count in the family; one that is the same in every replicate has an
+// interval without width.
 std::vector<Interval> simultaneous_intervals(const Family& family, double level);
 
 }  // namespace ikbench::statistics

@@ -11,7 +11,8 @@
 namespace ikbench::statistics {
 namespace {
 
-// For each value how many of the other sample are below it, equal ones half: its rank among all less that in its own.
+// For each value, the number of values of the other sample below it, equal ones half: its rank among all less its rank
+// in its own.
 std::vector<double> placements(std::span<const double> own, std::span<const double> among_all) {
   std::vector<double> result = midranks(own).ranks;
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = among_all[i] - result[i];
@@ -45,7 +46,7 @@ BrunnerMunzel brunner_munzel(std::span<const double> first, std::span<const doub
     test.undefined = "all values are equal";
     return test;
   }
-  // Of the two parts of the variance of `above`.
+  // The two parts of the variance of `above`.
   const double v1 = one.std * one.std / (n1 * n2 * n2), v2 = other.std * other.std / (n2 * n1 * n1);
   if (v1 + v2 == 0) {
     test.statistic = std::copysign(std::numeric_limits<double>::infinity(), test.above - 0.5);

@@ -48,7 +48,7 @@ double sum_of_squares(std::span<const double> values) {
   double shifted_mean = 0;
   for (const double value : values) shifted_mean += (value - shift) / n;
   double squares = 0;
-  double rest = 0;  // what rounding left in the mean (Chan, Golub, LeVeque 1983)
+  double rest = 0;  // the mean's rounding error (Chan, Golub, LeVeque 1983)
   for (const double value : values) {
     const double deviation = (value - shift) - shifted_mean;
     squares += deviation * deviation;

@@ -1,5 +1,5 @@
-// Whole numbers at random for many resamples, the same on every machine: the halves of std::mt19937_64, whose sequence
-// the standard fixes, made to a range without a division (Lemire, ACM Trans. Modeling and Computer Simulation 29 (2019)
+// Random whole numbers for many resamples, the same on every machine: the halves of std::mt19937_64, whose sequence the
+// standard fixes, scaled to a range without a division (Lemire, ACM Trans. Modeling and Computer Simulation 29 (2019)
 // 3).
 #pragma once
 

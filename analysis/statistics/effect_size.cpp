@@ -13,7 +13,7 @@
 namespace ikbench::statistics {
 namespace {
 
-// The shift at which the noncentral t exceeds the observed one with probability p; NaN where it is not found.
+// The shift at which the noncentral t exceeds the observed one with probability p; NaN if it is not found.
 double shift_of(double p, double t, double df) {
   const auto excess = [&](double shift) { return noncentral_t_upper_tail(t, df, shift) - p; };  // rises with the shift
   double low = t, high = t;
@@ -36,19 +36,19 @@ struct Dominance {
   double variance = 0;
 };
 
-// Of each value of a: how often it is above less how often it is below those of b, a share of them; and the share of
-// pairs (one of a, one of b) that are tied.
+// For each value of a, the share of values of b below it less the share above it; and the share of tied pairs (one of
+// a, one of b).
 struct Dominances {
   std::vector<double> rows;
   double tied = 0;
 };
 
-// Of sorted samples.
+// Requires sorted samples.
 Dominances dominances(const std::vector<double>& a, const std::vector<double>& b) {
   Dominances result;
   result.rows.reserve(a.size());
   const auto m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
-  auto first = b.begin(), last = b.begin();  // those of b that equal a value of a
+  auto first = b.begin(), last = b.begin();  // the values of b that equal a value of a
   double ties = 0;
   for (const double value : a) {
     while (first != b.end() && *first < value) ++first;
@@ -77,7 +77,7 @@ Dominance dominance(std::span<const double> a, std::span<const double> b) {
 
 double finite(double value) { return std::isfinite(value) ? value : not_defined; }
 
-// g / d of two groups with so many degrees of freedom together.
+// g / d for two groups with so many degrees of freedom together.
 double correction(double df) { return boost::math::tgamma_delta_ratio(df / 2, -0.5) / std::sqrt(df / 2); }
 
 }  // namespace

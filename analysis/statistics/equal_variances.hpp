@@ -1,5 +1,5 @@
-// Have several groups the same variance? Bartlett, Proceedings of the Royal Society A 160 (1937) 268, for normal
-// values; Brown and Forsythe, JASA 69 (1974) 364 (Levene's test about the medians), for any.
+// Tests whether several groups have the same variance. Bartlett, Proceedings of the Royal Society A 160 (1937) 268, for
+// normal values; Brown and Forsythe, JASA 69 (1974) 364 (Levene's test about the medians), for any.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ struct Bartlett {
   double chi_squared = not_defined;
   int df = 0;
   double p = not_defined;  // upper tail
-  std::string undefined;   // why there is no p; empty where there is
+  std::string undefined;   // why there is no p; empty if there is one
 };
 
 // Every group needs two values or more that are not all equal.
@@ -26,7 +26,7 @@ struct BrownForsythe {
   int df_between = 0;
   int df_within = 0;
   double p = not_defined;  // upper tail
-  std::string undefined;   // why there is no p; empty where there is
+  std::string undefined;   // why there is no p; empty if there is one
 };
 
 // The analysis of variance of the absolute deviations from the groups' medians. Two values have the same deviation, so

@@ -21,14 +21,14 @@ std::string too_few(std::size_t groups, std::size_t blocks) {
   return {};
 }
 
-// By chance all blocks agree with the first: one of the k! / prod t! ways to order a block, blocks - 1 times over.
+// The chance that all blocks agree with the first: each of the other blocks - 1 takes one of k! / prod t! orders.
 double chance_of_agreement(const Friedman& test) {
   double log_ways = std::lgamma(static_cast<double>(test.average_ranks.size()) + 1);
   for (const std::size_t tie : midranks(test.average_ranks).ties) log_ways -= std::lgamma(static_cast<double>(tie) + 1);
   return std::exp(-log_ways * static_cast<double>(test.blocks - 1));
 }
 
-// The numbers that follow from average ranks, given the mean over the blocks of the variance of a block's ranks.
+// Computes the statistics from average ranks and the mean over blocks of the variance of a block's ranks.
 void judge(Friedman& test, double rank_variance) {
   const auto k = static_cast<double>(test.average_ranks.size());
   const auto n = static_cast<double>(test.blocks);

@@ -25,7 +25,7 @@ struct Node {
   double weight;
 };
 
-// Gauss and Legendre's, in panels over which a normal density of variance 1 is smooth.
+// Gauss and Legendre's nodes, in panels over which a normal density of variance 1 is smooth.
 std::vector<Node> nodes(double low, double high) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   constexpr double widest = 6;
@@ -51,7 +51,7 @@ double chance_to_cross(double c, const Boundary& boundary) {
   check_boundary(boundary);
   if (std::isnan(c)) return not_defined;
   constexpr double density_at_0 = 0.3989422804014327;  // of the standard normal
-  constexpr double farthest = 9;                       // standard deviations; what is beyond is below 1e-18
+  constexpr double farthest = 9;                       // standard deviations; the rest is below 1e-18
   const auto end = [&](int look) {                     // of the sum S_k = Z_k sqrt(k), whose steps have variance 1
     return c * std::pow(look, boundary.shape) * std::pow(boundary.looks, 0.5 - boundary.shape);
   };

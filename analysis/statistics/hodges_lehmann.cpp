@@ -15,7 +15,7 @@
 namespace ikbench::statistics {
 namespace {
 
-// Two equal infinite values differ by nothing.
+// Two equal infinite values differ by 0.
 double difference(double a, double b) { return a == b ? 0.0 : a - b; }
 
 // All differences of two sorted samples, as a matrix that is never made. Rounding is monotone, so each row and each
@@ -30,9 +30,9 @@ class AllDifferences {
 
   std::uint64_t size() const { return std::uint64_t{first_.size()} * second_.size(); }
 
-  // The rank-th smallest, counted from 1. It is between two differences, which close in by turns: interpolated at the
-  // rank; as far beyond it as the nearer of the two now falls short; and half way between them as doubles are counted,
-  // which alone would end too.
+  // The rank-th smallest, counted from 1. Two differences close in on it by three steps in turn: interpolation at the
+  // rank; as far beyond as the nearer of the two now falls short; and half way between them, counted in doubles, which
+  // alone would end too.
   double smallest(std::uint64_t rank) const {
     End low{.at = difference(first_.front(), second_.front()), .count = 0};
     End high{.at = difference(first_.back(), second_.back()), .count = static_cast<double>(size())};
@@ -49,14 +49,15 @@ class AllDifferences {
     return low.at;
   }
 
-  // That one, where `before` is the one before it.
+  // The rank-th smallest if `before` is the one before it.
   double smallest_after(double before, std::uint64_t rank) const {
     const Split split = split_at(before);
     return split.within >= rank ? before : split.least_above;
   }
 
  private:
-  // One of the two: of the higher, how many differences are not above it; of the lower, how many are below it.
+  // One of the two. `count`: for the higher, the number of differences not above it; for the lower, the number below
+  // it.
   struct End {
     double at;
     double count;
@@ -72,7 +73,7 @@ class AllDifferences {
     }
   }
 
-  // Two differences between which the rank-th of large samples likely is: those of a few of their values.
+  // Two differences that likely enclose the rank-th of large samples: differences of a few of their values.
   std::vector<double> around(std::uint64_t rank) const {
     constexpr std::size_t few = 2000;
     if (std::min(first_.size(), second_.size()) < 2 * few) return {};
@@ -84,12 +85,12 @@ class AllDifferences {
     const AllDifferences of_few(thinned(first_), thinned(second_));
     const auto all = static_cast<double>(of_few.size());
     const double there = static_cast<double>(rank) / static_cast<double>(size()) * all;
-    constexpr double room = 2 * few;  // what each of a few stands for, twice
+    constexpr double room = 2 * few;  // twice what each of the few stands for
     return {of_few.smallest(static_cast<std::uint64_t>(std::max(there - room, 1.0))),
             of_few.smallest(static_cast<std::uint64_t>(std::min(there + room, all)))};
   }
 
-  // The doubles in their order as integers without gaps but one: -0 is just below 0.
+  // The doubles in order as integers, with only one gap: -0 is just below 0.
   static std::int64_t place_of(double value) {
     const auto bits = std::bit_cast<std::int64_t>(value);
     return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
@@ -98,14 +99,14 @@ class AllDifferences {
     return std::bit_cast<double>(place < 0 ? std::numeric_limits<std::int64_t>::min() - place - 1 : place);
   }
 
-  // At or above the low end and below the high one.
+  // A double at or above the low end and below the high one.
   static double half_way(const End& low, const End& high) {
     const auto from = static_cast<std::uint64_t>(place_of(low.at)), to = static_cast<std::uint64_t>(place_of(high.at));
     const double middle = double_at(static_cast<std::int64_t>(from + (to - from) / 2));
     return middle < high.at ? middle : low.at;  // -0 is not below 0
   }
 
-  // So too; half way where the ends are too far apart.
+  // Likewise, by interpolation; half way if the ends are too far apart.
   static double interpolated(const End& low, const End& high, double rank) {
     const double found = low.at + (high.at - low.at) * ((rank - low.count) / (high.count - low.count));
     return found >= low.at && found < high.at ? found : half_way(low, high);
@@ -117,12 +118,12 @@ class AllDifferences {
   }
 
   struct Split {
-    std::uint64_t within = 0;  // how many are not above the bound
+    std::uint64_t within = 0;  // number of differences not above the bound
     double largest_within = -std::numeric_limits<double>::infinity();
     double least_above = std::numeric_limits<double>::infinity();
   };
 
-  // Along the border between those that are above and those that are not.
+  // Walks along the border between differences above the bound and the others.
   Split split_at(double bound) const {
     Split split;
     std::size_t columns = second_.size();

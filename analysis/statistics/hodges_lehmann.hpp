@@ -1,5 +1,5 @@
-// By how much one sample is shifted against another: the median of all differences of a value of the first and a value
-// of the second. Hodges and Lehmann, Annals of Mathematical Statistics 34 (1963) 598.
+// The shift of one sample against another: the median of all differences of a value of the first and a value of the
+// second. Hodges and Lehmann, Annals of Mathematical Statistics 34 (1963) 598.
 #pragma once
 
 #include <span>
@@ -11,17 +11,17 @@ namespace ikbench::statistics {
 
 struct Shift {
   double estimate = not_defined;
-  double low = not_defined;  // of at least the level where the Mann-Whitney test is exact, else of about the level
+  double low = not_defined;  // at least at the level if the Mann-Whitney test is exact, else about
   double high = not_defined;
-  std::string undefined;  // why there is no estimate; empty where there is
+  std::string undefined;  // why there is no estimate; empty if there is one
 };
 
-// Of first - second, with the interval of the Mann-Whitney test: from the r-th smallest difference to the r-th largest,
-// where P(U < r) is at most (1 - level) / 2 (Hollander, Wolfe and Chicken, Nonparametric Statistical Methods (2014),
-// chapter 4). Too few values for the level have no interval. Equal infinite values differ by 0; others may make the
-// shift infinite. The m n differences are counted, not made (Johnson and Mizoguchi, SIAM J. Computing 7 (1978) 147;
+// The shift first - second, with the interval of the Mann-Whitney test: from the r-th smallest difference to the r-th
+// largest, where P(U < r) is at most (1 - level) / 2 (Hollander, Wolfe and Chicken, Nonparametric Statistical Methods
+// (2014), chapter 4). Too few values for the level give no interval. Equal infinite values differ by 0; others may make
+// the shift infinite. The m n differences are counted, not made (Johnson and Mizoguchi, SIAM J. Computing 7 (1978) 147;
 // Monahan, ACM TOMS 10 (1984) 265, for the same of one sample): some 10 to 20 passes over the sorted samples for each
-// of three differences, and no memory but for the sorted samples.
+// of three differences, and no memory except for the sorted samples.
 Shift hodges_lehmann(std::span<const double> first, std::span<const double> second, double level);
 
 }  // namespace ikbench::statistics

@@ -1,4 +1,4 @@
-// Do several groups come from one distribution? Kruskal and Wallis, JASA 47 (1952) 583, by the ranks of all
+// Tests whether several groups come from one distribution. Kruskal and Wallis, JASA 47 (1952) 583, by the ranks of all
 // values together, corrected for ties.
 #pragma once
 
@@ -15,8 +15,8 @@ struct KruskalWallis {
   int df = 0;
   double p = not_defined;                // upper tail of chi-square
   double epsilon_squared = not_defined;  // H / (n - 1), 0 to 1: the share of the ranks' spread that is between groups
-  std::vector<double> mean_ranks;        // of the groups in their order
-  std::string undefined;                 // why there is no H; empty where there is
+  std::vector<double> mean_ranks;        // by group
+  std::string undefined;                 // why there is no H; empty if there is one
 };
 
 KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);

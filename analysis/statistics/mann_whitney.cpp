@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::size_t exact_below = 50;
 
-// Of U for n1 and n2 different values, by whether the largest of all is in the first sample or in the second:
+// The probabilities of U for n1 and n2 different values, by the sample that has the largest of all:
 // (n1 + n2) P(n1, n2, u) = n1 P(n1 - 1, n2, u - n2) + n2 P(n1, n2 - 1, u).
 std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
-  std::vector<std::vector<double>> by_first(n1 + 1);  // for n2 = 0 as yet
+  std::vector<std::vector<double>> by_first(n1 + 1);  // for n2 = 0 at first
   for (std::size_t a = 0; a <= n1; ++a) by_first[a].resize(a * n2 + 1);
   for (auto& distribution : by_first) distribution[0] = 1;
   for (std::size_t b = 1; b <= n2; ++b) {

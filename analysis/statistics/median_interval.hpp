@@ -17,10 +17,10 @@ struct MedianInterval {
       not_defined;           // exact for a continuous distribution, at least the level; more where values are equal
   std::size_t low_rank = 0;  // counted from 1, of the sorted values
   std::size_t high_rank = 0;
-  std::string undefined;  // why there is no interval, as of fewer than 6 values at 0.95; empty where there is
+  std::string undefined;  // why there is none, e.g. fewer than 6 values at 0.95; else empty
 };
 
-// Sorted ascending (ranked_values); infinite values are ranked as any other.
+// The values are sorted ascending (ranked_values); infinite values are ranked like any other.
 MedianInterval median_interval(std::span<const double> sorted, double level = 0.95);
 
 }  // namespace ikbench::statistics

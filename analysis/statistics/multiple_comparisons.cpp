@@ -30,7 +30,7 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
   return pairs;
 }
 
-// Why a group can have no part in a comparison; empty where it can.
+// Says why a group cannot be compared; empty if it can.
 std::string group_obstacle(const GroupSummary& group, std::size_t index) {
   if (group.n < 1) return fmt::format("group {} has no values", index + 1);
   if (!std::isfinite(group.mean)) return fmt::format("group {} has values that are not finite", index + 1);
@@ -61,13 +61,13 @@ void settle(MeanDifference& pair, const Found& found) {
   pair.undefined = "the difference or its spread is too large for double precision";
 }
 
-// q, p and interval of a pair whose standard error and df are known.
+// Computes q, p and interval of a pair whose standard error and df are known.
 void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
   const double q = std::abs(pair.difference) / pair.standard_error * root_two;
   settle(pair, {.q = q, .p = range.upper_tail(q, pair.df), .reach = critical / root_two});
 }
 
-// Pairs with the standard errors and degrees of freedom of Welch's test, where these are defined.
+// Pairs with the standard errors and degrees of freedom of Welch's test, if these are defined.
 std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> groups,
                                                std::optional<std::size_t> only_with) {
   std::vector<MeanDifference> pairs = differences(groups, only_with);

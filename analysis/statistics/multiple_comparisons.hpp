@@ -1,7 +1,7 @@
 // All pairs of means compared at one level for the whole family: Tukey-Kramer (Kramer, Biometrics 12 (1956) 307), which
 // pools the variances; Games-Howell (J. Educational Statistics 1 (1976) 113) and Tamhane's T2 (JASA 74 (1979) 471),
-// which do not. Of few values Games-Howell finds too much; T2 finds no more than Welch's test does of each pair,
-// corrected by Sidak's inequality.
+// which do not. With few values Games-Howell finds too much; T2 finds no more than Welch's test of each pair, corrected
+// by Sidak's inequality.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace ikbench::statistics {
 
 struct MeanDifference {
-  std::size_t first = 0;  // groups as they were given, from 0
+  std::size_t first = 0;  // groups in the given order, from 0
   std::size_t second = 0;
   double difference = not_defined;      // mean of the first less mean of the second
   double standard_error = not_defined;  // of that difference
@@ -24,14 +24,14 @@ struct MeanDifference {
   double p = not_defined;  // corrected for all pairs of all groups
   double low = not_defined;
   double high = not_defined;  // simultaneous interval of the difference
-  std::string undefined;      // why there is no p; empty where there is
+  std::string undefined;      // why there is no p; empty if there is one
 };
 
-// Pairs first < second in order; with `only_with`, those that group takes part in, still corrected for all pairs. Up to
-// 1000 groups. std::invalid_argument where `level` is not between 0 and 1 or there is no such group.
+// Pairs first < second in order; `only_with` keeps the pairs with that group, still corrected for all pairs. Up to 1000
+// groups. Throws std::invalid_argument if `level` is not between 0 and 1 or there is no such group.
 //
-// Tukey: a group of one value takes part with the variance of the others; a group whose mean or spread is not defined
-// leaves no pair defined. The others: each pair stands for itself, so only the pairs of such groups are not defined.
+// Tukey: a group of one value uses the variance of the others; if a group's mean or spread is not defined, no pair is.
+// The others: each pair stands for itself, so only the pairs of such groups are not defined.
 std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
                                   std::optional<std::size_t> only_with = std::nullopt);
 std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,

@@ -10,7 +10,7 @@
 namespace ikbench::statistics {
 namespace {
 
-// What the p of the given rank, 1 for the smallest, is multiplied by among m.
+// The factor for the p of the given rank, 1 for the smallest, among m.
 double factor(Correction correction, double rank, double m) {
   switch (correction) {
     case Correction::holm:

@@ -1,4 +1,4 @@
-// P-values of several tests, adjusted for there being several: what R's p.adjust computes.
+// Adjusts p-values for several tests, as R's p.adjust does.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ enum class Correction {
   benjamini_hochberg,  // J. Royal Statistical Society B 57 (1995) 289: the expected share of false findings
 };
 
-// In the order given. A p that is NaN (a test that could not be made) stays NaN and does not count; the others are 0 to
-// 1, anything else is std::invalid_argument.
+// Adjusted p-values in the given order. A p that is NaN (a test that could not be made) stays NaN and does not count.
+// The others must be 0 to 1; anything else throws std::invalid_argument.
 std::vector<double> adjusted(std::span<const double> p, Correction correction);
 
 }  // namespace ikbench::statistics

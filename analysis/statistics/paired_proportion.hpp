@@ -1,4 +1,4 @@
-// Successes of groups that were all given the same trials: two of them pair by pair, or all.
+// Compares successes of groups that were all given the same trials: two of them pair by pair, or all.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace ikbench::statistics {
 
-// In how many trials both succeeded, one alone, neither.
+// The numbers of trials in which both succeeded, one alone, or neither.
 struct PairedSuccesses {
   int both = 0;
   int first_only = 0;
@@ -19,24 +19,24 @@ struct PairedSuccesses {
   int trials() const { return both + first_only + second_only + neither; }
 };
 
-// Have the two the same chance? The two-sided sign test of the trials in which one alone succeeded (McNemar,
-// Psychometrika 12 (1947) 153, exact); 1 where there are none.
+// Tests whether two have the same chance: the two-sided sign test of the trials in which one alone succeeded (McNemar,
+// Psychometrika 12 (1947) 153, exact); 1 if there are none.
 double mcnemar_exact(const PairedSuccesses& counts);
 
-// The share of the first less that of the second, with Newcombe's interval of pairs (Statistics in Medicine 17 (1998)
-// 2635, method 10): his interval of independent samples, with the correlation of the two.
+// The share of the first less that of the second, with Newcombe's interval for pairs (Statistics in Medicine 17 (1998)
+// 2635, method 10): his interval for independent samples, with the correlation of the two.
 Proportion newcombe_paired(const PairedSuccesses& counts, double level);
 
-// Have all the same chance? Cochran, Biometrika 37 (1950) 256; p of chi-square, poor for few trials that tell groups
-// apart.
+// Tests whether all have the same chance: Cochran, Biometrika 37 (1950) 256; p of chi-square, poor if few trials
+// distinguish groups.
 struct CochranQ {
   double Q = not_defined;
   int df = 0;
   double p = not_defined;
-  std::string undefined;  // why there is no p; empty where there is
+  std::string undefined;  // why there is no p; empty if there is one
 };
 
-// Of two groups or more, values of 0 and 1, values[i] of each of trial i.
+// Needs two groups or more of values 0 and 1; values[i] of each is of trial i.
 CochranQ cochran_q(std::span<const std::vector<double>> groups);
 
 }  // namespace ikbench::statistics

@@ -1,4 +1,4 @@
-// Every pair of several groups, in the one order that all comparisons keep.
+// Lists every pair of several groups, in the order that all comparisons keep.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace ikbench::statistics {
 
-// A comparison of each pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ...
+// One comparison per pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ...
 template <class Comparison>
 std::vector<Comparison> all_pairs(std::size_t groups) {
   std::vector<Comparison> pairs;

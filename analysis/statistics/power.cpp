@@ -20,7 +20,7 @@ void check(const PowerGoal& goal) {
       fmt::format("power {} at alpha {}: expected 0 < alpha < power < 1", goal.power, goal.alpha));
 }
 
-// The chance of |T| beyond its critical value; 1 where the shift is so large that nothing else can be.
+// The chance of |T| beyond its critical value; 1 if the shift is so large that nothing else is possible.
 double two_sided_power(double shift, double df, double alpha) {
   const double critical = -t_quantile(alpha / 2, df);
   shift = std::min(std::abs(shift), 1e300);
@@ -43,7 +43,7 @@ RunsNeeded smallest_n(double goal, Power power_at) {
   return {.n = enough};
 }
 
-// Where power reaches the goal; it rises with the difference.
+// The difference at which power reaches the goal; power rises with the difference.
 template <class Power>
 double least(double goal, Power power_at) {
   double enough = 1;

@@ -1,5 +1,5 @@
-// How many runs a comparison needs: Welch's t-test, with Satterthwaite's degrees of freedom, and the paired one,
-// through the noncentral t distribution (Cohen 1988).
+// The number of runs that a comparison needs: Welch's t-test, with Satterthwaite's degrees of freedom, and the paired
+// one, through the noncentral t distribution (Cohen 1988).
 #pragma once
 
 #include <string>
@@ -9,27 +9,27 @@
 namespace ikbench::statistics {
 
 struct PowerGoal {
-  double power = 0.8;   // the chance to find a difference that is there
-  double alpha = 0.05;  // the chance to find one that is not; two-sided
+  double power = 0.8;   // the chance to find an existing difference
+  double alpha = 0.05;  // the chance to find one that does not exist; two-sided
 };
 
 struct RunsNeeded {
   double n = not_defined;  // per group, a whole number of at least 2
-  std::string undefined;   // why there is none, one above ten million too; empty where there is
+  std::string undefined;   // why there is none (more than ten million count as none); else empty
 };
 
-// The smallest equal n per group with which Welch's test shows a true difference of means where the groups spread as
-// these. std::invalid_argument unless 0 < alpha < power < 1.
+// The smallest equal n per group with which Welch's test shows a true difference of means if the groups spread as
+// these. Throws std::invalid_argument unless 0 < alpha < power < 1.
 RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal);
-// The smallest number of pairs with which the paired test shows it, where differences within pairs spread by `std`.
+// The smallest number of pairs with which the paired test shows it if differences within pairs spread by `std`.
 RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal);
 
 // The least difference of two means of n values each, in their standard deviations, that Student's test shows with that
-// power, and the least mean of n differences, in their standard deviation. NaN of fewer than two.
+// power; and the least mean of n differences, in their standard deviation. NaN for fewer than two.
 double least_difference(int n, const PowerGoal& goal);
 double least_mean_difference(int n, const PowerGoal& goal);
 
-// The standard deviation that is `probability` likely to be below the true one, where n normal values have `std`.
+// The standard deviation that is below the true one with that probability, if n normal values have `std`.
 double plausible_deviation(double std, int n, double probability);
 
 }  // namespace ikbench::statistics

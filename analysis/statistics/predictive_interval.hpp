@@ -1,4 +1,4 @@
-// Where one more value lies, from values like it.
+// The place of one more value, predicted from similar values.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace ikbench::statistics {
 
-// With that probability: among n exchangeable values a further one is below the k-th with probability k / (n + 1),
-// which is quantiles of Hyndman and Fan's type 6. No wider than the values themselves, in any order.
+// Contains the next value with probability `level`: among n exchangeable values a further one is below the k-th with
+// probability k / (n + 1), which means quantiles of Hyndman and Fan's type 6. No wider than the values themselves, in
+// any order.
 Interval predictive_interval(std::span<const double> values, double level);
 
 }  // namespace ikbench::statistics

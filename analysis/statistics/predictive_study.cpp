@@ -11,7 +11,7 @@
 namespace ikbench::statistics {
 namespace {
 
-// In (0, 1).
+// Draws from (0, 1).
 double open_uniform(Draws& draws) { return (static_cast<double>(draws.below(1u << 31)) + 0.5) * 0x1p-31; }
 
 // Mean excess of the outermost fifth over the next: the slope of an exponential tail.
@@ -31,7 +31,7 @@ class NextValues {
     below_ = tail_slope(std::vector<double>(known_.rbegin(), known_.rend()));
   }
 
-  // The values of one study to come.
+  // Draws the values of one future study.
   std::vector<double> draw_study(Draws& draws) const {
     std::vector<double> known = known_, study;
     for (std::size_t run = 0; run < runs_; ++run) {

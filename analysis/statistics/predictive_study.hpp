@@ -1,7 +1,7 @@
-// What another study of the same thing would print: ranges of its mean, median, standard deviation, largest and
-// smallest value, from the values that we have. Hill's A(n), JASA 63 (1968) 677: the next value is equally likely to
-// lie in each of the n + 1 gaps between those known, and then is known itself; so our own error of sampling is part of
-// the range.
+// Predicts what another study of the same thing would print: ranges of its mean, median, standard deviation, largest
+// and smallest value, from the values that we have. Hill's A(n), JASA 63 (1968) 677: the next value is equally likely
+// to lie in each of the n + 1 gaps between the known ones, and then is known itself; so the range includes our own
+// error of sampling.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ constexpr std::size_t fewest_predicting = 5;  // values
 constexpr std::size_t predicted_statistics = 5;
 using PredictedRanges = std::array<Interval, predicted_statistics>;
 
-// Of positive values, which are taken as their logarithms: within a gap each place is equally likely, and beyond the
-// last value an exponential tail of Hill's (Annals of Statistics 3 (1975) 1163) slope. NaN where a value is not
-// positive and finite, or there are fewer than that.
+// For positive values, by their logarithms: within a gap each place is equally likely; beyond the last value there is
+// an exponential tail of Hill's (Annals of Statistics 3 (1975) 1163) slope. NaN if a value is not positive and finite,
+// or for fewer than `fewest_predicting` values.
 PredictedRanges predicted_ranges(std::span<const double> values, std::size_t runs, const Resampling& settings);
 
 }  // namespace ikbench::statistics

@@ -60,7 +60,7 @@ FisherExact fisher_exact(Successes first, Successes second) {
   const double seen = first.successes;
   const double successes = seen + second.successes;
 
-  // Successes of the first, given all: their weights relative to the most probable number, going out from it until they
+  // Weights of the first's successes, given all: relative to the most probable number, going out from it until they
   // vanish, each from its neighbour.
   const double least = std::max(0.0, successes - n2), most = std::min(n1, successes);
   const double mode = std::clamp(std::floor((n1 + 1) * (successes + 1) / (n1 + n2 + 2)), least, most);
@@ -83,7 +83,7 @@ FisherExact fisher_exact(Successes first, Successes second) {
     if (x >= seen) as_many += weight;
   });
   for_each_weight([&](double, double weight) {
-    if (weight <= seen_weight * (1 + 1e-7)) as_rare += weight;  // equal but for rounding, as R has it
+    if (weight <= seen_weight * (1 + 1e-7)) as_rare += weight;  // equal up to rounding, as in R
   });
   test.p = std::min(1.0, as_rare / total);
   test.p_greater = std::min(1.0, as_many / total);

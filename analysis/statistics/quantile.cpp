@@ -30,7 +30,7 @@ std::vector<double> ranked_values(std::span<const double> values) {
 
 namespace {
 
-// Weight of the upper neighbour where the position j + g falls between two order statistics.
+// Weight of the upper neighbour if the position j + g falls between two order statistics.
 double weight(QuantileType type, double j, double g) {
   const bool between = g > 0;
   switch (type) {
@@ -93,11 +93,11 @@ Box box(std::span<const double> values, QuantileType type) {
   result.q3 = quantile(ranked, 0.75, type);
   result.not_finite = static_cast<int>(std::erase_if(ranked, [](double value) { return !std::isfinite(value); }));
   if (!result.drawable()) {
-    result.outliers = ranked;  // no box, but every value that can be shown
+    result.outliers = ranked;  // no box, but every drawable value
     return result;
   }
   const double reach = 1.5 * (result.q3 - result.q1);
-  result.whisker_low = result.q1;  // where no value lies between the fence and the box
+  result.whisker_low = result.q1;  // used if no value lies between the fence and the box
   result.whisker_high = result.q3;
   for (const double value : ranked) {
     if (value < result.q1 - reach || value > result.q3 + reach) {

@@ -12,23 +12,23 @@ enum class QuantileType { type_1 = 1, type_2, type_3, type_4, type_5, type_6, ty
 // The type of a number 1 to 9; anything else is std::invalid_argument.
 QuantileType quantile_type(int number);
 
-// What is not a number ranks so, where smaller is better.
+// The rank of NaN, if smaller is better.
 constexpr double worse_than_every_number = std::numeric_limits<double>::infinity();
 
-// Sorted; what is not a number comes last, as infinity. Infinite values stay what they are.
+// Sorts values; NaN comes last, as infinity. Infinite values stay.
 std::vector<double> ranked_values(std::span<const double> values);
 
-// The p-quantile of sorted values, 0 <= p <= 1; NaN where there are none. Type 5 is MATLAB's, 7 that of R and NumPy.
+// The p-quantile of sorted values, 0 <= p <= 1; NaN if there are none. Type 5 is MATLAB's, 7 that of R and NumPy.
 double quantile(std::span<const double> sorted, double p, QuantileType type);
 
-// Over how many decades nine tenths of the values lie: log10 of the 95 % quantile by the 5 % quantile. Not defined
-// where either is not positive or not finite.
+// The number of decades that nine tenths of the values span: log10 of the 95 % quantile by the 5 % quantile. Not
+// defined if either is not positive or not finite.
 double decades(std::span<const double> values);
 
 // The numbers of a box plot: quartiles, and whiskers to the last value within 1.5 box heights.
 struct Box {
   int n = 0;
-  int not_finite = 0;  // counted and ranked, and not drawable
+  int not_finite = 0;  // counted and ranked, but not drawable
   double q1 = std::numeric_limits<double>::quiet_NaN();
   double median = std::numeric_limits<double>::quiet_NaN();
   double q3 = std::numeric_limits<double>::quiet_NaN();

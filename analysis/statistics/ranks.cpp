@@ -26,7 +26,7 @@ Ranking midranks(std::span<const double> values) {
   }
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });  // which merges: fast where sorted
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });  // merge sort: fast if sorted
   ranking.ranks.resize(values.size());
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     while (end < order.size() && values[order[end]] == values[order[first]]) ++end;

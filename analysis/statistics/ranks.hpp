@@ -1,4 +1,4 @@
-// Ranks of a pooled sample, equal values sharing the mean of theirs (midranks).
+// Ranks of a pooled sample; equal values share the mean of their ranks (midranks).
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 namespace ikbench::statistics {
 
 struct Ranking {
-  std::vector<double> ranks;      // of the values in their order; 1 is the smallest
-  std::vector<std::size_t> ties;  // how many are equal, for each value that occurs more than once, ascending by value
-  std::string undefined;          // why there are no ranks; empty where there are
+  std::vector<double> ranks;      // by value, in their order; 1 is the smallest
+  std::vector<std::size_t> ties;  // for each value that occurs more than once, ascending: how often
+  std::string undefined;          // why there are no ranks; empty if there are
 
-  double tie_sum() const;  // of t^3 - t over the ties: what the variance of a rank statistic loses by them
+  double tie_sum() const;  // sum of t^3 - t over the ties, by which they reduce a rank statistic's variance
 };
 
-// Infinite values are ranked as any other; NaN has no rank, and then no value has.
+// Ranks infinite values like any other; if one value is NaN, none has a rank.
 Ranking midranks(std::span<const double> values);
 
 // The values of all groups, one group after the other.

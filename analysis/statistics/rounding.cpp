@@ -24,7 +24,7 @@ struct Sized {
   double* number;
 };
 
-// Of those that are near each other: the most exact first, each is made equal to the nearest before, where it can be.
+// Joins numbers near each other: the most exact first, each becomes equal to the nearest earlier one, if it can.
 void join(std::span<Sized> near, std::set<double> different) {
   std::ranges::sort(near, {}, [](const Sized& each) { return std::tuple(each.size, each.magnitude); });
   for (const auto& [magnitude, size, number] : near) {
@@ -64,14 +64,14 @@ std::vector<double> without_rounding(std::span<const double> numbers, std::span<
   return result;
 }
 
-// As above, where each number is its own size: the nearest of those before is the last of them.
+// As above, but each number is its own size: the nearest earlier one is the last.
 std::vector<double> without_rounding(std::span<const double> values) {
   std::vector<double> result(values.begin(), values.end());
   struct Magnitude {
     double of;
     double* value;
   };
-  std::vector<Magnitude> order;  // with the numbers themselves, which a sort of millions would look for all over memory
+  std::vector<Magnitude> order;  // holds the numbers: a sort by reference is slow for millions
   order.reserve(result.size());
   for (double& value : result) {
     if (std::isfinite(value)) order.push_back({std::abs(value), &value});

@@ -1,5 +1,5 @@
-// What it costs to reach a tolerance when some trials never do: expected running time (Hansen, Auger, Ros, Finck,
-// Posik, GECCO companion (2010) 1689).
+// The cost of reaching a tolerance if some trials never do: expected running time (Hansen, Auger, Ros, Finck, Posik,
+// GECCO companion (2010) 1689).
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace ikbench::statistics {
 
-// What a trial spent, in evaluations or seconds, until it reached the tolerance or was given up (censored).
+// The cost of a trial, in evaluations or seconds, until it reached the tolerance or was given up (censored).
 struct CensoredCost {
   double spent = 0;
   bool reached = false;
@@ -26,7 +26,7 @@ struct RunningTime {
 
 RunningTime running_time(std::span<const CensoredCost> costs);
 
-// Why costs have no running time: there are none, or one is negative or not finite. Empty where they have one.
+// Says why costs have no running time: there are none, or one is negative or not finite. Empty if they have one.
 std::string wrong_with(std::span<const CensoredCost> costs);
 
 }  // namespace ikbench::statistics

@@ -84,7 +84,7 @@ ShapiroWilk shapiro_wilk(std::span<const double> values) {
 
   std::vector<double> sorted(values.begin(), values.end());
   std::ranges::sort(sorted);
-  const double middle = sorted[n / 2];  // W knows neither place nor unit: 1e9 + 1 and 1e308 are no worse than 1
+  const double middle = sorted[n / 2];  // W depends on neither place nor unit: 1e9 + 1 and 1e308 are no worse than 1
   const double unit = std::isfinite(sorted.back() - sorted.front()) ? 1.0 : 0.5;
   const double range = sorted.back() * unit - sorted.front() * unit;
   for (double& value : sorted) value = (value * unit - middle * unit) / range;
@@ -104,7 +104,7 @@ ShapiroWilk shapiro_wilk(std::span<const double> values) {
   }
   one_less_w *= (1 + product) / 2;
   test.W = 1 - one_less_w;
-  // Of three values p is then 0, whatever they are, which is rounding and no evidence.
+  // For three values p would be 0 whatever they are: rounding, no evidence.
   if (n == fewest && (sorted[0] == sorted[1] || sorted[1] == sorted[2])) {
     test.undefined = "two of three values are equal";
     return test;

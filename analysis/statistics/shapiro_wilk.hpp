@@ -1,5 +1,5 @@
-// Is a sample normal? Shapiro and Wilk, Biometrika 52 (1965) 591, with Royston's approximations for 3 to 5000 values
-// (Applied Statistics 44 (1995) 547, algorithm AS R94; Statistics and Computing 2 (1992) 117).
+// Tests whether a sample is normal. Shapiro and Wilk, Biometrika 52 (1965) 591, with Royston's approximations for 3 to
+// 5000 values (Applied Statistics 44 (1995) 547, algorithm AS R94; Statistics and Computing 2 (1992) 117).
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace ikbench::statistics {
 
 struct ShapiroWilk {
   double W = not_defined;
-  double p = not_defined;  // small where the sample is not normal
-  std::string undefined;   // why there is no W; empty where there is
+  double p = not_defined;  // small if the sample is not normal
+  std::string undefined;   // why there is no W; empty if there is one
 };
 
 ShapiroWilk shapiro_wilk(std::span<const double> values);

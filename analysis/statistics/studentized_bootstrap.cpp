@@ -21,22 +21,22 @@ namespace {
 using Groups = std::span<const std::vector<double>>;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double tie = 1e-9;  // deviations this close are equal but for rounding
+constexpr double tie = 1e-9;  // deviations this close count as equal
 constexpr std::size_t fewest_resampled = 3;
 
-// What of a mean is compared.
+// The scale on which means are compared.
 enum class Scale { logarithm, mean };
 
 struct Mean {
   double value = not_defined, error = not_defined;  // the mean and its standard error
   double spread = not_defined;                      // the standard error on the scale of the comparison
-  double unit = 1;                                  // of what follows; 0 of a constant
+  double unit = 1;                                  // of the deviations; 0 for a constant
   std::vector<double> deviations, squares;  // of each resample on that scale: how far off, squared standard error
 };
 
 struct Resample {
   double mean = not_defined;
-  double square = not_defined;  // of the standard error; exactly 0 where all values are equal
+  double square = not_defined;  // of the standard error; exactly 0 if all values are equal
 };
 
 Resample summary_of(const std::vector<double>& picked) {
@@ -49,7 +49,7 @@ Resample summary_of(const std::vector<double>& picked) {
   return {.mean = alike ? picked.front() : centre, .square = alike ? 0 : squares / (n * (n - 1))};
 }
 
-// In a unit in which no square overflows.
+// Resamples in a unit in which no square overflows.
 Mean resampled(std::span<const double> values, Scale scale, const Resampling& settings) {
   const double unit = power_of_two_below(values);
   std::vector<double> sample(values.begin(), values.end()), picked(values.size());
@@ -81,7 +81,7 @@ std::string group_undefined(std::span<const double> values, std::size_t index) {
   if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
     return fmt::format("group {} has values that are not finite", index + 1);
   }
-  constexpr double widest = 1e130;  // squares of what is left without the largest values must not vanish
+  constexpr double widest = 1e130;  // squares of the values without the largest must not vanish
   double least = infinite, largest = 0;
   for (const double value : values) {
     if (value != 0) least = std::min(least, std::abs(value));
@@ -95,7 +95,7 @@ bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
   return !group || pair.first == *group || pair.second == *group;
 }
 
-// A pair and what is resampled of it: the means of its groups, or within blocks that of its differences and nothing.
+// A pair and its resampled means: those of its groups, or within blocks that of its differences and nothing.
 struct Compared {
   MeanDifference pair;
   const Mean* first = nullptr;
@@ -103,8 +103,8 @@ struct Compared {
   bool within_blocks = false;
 };
 
-// Squared deviations of a pair in squared standard errors, of every resample; infinite where it has no spread. Both
-// units are powers of two, so that nothing is rounded; that of a constant does not count.
+// Squared deviations of a pair in squared standard errors, for every resample; infinite if it has no spread. Both units
+// are powers of two, so nothing is rounded; that of a constant does not count.
 void studentize(const Mean& first, const Mean& second, std::vector<double>& squares) {
   const double unit = std::max(first.unit, second.unit);
   const double one = first.unit / unit, other = second.unit / unit;
@@ -114,8 +114,8 @@ void studentize(const Mean& first, const Mean& second, std::vector<double>& squa
   }
 }
 
-// How many different values hardly have a resample without spread: n values have none in n^(1 - n) of them. So many in
-// both groups of a pair, or in one where the other is constant.
+// The number of different values that rarely have a resample without spread: n values have one in n^(1 - n) of them.
+// Both groups of a pair need so many, or one if the other is constant.
 int enough_values(double tolerated_share, int groups) {
   int n = 3;
   while (std::pow(n, groups * (1 - n)) > tolerated_share / 2) ++n;
@@ -139,22 +139,23 @@ std::string too_little_spread(const Compared& of, std::size_t pairs, double tole
       (first_varies ? of.pair.second : of.pair.first) + 1, for_all, enough_values(tolerated_share, 1));
 }
 
-// Of resamples without spread, for each pair: half of what may be beyond the critical value, for all pairs together.
+// The tolerated share of resamples without spread, per pair: half of what may be beyond the critical value, for all
+// pairs together.
 double tolerated_share(std::size_t pairs, double level) { return (1 - level) / 2 / static_cast<double>(pairs); }
 
-// How unusual each resample is, all pairs together: of each resample the smallest share, over the pairs, of resamples
-// in which that pair deviates by as much.
+// The unusualness of each resample, over all pairs: the smallest share, over the pairs, of resamples in which that pair
+// deviates by as much.
 struct FamilyDeviations {
-  std::vector<std::vector<double>> squares = {};  // of each pair that is wanted, ascending; empty where it is undefined
+  std::vector<std::vector<double>> squares = {};  // of each wanted pair, ascending; empty if it is undefined
   std::vector<double> least_shares = {};          // ascending
 };
 
-// Resamples that reach a squared deviation.
+// The number of resamples that reach a squared deviation.
 double reaching(const std::vector<double>& ascending, double square) {
   return static_cast<double>(ascending.end() - std::ranges::lower_bound(ascending, square * (1 - tie)));
 }
 
-// A pair of which too many resamples have no spread says why and takes no part.
+// A pair of which too many resamples have no spread gets a reason and takes no part.
 FamilyDeviations family_deviations(std::vector<Compared>& all, const PairFamily& family, const Resampling& settings) {
   const auto resamples = static_cast<std::size_t>(settings.resamples);
   FamilyDeviations result{.least_shares = std::vector<double>(resamples, 1.0)};
@@ -182,14 +183,14 @@ FamilyDeviations family_deviations(std::vector<Compared>& all, const PairFamily&
   return result;
 }
 
-// How many standard errors the means are apart if `shift` is added to the second, or its opposite to the first.
+// The distance of the means in standard errors if `shift` is added to the second, or its opposite to the first.
 double apart(const Mean& first, const Mean& second, double shift, Scale scale) {
   if (scale == Scale::mean) return (first.value - second.value - shift) / std::hypot(first.spread, second.spread);
   const double up = first.value + std::max(-shift, 0.0), down = second.value + std::max(shift, 0.0);
   return (std::log(up) - std::log(down)) / std::hypot(first.error / up, second.error / down);
 }
 
-// Between a shift at which `holds` and one at which it does not.
+// The border between a shift at which `holds` is true and one at which it is not.
 template <class Holds>
 double border(double inside, double outside, Holds holds) {
   for (int i = 0; i < 100; ++i) {
@@ -199,8 +200,8 @@ double border(double inside, double outside, Holds holds) {
   return inside;
 }
 
-// The differences that are not refuted at the critical value. Beyond a thousand times the larger mean an end says
-// nothing, and there is no interval.
+// Adds the interval of differences that are not refuted at the critical value. An end beyond a thousand times the
+// larger mean says nothing, and then there is no interval.
 void add_interval(MeanDifference& pair, const Mean& first, const Mean& second, double critical, Scale scale) {
   const auto holds = [&](double shift) { return std::abs(apart(first, second, shift, scale)) <= critical; };
   const double farthest = 1000 * std::max({std::abs(first.value), std::abs(second.value), first.error, second.error});
@@ -219,9 +220,9 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   const auto k = static_cast<double>(groups);
   const double work = static_cast<double>(values) + work_of_pair * k * (k - 1) / 2;
   const double pairs = k * (k - 1) / 2;
-  const double wanted = std::max({enough, 20 / (1 - level), 4 * pairs / (1 - level)});  // some of them beyond the level
+  const double wanted = std::max({enough, 20 / (1 - level), 4 * pairs / (1 - level)});  // some beyond the level
   const double possible = std::min(wanted, most_work / work);
-  // The smallest p of all pairs together is about the number of pairs by that of resamples.
+  // The smallest possible p over all pairs is about the number of pairs by that of resamples.
   const double fewest = std::max(fewest_resamples, 1.2 * pairs / (1 - level));
   return possible < fewest ? 0 : static_cast<int>(std::lround(possible));
 }
@@ -247,7 +248,7 @@ std::vector<MeanDifference> pairs_of(Groups groups, const PairFamily& family, co
   return pairs;
 }
 
-// p and interval of those that are wanted.
+// Computes p and interval of the wanted pairs.
 std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& family, const Resampling& settings,
                                    Scale scale) {
   const FamilyDeviations deviations = family_deviations(all, family, settings);
@@ -256,7 +257,7 @@ std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& 
     const auto as_unusual = std::ranges::upper_bound(shares, share * (1 + tie)) - shares.begin();
     return (1 + static_cast<double>(as_unusual)) / (settings.resamples + 1);
   };
-  // The largest number of a pair's resamples that may reach as far where p < 1 - level.
+  // The largest number of a pair's resamples that may reach as far if p < 1 - level.
   int most_reaching = -1;
   while (p_of((most_reaching + 2.0) / (settings.resamples + 1)) < (1 - settings.level) * (1 - tie)) ++most_reaching;
   std::vector<MeanDifference> result;
@@ -292,7 +293,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   std::vector<Mean> means(groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (!group_undefined(groups[i], i).empty()) continue;
-    const std::uint64_t own = settings.seed + i;  // other numbers for each group, the same whatever the others are
+    const std::uint64_t own = settings.seed + i;  // separate numbers for each group, whatever the others are
     means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
   }
   std::vector<Compared> all;

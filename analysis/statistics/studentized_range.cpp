@@ -43,7 +43,7 @@ double sum_over_the_line(double start, double step, Term term) {
 
 double normal_cdf(double z) { return 0.5 * std::erfc(-z * boost::math::constants::one_div_root_two<double>()); }
 
-// 1 - (1 - r)^n, by u(a + b) = u(a) + u(b) (1 - u(a)): nothing cancels where r is small.
+// 1 - (1 - r)^n, by u(a + b) = u(a) + u(b) (1 - u(a)): nothing cancels if r is small.
 double at_least_one(double r, int n) {
   double result = 0;
   for (double power = r; n > 0; n /= 2) {
@@ -80,7 +80,7 @@ class NormalRange {
   }
 
  private:
-  // Where the largest can be: below, and above half the largest range and some, it has no share in any tail.
+  // The range of the largest: below, and above half the largest range and some, it has no share in any tail.
   static constexpr double lowest = -9;
   static constexpr double highest = largest_range / 2 + 9;
 
@@ -97,7 +97,7 @@ class NormalRange {
   std::vector<Largest> largest_;  // at whole multiples of the step
 };
 
-// x - (e^2x - 1) / 2, to full relative precision where it is small.
+// x - (e^2x - 1) / 2, to full relative precision for small x.
 double log_density_shape(double x) {
   if (std::abs(x) < 0.1) return boost::math::log1pmx(std::expm1(2 * x)) / 2;
   return x - std::expm1(2 * x) / 2;

@@ -8,13 +8,13 @@
 
 namespace ikbench::statistics {
 
-// P(Q > q) of k groups, k a whole number from 2 to 1000, df from 1 to infinity; NaN outside. q <= 0 has the tail 1.
-// Summed from positive terms, never as 1 - cdf, so that small tails have their digits too: relative error below 1e-13
-// to k = 200 and 1e-10 to k = 1000 down to tails of 1e-250 (against sums of half the step, the t distribution for k = 2
+// P(Q > q) of k groups, k a whole number from 2 to 1000, df from 1 to infinity; NaN outside. q <= 0 has the tail 1. It
+// is summed from positive terms, never as 1 - cdf, so small tails have their digits too: relative error below 1e-13 to
+// k = 200 and 1e-10 to k = 1000 down to tails of 1e-250 (against sums of half the step, the t distribution for k = 2
 // and a quadrature in thirty digits); below some 1e-265 it is 0. A twentieth to a few tenths of a millisecond.
 double studentized_range_upper_tail(double q, double k, double df);
 
-// The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for p below 1e-9 but 0, which 1 - p does not resolve.
+// The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for 0 < p < 1e-9, which 1 - p does not resolve.
 double studentized_range_quantile(double p, double k, double df);
 
 // The same two functions for many calls with one k: the range of k normal variables is tabulated (some tenths of a
@@ -35,7 +35,7 @@ class StudentizedRange {
   double range_tail(double w) const;
 
   double k_;
-  Table table_;  // none where k is out of range
+  Table table_;  // empty if k is out of range
 };
 
 }  // namespace ikbench::statistics

@@ -18,7 +18,7 @@ namespace {
 
 double square(double x) { return x * x; }
 
-// Why a group can have no weight; empty where it can.
+// Says why a group can have no weight; empty if it can.
 std::string undefined_spread(const GroupSummary& group, std::size_t number) {
   if (group.n < 2) return fmt::format("group {} has fewer than two values, so no spread", number);
   if (!std::isfinite(group.mean) || !std::isfinite(group.std) || group.std < 0) {
