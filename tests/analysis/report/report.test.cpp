@@ -390,9 +390,10 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
   // The comparison of the printed times has its own section: "computing time, as printed [s]".
   for (const std::string& whole : {text, page}) {
     for (const char* verdict :
-         {"<li>typical computing time [s]: ", "- typical computing time \\[s\\]: ", "Pairwise comparisons: typical computing time [s]",
-          "Tests of all groups: typical computing time [s]", "ANOVA of seconds", "Computing time (median, smallest first)",
-          "relative only: near", "relative only: differs"}) {
+         {"<li>typical computing time [s]: ", "- typical computing time \\[s\\]: ",
+          "Pairwise comparisons: typical computing time [s]", "Tests of all groups: typical computing time [s]",
+          "ANOVA of seconds", "Computing time (median, smallest first)", "relative only: near",
+          "relative only: differs"}) {
       CAPTURE(verdict);
       CHECK(!contains(whole, verdict));
     }
