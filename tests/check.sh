@@ -51,3 +51,12 @@ arguments=(--lint)
 stages "nothing" 0 "setup --with-lint lint ikbench" "run-clang-tidy -quiet -p build/lint"
 ! grep -q ctest "$work/calls" || { echo "FAILED: --lint runs tests"; exit 1; }
 stages "run-clang-tidy" 1 "run-clang-tidy"
+
+mkdir "$work/tests"
+cp "$work/setup" "$work/tests/alone.sh"
+sed -i 's/setup /alone.sh /g' "$work/tests/alone.sh"
+arguments=(--alone)
+stages "nothing" 0 "setup check ikbench" "alone.sh build/check"
+! grep -q ctest "$work/calls" || { echo "FAILED: --alone runs tests"; exit 1; }
+stages "alone.sh" 1 "alone.sh build/check"
+stages "setup" 1 "setup check ikbench"
