@@ -12,6 +12,7 @@
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
+#include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/equal_variances.hpp"
@@ -374,11 +375,40 @@ Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
   return with_bootstrap(tested(observations, plan), observations);
 }
 
+namespace {
+
+// Means are not defined where values are not finite. Two values that are known differ by a fact.
+void judge_not_finite(Evidence& evidence, const Observations& observations) {
+  if (evidence.method->compares != Compares::means) return;
+  const auto family = static_cast<double>(evidence.family());
+  AnalysisPlan plan = evidence.plan;
+  plan.control.clear();
+  plan.significance /= family;
+  for (Contrast& contrast : evidence.contrasts) {
+    const Group &first = observations.groups[contrast.first], &second = observations.groups[contrast.second];
+    if (contrast.is_fact || first.copies + second.copies > 0 || (is_finite(first) && is_finite(second))) continue;
+    Observations pair = observations;
+    pair.groups = {first, second};
+    const Contrast found = contrast_with_not_finite(pair, plan);
+    contrast.p = std::min(1.0, family * found.p);
+    contrast.ahead = found.ahead;
+    contrast.difference = found.difference;
+    contrast.runs_to_decide = found.runs_to_decide;
+    contrast.relation = found.relation;
+    contrast.extent = found.extent;
+    contrast.undefined = found.undefined;
+  }
+}
+
+}  // namespace
+
 Evidence tested(const Observations& given, const AnalysisPlan& plan) {
   const Observations observations = exact(given);
   Evidence result = describe_groups(observations, plan);
   make_tests(result, observations);
-  return told(std::move(result));
+  result = told(std::move(result));
+  if (!result.contrasts.empty()) judge_not_finite(result, observations);
+  return result;
 }
 
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {

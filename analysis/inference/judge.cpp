@@ -47,16 +47,11 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
     result.undefined = fmt::format("{} is left out of the comparison", name);
     return result;
   }
-  const bool has_mean = std::isfinite(evidence.groups[one].described.mean),
-             other_has_mean = std::isfinite(evidence.groups[other].described.mean);
   // Contrasts have the smaller place first.
   const auto found = std::ranges::find_if(evidence.contrasts, [&](const Contrast& contrast) {
     return contrast.first == std::min(one, other) && contrast.second == std::max(one, other);
   });
-  const bool is_tested = found != evidence.contrasts.end() && found->relation != Relation::undefined;
-  if (!is_tested && has_mean != other_has_mean) {
-    result.relation = has_mean ? Relation::better : Relation::worse;
-  } else if (!evidence.flaw.empty()) {
+  if (!evidence.flaw.empty()) {
     result.undefined = evidence.flaw;
   } else if (found == evidence.contrasts.end()) {
     result.undefined = "the plan does not compare the two";

@@ -19,6 +19,7 @@
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
+#include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/unseen.hpp"
 #include "analysis/inference/variant_differences.hpp"
@@ -172,73 +173,9 @@ bool has_same_bits(const StudyResults& study, Metric metric) {
          (info_of(metric).kind != Kind::share || has_same_bits(study, Metric::position_error_cm));
 }
 
-Observations of_finite(const Observations& all) {
-  Observations result = all;
-  const auto is_finite = [](double value) { return std::isfinite(value); };
-  if (all.blocks.empty()) {
-    for (Group& group : result.groups) std::erase_if(group.values, [&](double value) { return !is_finite(value); });
-    return result;
-  }
-  result.blocks.clear();
-  for (Group& group : result.groups) group.values.clear();
-  for (std::size_t block = 0; block < all.blocks.size(); ++block) {
-    const auto is_finite_here = [&](const Group& group) { return is_finite(group.values[block]); };
-    if (!std::ranges::all_of(all.groups, is_finite_here)) continue;
-    result.blocks.push_back(all.blocks[block]);
-    for (std::size_t g = 0; g < all.groups.size(); ++g) result.groups[g].values.push_back(all.groups[g].values[block]);
-  }
-  return result;
-}
-
-// Which values are finite, as outcomes.
-Observations finiteness(Observations observations) {
-  observations.better = Better::larger;
-  observations.scale = ValueScale::plain;
-  for (Group& group : observations.groups) {
-    for (double& value : group.values) value = std::isfinite(value) ? 1 : 0;
-  }
-  return observations;
-}
-
 std::size_t count_finite(const Group& group) {
   return static_cast<std::size_t>(
       std::ranges::count_if(group.values, [](double value) { return std::isfinite(value); }));
-}
-
-Contrast contrast_of(const Observations& observations, const AnalysisPlan& plan) {
-  return tested(observations, plan).contrasts.front();
-}
-
-// A value that is not finite is worse than any number, but one such run in eight is chance, and says nothing of the
-// other seven. So their number and the finite values are both tested, each at half the level, and what is better in one
-// must not be worse in the other.
-Contrast contrast_with_not_finite(const Observations& observations, AnalysisPlan plan) {
-  plan.significance /= 2;
-  const Contrast of_numbers = contrast_of(finiteness(observations), plan);
-  const Observations finite = of_finite(observations);
-  const bool has_values =
-      std::ranges::all_of(finite.groups, [](const Group& group) { return group.values.size() > 1; });
-  const Contrast of_values =
-      has_values ? contrast_of(finite, plan) : Contrast{.second = 1, .undefined = "too few values are finite"};
-  const auto doubled = [](Contrast contrast) {
-    if (!std::isnan(contrast.p)) contrast.p = std::min(1.0, 2 * contrast.p);
-    return contrast;
-  };
-  if (!is_decided(of_numbers)) {
-    Contrast result = doubled(of_values);
-    const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
-    // As many failures may be hidden behind the values of the better one.
-    if (result.relation == Relation::same || is_against) result.relation = Relation::undecided;
-    if (is_against) result.undefined = "its finite values and how many there are favour different sides";
-    return result;
-  }
-  Contrast result = doubled(of_numbers);
-  if (is_decided(of_values) && of_values.relation != of_numbers.relation) {
-    result.relation = Relation::undecided;
-    result.undefined = "its finite values and how many there are favour different sides";
-  }
-  result.extent = Extent::beyond;  // of a failure no margin is made up
-  return result;
 }
 
 // Two that are the same, which no test has to say.
@@ -271,9 +208,7 @@ struct Examined {
       return;
     }
     plan.significance = level;
-    const bool all_finite = std::ranges::all_of(
-        observations.groups, [](const Group& group) { return count_finite(group) == group.values.size(); });
-    row->contrast = all_finite ? contrast_of(observations, plan) : contrast_with_not_finite(observations, plan);
+    row->contrast = tested(observations, plan).contrasts.front();
   }
 };
 
@@ -342,7 +277,7 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     if (has_same_bits(study, metric)) {
       settle(row, "equal bit for bit");
     } else if (std::ranges::all_of(observed.groups, is_known)) {
-      row.contrast = contrast_of(observed, judged);
+      row.contrast = tested(observed, judged).contrasts.front();
       row.remark = "all runs of each are equal: a fact of these targets, without a test";
     } else if (are_rounding(observed, metric)) {
       settle(row, fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));

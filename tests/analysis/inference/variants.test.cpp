@@ -56,19 +56,26 @@ Variant drawn(const std::vector<double>& errors_cm) {
 }  // namespace
 
 TEST_CASE("what compare says of a metric is what a report says of it", "[variants]") {
-  // Over many made-up pairs, with and without blocks, skewed, tied and nearly alike.
+  // Over many made-up pairs, with and without blocks, skewed, tied, nearly alike, and some with lost answers.
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
   std::normal_distribution<double> normal;
-  int decided = 0, alike = 0;
+  int decided = 0, alike = 0, with_lost = 0;
   for (int repetition = 0; repetition < 500; ++repetition) {
     const int n = 3 + static_cast<int>(uniform(random) * 20);
     const double apart = 0.4 * normal(random), spread = 0.5 * uniform(random), ties = uniform(random) < 0.3 ? 5 : 1e9;
+    const double lost_a = uniform(random) < 0.3 ? 0.1 : 0, lost_b = uniform(random) < 0.3 ? uniform(random) : 0;
+    const auto lose = [&](double& value, double share) {
+      if (uniform(random) < share)
+        value = uniform(random) < 0.5 ? not_defined : std::numeric_limits<double>::infinity();
+    };
     std::vector<double> of_a, of_b;
     for (int i = 0; i < n; ++i) {
       const double shared = std::exp(0.3 * normal(random));
       of_a.push_back(std::ceil(ties * shared * std::exp(spread * normal(random))) / ties);
       of_b.push_back(std::ceil(ties * shared * std::exp(apart + spread * normal(random))) / ties);
+      lose(of_a.back(), lost_a);
+      lose(of_b.back(), lost_b);
     }
     const bool in_blocks = repetition % 2 == 0;
     const Variant a = in_blocks ? drawn(of_a) : variant(of_a), b = in_blocks ? drawn(of_b) : variant(of_b);
@@ -80,6 +87,8 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     CHECK(compared_alone.contrast.relation == in_report.relation);
     CHECK(compared_alone.contrast.extent == in_report.extent);
     if (!std::isnan(in_report.p)) CHECK(compared_alone.contrast.p == in_report.p);
+    const bool is_lost = !std::ranges::all_of(of_a, [](double value) { return std::isfinite(value); });
+    with_lost += is_lost && is_decided(in_report) ? 1 : 0;
     // Among several metrics less is decided; nothing else changes.
     const MetricComparison among = compared(a, b).metrics.front();
     if (is_decided(among.contrast)) CHECK(among.contrast.relation == in_report.relation);
@@ -88,6 +97,7 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
   }
   CHECK(decided > 100);
   CHECK(alike > 100);
+  CHECK(with_lost > 10);
 }
 
 TEST_CASE("identical variants are the same to the bit in every metric", "[variants]") {

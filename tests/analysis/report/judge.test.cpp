@@ -190,8 +190,9 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   observed.flaw = "made up";
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::undefined);
   CHECK(judge(evidence(observed, {}), "one", "other").undefined == "made up");
-  observed.groups[1].values[3] = statistics::not_defined;
-  CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);  // of the two it alone has a mean
+  observed.flaw.clear();
+  for (double& value : observed.groups[1].values) value = statistics::not_defined;
+  CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);
   CHECK(judge(evidence(observed, {}), "one", "none").undefined == "none is left out of the comparison");
 }
 

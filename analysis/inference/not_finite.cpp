@@ -1,0 +1,84 @@
+#include "analysis/inference/not_finite.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ikbench::inference {
+
+using namespace results;
+
+namespace {
+
+constexpr const char* contradiction = "its finite values and how many there are favour different sides";
+
+bool is_number(double value) { return std::isfinite(value); }
+
+// 1 for a finite value, 0 for another.
+Observations finiteness(Observations observations) {
+  observations.better = Better::larger;
+  observations.scale = ValueScale::plain;
+  for (Group& group : observations.groups) {
+    for (double& value : group.values) value = is_number(value) ? 1 : 0;
+  }
+  return observations;
+}
+
+// With p doubled, because each of two tests has half the level.
+Contrast doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
+  Contrast result = tested(pair, plan).contrasts.front();
+  if (!std::isnan(result.p)) result.p = std::min(1.0, 2 * result.p);
+  return result;
+}
+
+}  // namespace
+
+bool is_finite(const Group& group) { return std::ranges::all_of(group.values, is_number); }
+
+Observations of_finite(const Observations& all) {
+  Observations result = all;
+  if (all.blocks.empty()) {
+    for (Group& group : result.groups) std::erase_if(group.values, [](double value) { return !is_number(value); });
+    return result;
+  }
+  result.blocks.clear();
+  for (Group& group : result.groups) group.values.clear();
+  for (std::size_t block = 0; block < all.blocks.size(); ++block) {
+    if (!std::ranges::all_of(all.groups, [&](const Group& group) { return is_number(group.values[block]); })) continue;
+    result.blocks.push_back(all.blocks[block]);
+    for (std::size_t g = 0; g < all.groups.size(); ++g) result.groups[g].values.push_back(all.groups[g].values[block]);
+  }
+  return result;
+}
+
+Contrast contrast_with_not_finite(const Observations& pair, const AnalysisPlan& planned) {
+  AnalysisPlan plan = planned;
+  plan.significance /= 2;
+  Contrast of_numbers = doubled_contrast(finiteness(pair), plan);
+  const Observations finite = of_finite(pair);
+  const bool has_values =
+      std::ranges::all_of(finite.groups, [](const Group& group) { return group.values.size() > 1; });
+  Contrast of_values =
+      has_values ? doubled_contrast(finite, plan) : Contrast{.second = 1, .undefined = "too few values are finite"};
+  const auto has_none = [](const Group& group) { return group.values.empty(); };
+  if (of_values.relation == Relation::undefined && !std::ranges::all_of(finite.groups, has_none)) {
+    if (!is_decided(of_numbers)) of_numbers.relation = Relation::undecided;
+  } else if (!is_decided(of_numbers)) {
+    const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
+    // As many failures may be hidden behind the values of the better one.
+    if (of_values.relation == Relation::same || is_against) of_values.relation = Relation::undecided;
+    if (is_against) of_values.undefined = contradiction;
+    return of_values;
+  }
+  // The same at every level of the plan, so that a stricter one decides no more.
+  constexpr double level_of_conflict = 0.05;
+  if (of_values.p < level_of_conflict && of_values.ahead == -of_numbers.ahead) {
+    of_numbers.relation = Relation::undecided;
+    of_numbers.undefined = contradiction;
+  }
+  of_numbers.difference = {.value = of_values.difference.value};
+  of_numbers.extent = Extent::beyond;  // no margin makes up for a failure
+  return of_numbers;
+}
+
+}  // namespace ikbench::inference
