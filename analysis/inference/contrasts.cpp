@@ -62,11 +62,13 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
 }
 
 // Where every value says the same of a pair, which has it that one is ahead or that they are equal: what chance has it,
-// were they alike? In blocks that no difference has the other sign, else by Fisher's exact test; for all pairs
-// together.
+// were they alike? In blocks that no difference has the other sign, else by Fisher's exact test.
 double chance_of_unanimity(const Evidence& evidence, int n, int m) {
-  const double chance =
-      evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m}).p;
+  return evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m}).p;
+}
+
+// The chance that some pair of the family does so (Bonferroni).
+double in_family(const Evidence& evidence, double chance) {
   return std::min(1.0, chance * static_cast<double>(evidence.family()));
 }
 
@@ -101,7 +103,7 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
 
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
-  while (chance_of_unanimity(evidence, n, n) >= evidence.plan.significance) ++n;
+  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= evidence.plan.significance) ++n;
   return evidence.method->resamples ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
@@ -120,10 +122,10 @@ double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
   const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
   const int n = first.described.n, m = second.described.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
-  double chance = 2 * static_cast<double>(evidence.family());
-  if (first.copies + second.copies > 0) return std::min(1.0, chance * std::exp2(-std::max(n, m)));
+  if (first.copies + second.copies > 0) return 2 * std::exp2(-std::max(n, m));
+  double chance = 2;
   for (int i = 1; i <= n; ++i) chance *= static_cast<double>(i) / (m + i);
-  return std::min(1.0, chance);
+  return chance;
 }
 
 // Of what so many observations without a failure do not exclude. Where each is 0 or 1, it is the failures that differ.
@@ -136,8 +138,9 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
-  const double by_chance = chance_of_unanimity(evidence, contrast);
+  const double alone = chance_of_unanimity(evidence, contrast), by_chance = in_family(evidence, alone);
   contrast.p = difference == 0 ? 1 : by_chance;
+  contrast.p_alone = difference == 0 ? 1 : std::min(1.0, alone);
   contrast.ahead = ahead_by_means(evidence, difference);
   contrast.undefined.clear();
   contrast.difference = {.value = difference};
@@ -169,7 +172,7 @@ void judge_facts(const Evidence& evidence, Contrast& contrast) {
   const double first = known(contrast.first), second = known(contrast.second);
   const double difference = first == second ? 0 : first - second;
   contrast.is_fact = true;
-  contrast.p = not_defined;
+  contrast.p = contrast.p_alone = not_defined;
   contrast.undefined.clear();
   contrast.difference = {difference, difference, difference};
   contrast.ahead = ahead_by_means(evidence, difference);
@@ -192,9 +195,11 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   if (has_order(evidence, contrast)) {
-    const double by_chance = chance_of_order(evidence, contrast);  // of so many values, whatever they are
+    const double alone = chance_of_order(evidence, contrast);  // of so many values, whatever they are
+    const double by_chance = in_family(evidence, alone);
     if (by_chance < evidence.plan.significance) {
       contrast.p = by_chance;
+      contrast.p_alone = alone;
       contrast.ahead = ahead_by_means(evidence, contrast.difference.value);
       contrast.is_by_order = true;
     }
@@ -259,9 +264,10 @@ std::vector<Contrast> shown_pairs(Evidence& evidence) {
 
 // Two groups with the same value in every block: no difference is above or below 0.
 void judge_equal_blocks(const Evidence& evidence, Contrast& contrast) {
-  contrast.p = 1;
+  contrast.p = contrast.p_alone = 1;
   contrast.undefined.clear();
-  if (chance_of_unanimity(evidence, contrast) < evidence.plan.significance) contrast.difference = {0, 0, 0};
+  if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance)
+    contrast.difference = {0, 0, 0};
 }
 
 void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contrast>& contrasts) {
@@ -320,6 +326,7 @@ void add_contrasts(Evidence& evidence, const Groups& groups) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     Contrast& contrast = evidence.contrasts[i];
     contrast.p = results[i].p;
+    contrast.p_alone = results[i].p_alone;
     contrast.ahead = results[i].ahead;
     contrast.difference = results[i].difference;
     contrast.undefined = results[i].undefined;

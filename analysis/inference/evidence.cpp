@@ -391,6 +391,7 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
     pair.groups = {first, second};
     const Contrast found = contrast_with_not_finite(pair, plan);
     contrast.p = std::min(1.0, family * found.p);
+    contrast.p_alone = found.p;
     contrast.ahead = found.ahead;
     contrast.difference = found.difference;
     contrast.runs_to_decide = found.runs_to_decide;

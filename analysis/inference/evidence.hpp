@@ -60,6 +60,7 @@ struct Contrast {
   std::size_t first = 0, second = 0;
   Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   double p = statistics::not_defined;  // of the deciding test, corrected for all pairs
+  double p_alone = statistics::not_defined;  // of that test, of this pair alone
   // The two do not overlap, and an exact test of ranks decides (within blocks, or against a value that is known, the
   // sign test), because the bootstrap has no spread to judge by, or a group has one value alone.
   bool is_by_order = false;

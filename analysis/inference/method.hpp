@@ -25,10 +25,11 @@ struct Groups {
 
 // What a method says of one pair.
 struct PairResult {
-  double p = statistics::not_defined;  // corrected for the whole family
-  int ahead = 0;                       // 1 where the first is ahead, -1 where the second is
-  Estimate difference = {};            // of means or shares, first - second
-  std::string undefined = {};          // why there is no p
+  double p = statistics::not_defined;        // corrected for the whole family
+  double p_alone = statistics::not_defined;  // of this pair alone
+  int ahead = 0;                             // 1 where the first is ahead, -1 where the second is
+  Estimate difference = {};                  // of means or shares, first - second
+  std::string undefined = {};                // why there is no p
 };
 
 enum class Compares { means, ranks, shares };
@@ -71,6 +72,8 @@ const Method& paper_method();
 // Corrects p-values as planned. A pair of the family that is not among these, or has no p, counts as one that does not
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
+// The same of results that have p_alone: fills p.
+void correct(const Evidence& evidence, std::vector<PairResult>& pairs);
 
 // What the rows share.
 std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);

@@ -73,6 +73,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"second", evidence.groups[contrast.second].name},
               {"difference", estimate(contrast.difference)},
               {"p", json_number(contrast.p)},
+              {"p_alone", json_number(contrast.p_alone)},
               {"p_ranks", json_number(contrast.p_ranks)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"typical_ratio", estimate(contrast.ratio)},

@@ -145,6 +145,7 @@ Table contrasts_table(const Evidence& evidence) {
                           {evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means"},
                           {level + " interval"},
                           {"p"},
+                          {"p alone"},
                           {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
                           {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
                           {"size", Align::left},
@@ -153,11 +154,11 @@ Table contrasts_table(const Evidence& evidence) {
   if (has_ranks) table.columns.push_back({fmt::format("p, {}", rank_method(evidence).of_pair)});
   table.columns.push_back({replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide"});
   for (const Contrast& contrast : evidence.contrasts) {
-    std::vector<Cell>& row = table.rows.emplace_back(
-        std::vector<Cell>{evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
-                          verdict_words(evidence, contrast), contrast.difference.value, interval(contrast.difference),
-                          or_nothing(PValue{contrast.p}), or_nothing(contrast.superiority.value),
-                          interval(contrast.superiority), size_words(contrast), or_nothing(contrast.g)});
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
+        evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),
+        contrast.difference.value, interval(contrast.difference), or_nothing(PValue{contrast.p}),
+        or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), interval(contrast.superiority),
+        size_words(contrast), or_nothing(contrast.g)});
     if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
     const double runs = contrast.runs_to_decide.value;
     row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());

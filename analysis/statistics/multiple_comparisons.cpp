@@ -46,25 +46,29 @@ std::string too_many(std::size_t groups) {
 }
 
 struct Found {
-  double q, p;
+  double q, p, p_alone;
   double reach;  // of the interval, in standard errors
 };
 
 void settle(MeanDifference& pair, const Found& found) {
   pair.q = found.q;
   pair.p = found.p;
+  pair.p_alone = found.p_alone;
   const double reach = found.reach * pair.standard_error;
   pair.low = pair.difference - reach;
   pair.high = pair.difference + reach;
   if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(pair.low) && std::isfinite(pair.high)) return;
-  pair.q = pair.p = pair.low = pair.high = not_defined;
+  pair.q = pair.p = pair.p_alone = pair.low = pair.high = not_defined;
   pair.undefined = "the difference or its spread is too large for double precision";
 }
 
 // Computes q, p and interval of a pair whose standard error and df are known.
 void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
   const double q = std::abs(pair.difference) / pair.standard_error * root_two;
-  settle(pair, {.q = q, .p = range.upper_tail(q, pair.df), .reach = critical / root_two});
+  settle(pair, {.q = q,
+                .p = range.upper_tail(q, pair.df),
+                .p_alone = 2 * t_upper_tail(q / root_two, pair.df),
+                .reach = critical / root_two});
 }
 
 // Pairs with the standard errors and degrees of freedom of Welch's test, if these are defined.
@@ -149,8 +153,10 @@ std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double
     if (!pair.undefined.empty()) continue;
     const double t = std::abs(pair.difference) / pair.standard_error;
     const double p = 2 * t_upper_tail(t, pair.df);
-    settle(pair,
-           {.q = t * root_two, .p = -std::expm1(comparisons * std::log1p(-p)), .reach = -t_quantile(tail, pair.df)});
+    settle(pair, {.q = t * root_two,
+                  .p = -std::expm1(comparisons * std::log1p(-p)),
+                  .p_alone = p,
+                  .reach = -t_quantile(tail, pair.df)});
   }
   return pairs;
 }

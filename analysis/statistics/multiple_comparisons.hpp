@@ -20,8 +20,9 @@ struct MeanDifference {
   double difference = not_defined;      // mean of the first less mean of the second
   double standard_error = not_defined;  // of that difference
   double df = not_defined;
-  double q = not_defined;  // studentized: |difference| sqrt(2) / standard error
-  double p = not_defined;  // corrected for all pairs of all groups
+  double q = not_defined;        // studentized: |difference| sqrt(2) / standard error
+  double p = not_defined;        // corrected for all pairs of all groups
+  double p_alone = not_defined;  // of this pair alone
   double low = not_defined;
   double high = not_defined;  // simultaneous interval of the difference
   std::string undefined;      // why there is no p; empty if there is one

@@ -275,7 +275,8 @@ std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& 
       pair.undefined = "the difference or its spread is too large for double precision";
       continue;
     }
-    pair.p = p_of((1 + reaching(own, found * found)) / (settings.resamples + 1));
+    pair.p_alone = (1 + reaching(own, found * found)) / (settings.resamples + 1);
+    pair.p = p_of(pair.p_alone);
     const double critical =
         most_reaching < 0 ? infinite : std::sqrt(own[own.size() - static_cast<std::size_t>(most_reaching) - 1]);
     add_interval(pair, first, second, critical * (1 + tie), scale);

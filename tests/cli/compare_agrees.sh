@@ -32,6 +32,8 @@ for first, second in all_pairs[:: max(1, len(all_pairs) // 3)]:
         compared_best = second if says.startswith("better") else first if says.startswith("worse") else None
         decided += best is not None and compared_best is not None
         assert best is None or compared_best is None or best == compared_best, (row, pair)
+        if row["metric"].startswith(("position", "orientation", "variation")) and None not in (row["p"], pair["p_alone"]):
+            assert abs(row["p"] - pair["p_alone"]) <= 0.01 + 0.3 * row["p"], (row, pair)  # resamples differ
         if says.startswith("the same"):
             assert best is None or pair["extent"] != "beyond the margin", (row, pair)
         if pair["relation"] == "same within the margin":

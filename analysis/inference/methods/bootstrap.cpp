@@ -43,6 +43,7 @@ std::vector<PairResult> paired(const Evidence& evidence, const Groups& groups) {
                       .second = contrast.second,
                       .difference = test.difference,
                       .p = std::isnan(test.p) ? test.p : std::min(1.0, family * test.p),
+                      .p_alone = test.p,
                       .low = test.low,
                       .high = test.high,
                       .undefined = test.undefined});

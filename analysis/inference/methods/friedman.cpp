@@ -16,18 +16,16 @@ namespace {
 std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& groups) {
   const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
   std::vector<PairResult> result;
-  std::vector<double> p;
   for (const Contrast& contrast : evidence.contrasts) {
     const std::size_t first = contrast.first, second = contrast.second;
     SignTest test = sign_test(groups.ranked[first], groups.ranked[second]);
     const PairedTest means = paired_t(groups.values[first], groups.values[second], level);
-    p.push_back(test.p);
-    result.push_back({.ahead = -test.direction,
+    result.push_back({.p_alone = test.p,
+                      .ahead = -test.direction,
                       .difference = {.value = means.difference, .low = means.low, .high = means.high},
                       .undefined = std::move(test.undefined)});
   }
-  correct(evidence, p);
-  for (std::size_t i = 0; i < p.size(); ++i) result[i].p = p[i];
+  correct(evidence, result);
   return result;
 }
 

@@ -26,7 +26,8 @@ std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Gro
     MannWhitney test = mann_whitney(groups.ranked[first], groups.ranked[second]);
     exact.push_back(test.p);
     unequal.push_back(brunner_munzel(groups.ranked[first], groups.ranked[second]).p);
-    result.push_back({.ahead = -test.direction,
+    result.push_back({.p_alone = std::fmax(exact.back(), unequal.back()),
+                      .ahead = -test.direction,
                       .difference = {.value = means[i].difference, .low = means[i].low, .high = means[i].high},
                       .undefined = std::move(test.undefined)});
   }

@@ -20,15 +20,13 @@ std::vector<PairResult> share_pairs(const Evidence& evidence, const Groups& grou
   const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
   const int sign = evidence.better == Better::smaller ? -1 : 1;
   std::vector<PairResult> result;
-  std::vector<double> p;
   for (const Contrast& contrast : evidence.contrasts) {
     const auto [alone, difference] = compare(groups.values[contrast.first], groups.values[contrast.second], alpha);
-    p.push_back(alone);
-    result.push_back({.ahead = sign * sign_of(difference.estimate),
+    result.push_back({.p_alone = alone,
+                      .ahead = sign * sign_of(difference.estimate),
                       .difference = {.value = difference.estimate, .low = difference.low, .high = difference.high}});
   }
-  correct(evidence, p);
-  for (std::size_t i = 0; i < p.size(); ++i) result[i].p = p[i];
+  correct(evidence, result);
   return result;
 }
 
