@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -27,18 +28,33 @@ double two_sided_power(double shift, double df, double alpha) {
   return noncentral_t_upper_tail(critical, df, shift) + noncentral_t_upper_tail(critical, df, -shift);
 }
 
-// The smallest whole n of at least 2 whose power reaches the goal; power rises with n.
-template <class Power>
-RunsNeeded smallest_n(double goal, Power power_at) {
-  double enough = 2, too_few = 1;
-  while (!(power_at(enough) >= goal)) {
-    if (enough >= most_runs) return {.undefined = "more than ten million runs are needed"};
-    too_few = enough;
-    enough = std::min(2 * enough, most_runs);
+// The smallest whole n of at least 2 with which a test finds a shift of `one` sqrt(n); power rises with n. The search
+// begins at the n of a normal distribution, and its steps double.
+template <class Degrees>
+RunsNeeded smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
+  const auto is_enough = [&](double n) {
+    return two_sided_power(one * std::sqrt(n), degrees_of(n), goal.alpha) >= goal.power;
+  };
+  const boost::math::normal normal;
+  const double reach = quantile(normal, 1 - goal.alpha / 2) + quantile(normal, goal.power);
+  const double guess = std::clamp(std::ceil(std::pow(reach / one, 2)), 2.0, most_runs);
+  double enough = guess, too_few = guess, step = 1;
+  if (is_enough(guess)) {
+    for (too_few = guess - step; too_few > 1 && is_enough(too_few); too_few = std::max(1.0, enough - step)) {
+      enough = too_few;
+      step *= 2;
+    }
+  } else {
+    do {
+      if (enough >= most_runs) return {.undefined = "more than ten million runs are needed"};
+      too_few = enough;
+      enough = std::min(enough + step, most_runs);
+      step *= 2;
+    } while (!is_enough(enough));
   }
   while (enough - too_few > 1) {
     const double middle = std::floor((enough + too_few) / 2);
-    (power_at(middle) >= goal ? enough : too_few) = middle;
+    (is_enough(middle) ? enough : too_few) = middle;
   }
   return {.n = enough};
 }
@@ -87,9 +103,7 @@ RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double diff
   if (!(spread > 0)) return {.undefined = "both groups are constant, so any run shows a difference"};
   const double degrees =
       1 / (std::pow(a.std / spread, 4) + std::pow(b.std / spread, 4));  // of Welch's test, over n - 1
-  return smallest_n(goal.power, [&](double n) {
-    return two_sided_power(difference / spread * std::sqrt(n), degrees * (n - 1), goal.alpha);
-  });
+  return smallest_n(difference / spread, goal, [&](double n) { return degrees * (n - 1); });
 }
 
 RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal) {
@@ -98,8 +112,7 @@ RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal) {
   if (std::isnan(difference)) return {.undefined = "the difference is not defined"};
   if (difference == 0) return {.undefined = "no number of pairs shows a difference of zero"};
   if (!(std > 0)) return {.undefined = "all differences are equal, so any two pairs show one"};
-  return smallest_n(goal.power,
-                    [&](double n) { return two_sided_power(difference / std * std::sqrt(n), n - 1, goal.alpha); });
+  return smallest_n(difference / std, goal, [](double n) { return n - 1; });
 }
 
 }  // namespace ikbench::statistics
