@@ -42,7 +42,9 @@ std::string shown(const std::vector<AuditItem>& items) {
 std::string counted(const std::vector<AuditItem>& items) {
   std::vector<std::string> parts;
   for (const std::string_view verdict : audit_verdicts) {
-    parts.push_back(fmt::format("{} {}", std::ranges::count(items, verdict, words_of), verdict));
+    parts.push_back(fmt::format(
+        "{} {}", std::ranges::count_if(items, [&](const AuditItem& item) { return words_of(item) == verdict; }),
+        verdict));
   }
   return fmt::format("{} checks: {}", items.size(), fmt::join(parts, ", "));
 }

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/margin.hpp"
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
@@ -150,6 +150,7 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
 
 void refuse_margin(const CompareArguments& arguments) {
   const std::vector<std::string>& metrics = arguments.metrics;
+  const auto is_in_cm = [](const std::string& metric) { return split_unit(metric).unit == "cm"; };
   if (arguments.margin_cm.value_or(0) == 0 || metrics.empty() || std::ranges::any_of(metrics, is_in_cm)) return;
   throw std::invalid_argument(
       "--margin-cm: no metric is in cm; expected --metric position_error_cm, or no --margin-cm");

@@ -91,8 +91,8 @@ void look(Asked& asked, const std::set<std::string>& solvers, const std::string&
       if (solvers.contains(count.solver)) runs = std::max(runs, count.complete_runs);
     }
   }
-  std::string note = look_note(looks_at(study, store), runs, asked.plan.significance);
-  if (!note.empty()) asked.notes.push_back(std::move(note));
+  const Doubts doubts = look_doubts(looks_at(study, store), runs, asked.plan.significance);
+  std::ranges::move(list_of(doubts), std::back_inserter(asked.notes));
   remember_look(study, runs, store);
 }
 

@@ -61,7 +61,7 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   for (const std::string& name : names) {
     const auto table = std::ranges::find(pieces.tables, name, &Table::name);
     if (table == pieces.tables.end() || !shown.insert(name).second) continue;
-    fmt::print("\n{}\n{}\n", printable(table->caption), aligned(readable_cells(*table)));
+    fmt::print("\n{}\n{}\n", printable(numbered_caption(*table)), aligned(readable_cells(*table)));
   }
   std::fflush(stdout);
 }

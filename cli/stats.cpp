@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/inference/text.hpp"
@@ -74,6 +75,13 @@ std::string distinct(const std::string& name, std::set<std::string>& taken) {
 
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
+template <class Of>
+void rename(Of& of, const std::string& quantity) {
+  if (quantity.empty()) return;
+  of.quantity = quantity;
+  of.unit = split_unit(quantity).unit;
+}
+
 std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
   std::vector<Assessment> result;
   std::set<std::string> names;
@@ -87,7 +95,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
     for (Summaries& summaries : all) {
       summaries.better = better;
       summaries.name = distinct(summaries.name, names);
-      if (!arguments.quantity.empty()) summaries.quantity = arguments.quantity;
+      rename(summaries, arguments.quantity);
       summaries.margin = arguments.margin;
       check_margin(summaries, arguments.plan);
       result.push_back(assess(summaries, arguments.plan));
@@ -107,7 +115,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
     request.value = value;
     Observations observations = read_observations(text, name_of_source(arguments.file), request);
     observations.name = distinct(observations.name, names);
-    if (!arguments.quantity.empty()) observations.quantity = arguments.quantity;
+    rename(observations, arguments.quantity);
     observations.margin = arguments.margin;
     check_margin(observations, arguments.plan);
     result.push_back(assess(observations, arguments.plan));
@@ -156,8 +164,7 @@ void check(const StatsArguments& arguments) {
 
 // Refuses a margin in cm if no quantity is in cm.
 void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& all) {
-  const auto in_cm = [](const Assessment& each) { return is_in_cm(each.heading); };  // it ends with the quantity
-  if (plan.margin_cm == 0 || std::ranges::any_of(all, in_cm)) return;
+  if (plan.margin_cm == 0 || std::ranges::count(all, "cm", &Assessment::unit) > 0) return;
   throw std::invalid_argument(
       "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
 }
@@ -165,8 +172,9 @@ void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& al
 constexpr std::size_t longest_cell = 120;  // on a terminal; files have the whole text
 
 void print(const Assessment& assessment) {
-  fmt::print("\n{}\n{}\n", printable(assessment.heading), std::string(character_count(assessment.heading), '='));
-  for (const std::string& sentence : assessment.sentences) fmt::print("- {}\n", printable(sentence));
+  const std::string heading = heading_of(assessment);
+  fmt::print("\n{}\n{}\n", printable(heading), std::string(character_count(heading), '='));
+  for (const std::string& sentence : words_of(assessment.sentences)) fmt::print("- {}\n", printable(sentence));
   for (const Table& table : assessment.tables) {
     std::vector<std::vector<std::string>> cells = readable_cells(table);
     for (auto& row : cells) {

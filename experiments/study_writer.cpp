@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "experiments/foreign/program.hpp"
@@ -197,9 +198,8 @@ nlohmann::ordered_json arm_definition(const Robot& arm) {
   return json;
 }
 
-// The settings in which a study differs from the built-in one of the same paper that is most like it, by the kind of
-// path, then by the arm. These may differ freely: name, title, seed, trace, repeats, the analysis, and further solvers.
-std::vector<std::string> departures(const Study& study) {
+// The built-in study that claims to be of the same paper and is most like it: by the kind of path, then by the arm.
+std::optional<Study> original_of(const Study& study) {
   const std::vector<Study> known = studies();
   const auto is_of_same_paper = [&](const Study& candidate) {
     return !study.published.empty() && candidate.published == study.published;
@@ -209,9 +209,19 @@ std::vector<std::string> departures(const Study& study) {
     return 1 + (candidate.path->name() == study.path->name() ? 2 : 0) + (candidate.robot == study.robot ? 1 : 0);
   };
   const auto original = std::ranges::max_element(known, {}, likeness);  // the first of equals
+  if (original == known.end() || likeness(*original) == 0) return std::nullopt;
+  return *original;
+}
+
+auto find_solver(const Study& study, const std::string& label) {
+  return std::ranges::find(study.solvers, label, &SolverEntry::label);
+}
+
+// The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, repeats,
+// the analysis, and further solvers.
+std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> found;
-  if (original == known.end() || likeness(*original) == 0) return found;
-  const auto ours = definition(study).flatten(), theirs = definition(*original).flatten();
+  const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
                          pointer == "/repeats" || pointer == "/deadline_ms" || pointer.starts_with("/analysis/");
@@ -220,17 +230,25 @@ std::vector<std::string> departures(const Study& study) {
     std::replace(key.begin(), key.end(), '/', '.');
     found.push_back(key);
   }
-  for (const SolverEntry& entry : original->solvers) {
-    const auto same = std::find_if(study.solvers.begin(), study.solvers.end(),
-                                   [&](const SolverEntry& ours_too) { return ours_too.label == entry.label; });
-    if (same == study.solvers.end()) {
-      found.push_back("no " + entry.label);
-    } else if (same->solver != entry.solver || same->population != entry.population ||
-               effective_options(study, *same) != effective_options(*original, entry)) {
+  for (const SolverEntry& entry : original.solvers) {
+    const auto same = find_solver(study, entry.label);
+    if (same == study.solvers.end()) continue;
+    if (same->solver != entry.solver || same->population != entry.population ||
+        effective_options(study, *same) != effective_options(original, entry)) {
       found.push_back("options of " + entry.label);
     }
   }
   return found;
+}
+
+void add_departures(nlohmann::ordered_json& json, const Study& study) {
+  json["departures"] = std::vector<std::string>();
+  const std::optional<Study> original = original_of(study);
+  if (!original) return;
+  json["departures"] = departures(study, *original);
+  for (const SolverEntry& entry : original->solvers) {
+    if (find_solver(study, entry.label) == study.solvers.end()) json["missing_solvers"].push_back(entry.label);
+  }
 }
 
 }  // namespace
@@ -288,7 +306,7 @@ std::string to_json(const Study& study) {
   nlohmann::ordered_json json = definition(study);
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
-  json["departures"] = departures(study);
+  add_departures(json, study);
   if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
     const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);
     json["out_of_reach"] = {{"points", found.size()},

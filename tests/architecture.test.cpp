@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -492,4 +493,36 @@ TEST_CASE("no test has a name that CMake takes apart", "[architecture]") {
       CHECK(name.find_first_of("[];\\") == std::string::npos);
     }
   }
+}
+
+namespace {
+
+// What a code looks for in a text, where that is a part of a sentence and no character or name.
+std::vector<std::string> words_looked_for(const std::string& code) {
+  static const std::regex search(R"re(\b(?:r?find|starts_with|ends_with|contains)\(\s*"((?:[^"\\]|\\.)*)")re"),
+      of_sentence(R"re([A-Za-z] |[:.;,] | [A-Za-z(]|\[)re");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(code.begin(), code.end(), search), end; at != end; ++at) {
+    if (std::regex_search((*at)[1].str(), of_sentence)) found.push_back((*at)[1].str());
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("no C++ of the analysis looks into a sentence", "[architecture]") {
+  using Words = std::vector<std::string>;
+  CHECK(words_looked_for(R"(if (cell.starts_with("in our range")) return;)") == Words{"in our range"});
+  CHECK(words_looked_for(R"(note.substr(0, note.find(": ")))") == Words{": "});
+  CHECK(words_looked_for(R"(name.ends_with("_cm") || svg.find("</g>"))").empty());
+  const Names of_gnuplot{"analysis/figures/dark.cpp", "analysis/figures/figure.cpp"};  // they read what it wrote
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator("analysis")) {
+    const fs::path& file = entry.path();
+    if ((file.extension() != ".cpp" && file.extension() != ".hpp") || of_gnuplot.contains(file.string())) continue;
+    ++files;
+    CAPTURE(file);
+    CHECK(words_looked_for(code_of(file)) == Words{});
+  }
+  CHECK(files > 200);
 }

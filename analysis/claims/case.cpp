@@ -31,7 +31,7 @@ Observations mixed(Observations of_solver, Observations of_others, const std::st
   }
   of_others.blocks.clear();
   of_others.block.clear();
-  if (of_others.flaw.empty()) of_others.flaw = of_solver.flaw;
+  if (of_others.flaws.empty()) of_others.flaws = of_solver.flaws;
   return of_others;
 }
 
@@ -46,9 +46,9 @@ std::vector<Summaries> printed_summaries(const ClaimsFile& file, const StudyResu
   std::vector<Summaries> result;
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);
-    const std::string unit = info.unit.empty() ? "" : fmt::format(" [{}]", info.unit);
     Summaries printed{.name = fmt::format("printed-{}", info.slug),
-                      .quantity = fmt::format("{}, as printed{}", info.name, unit),
+                      .quantity = text_of({fmt::format("{}, as printed", info.name), std::string(info.unit)}),
+                      .unit = std::string(info.unit),
                       .better = info.better};
     for (const PrintedRow& row : printed_rows(file, study, metric))
       printed.groups.push_back({row.algorithm, row.summary()});
@@ -66,7 +66,7 @@ std::optional<AnovaTable> printed_anova(const ClaimsFile& file, const StudyResul
 Claim Case::begun() const {
   return {.statement = entry.sentence,
           .verdict = Verdict::undecided,
-          .evidence = "",
+          .evidence = {},
           .table = entry.table.empty() ? file.means : entry.table,
           .id = entry.id,
           .section = entry.section,
@@ -195,9 +195,9 @@ std::string list_of(const Evidence& evidence, const std::string& solver, std::st
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
   if (here.plan.unit == Unit::point)
-    return fmt::format(" No test here, because points of one run depend on each other; printed p-values: {}.", other);
+    return fmt::format("No test here, because points of one run depend on each other; printed p-values: {}.", other);
   const std::string of_printed = test == other ? "" : fmt::format("; printed: {}", other);
-  return fmt::format(" p-values: {} on run means, adjusted for all pairs{}.", test, of_printed);
+  return fmt::format("p-values: {} on run means, adjusted for all pairs{}.", test, of_printed);
 }
 
 }  // namespace ikbench::claims

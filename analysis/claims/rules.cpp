@@ -40,9 +40,9 @@ Claim untested(const Case& of) {
   Claim claim = of.begun();
   claim.verdict = Verdict::untested;
   claim.table = "";
-  claim.evidence = "What would decide it: " + of.entry.decides;
+  claim.evidence = {"What would decide it: " + of.entry.decides};
   if (!of.entry.study.empty()) {
-    claim.evidence += fmt::format(" `ikbench reproduce` runs the study for it ({}).", of.entry.study);
+    claim.evidence.push_back(fmt::format("`ikbench reproduce` runs the study for it ({}).", of.entry.study));
   }
   return claim;
 }

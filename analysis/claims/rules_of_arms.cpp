@@ -36,17 +36,17 @@ Claim rate_claim(const Case& of, const RatesOfArm& arm, const Rate& rate) {
              {{"solver", rate.solver}, {"arm", arm.arm}, {"share", fmt::format("{:.2f} %", 100 * rate.printed)}});
   claim.verdict = holds ? Verdict::holds : depends ? Verdict::depends : Verdict::fails;
   claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * estimate, 100 * rate.printed);
-  claim.evidence = fmt::format("Here {:.1f} % are solved in {} iterations ({} interval {:.1f} to {:.1f} %).",
-                               100 * estimate, arm.iterations, percent(of.file.rates.level), 100 * low, 100 * high);
+  claim.evidence = {fmt::format("Here {:.1f} % are solved in {} iterations ({} interval {:.1f} to {:.1f} %).",
+                                100 * estimate, arm.iterations, percent(of.file.rates.level), 100 * low, 100 * high)};
   if (holds) return claim;
   if (rate.first > 0) {
-    claim.evidence += fmt::format(
-        " It is the printed share within {} to {} iterations{}", rate.first, rate.last,
+    claim.evidence.push_back(fmt::format(
+        "It is the printed share within {} to {} iterations{}", rate.first, rate.last,
         depends ? ". " + of.entry.note
-                : fmt::format(", but the other rate on this arm takes {} to {}.", other->first, other->last));
+                : fmt::format(", but the other rate on this arm takes {} to {}.", other->first, other->last)));
   }
   const auto reason = of.entry.reasons.find(fmt::format("{} on the {}", rate.solver, arm.arm));
-  if (reason != of.entry.reasons.end()) claim.evidence += ' ' + reason->second;
+  if (reason != of.entry.reasons.end()) claim.evidence.push_back(reason->second);
   return claim;
 }
 
@@ -107,15 +107,14 @@ std::vector<Claim> solves_more(const Case& of) {
   }
   if (more.empty() && open.empty() && fewer.empty()) {
     claim.verdict = Verdict::untested;
-    claim.evidence = fmt::format("{} is not among the solvers.", solver);
+    claim.evidence = {fmt::format("{} is not among the solvers.", solver)};
     return {claim};
   }
   claim.verdict = !fewer.empty() ? Verdict::fails : !open.empty() ? Verdict::undecided : Verdict::holds;
   claim.number = fmt::format("on {} of {} arms", more.size(), arms.size());
   for (const auto& [words, list] :
        {std::pair("More are solved", more), std::pair("Not decided", open), std::pair("Fewer are solved", fewer)}) {
-    if (list.empty()) continue;
-    claim.evidence += fmt::format("{}{}: {}.", claim.evidence.empty() ? "" : " ", words, fmt::join(list, ", "));
+    if (!list.empty()) claim.evidence.push_back(fmt::format("{}: {}.", words, fmt::join(list, ", ")));
   }
   return {claim};
 }

@@ -43,14 +43,14 @@ std::string number_of(const Against& ours, Metric metric) {
 // The answers of the plan's other estimands about a solver that is claimed to be the first.
 struct OtherEstimands {
   std::string against = {};  // "; by typical error PSO is better": those that find others better; empty where none does
-  std::string sentences = {};  // who is first by each
+  std::vector<std::string> sentences = {};  // who is first by each
 };
 OtherEstimands other_estimands(const JudgedStudy& study, const std::string& solver, Metric metric) {
   OtherEstimands result;
   for (const Estimand estimand : estimands_of(study, metric)) {
     if (estimand == average_estimand(metric)) continue;
     const Evidence& found = study.evidence(metric, estimand);
-    result.sentences += ' ' + leader_sentence(study, metric, estimand);
+    result.sentences.push_back(words_of(leader_sentence(study, metric, estimand)));
     std::vector<std::string> better;
     for (const GroupEvidence& other : found.groups) {
       const bool is_other = other.name != solver;
@@ -88,11 +88,13 @@ std::vector<Claim> compared(const Case& of, Should should) {
     here.push_back(verdict_on(ours.found));
     const bool is_judged = !found->contrasts.empty() || metric != Metric::seconds;
     if (is_judged) {
-      claim.evidence += fmt::format("{}: {}. ", named(metric), list_of(*found, entry.solver, info_of(metric).unit));
+      claim.evidence.push_back(
+          fmt::format("{}: {}.", named(metric), list_of(*found, entry.solver, info_of(metric).unit)));
       claim.number = number_of(ours, metric);
       test = how_tested(*found, *found);
     } else {
-      claim.evidence += fmt::format("{}: not judged, because {} (see the warnings). ", named(metric), times_not_judged);
+      claim.evidence.push_back(
+          fmt::format("{}: not judged, because {} (see the warnings).", named(metric), times_not_judged));
       claim.number = times_not_judged;
     }
     if (printed.empty()) continue;
@@ -103,8 +105,8 @@ std::vector<Claim> compared(const Case& of, Should should) {
     if (!test.empty()) test = how_tested(*found, of_print);
   }
   claim.verdict = verdict_on(here);
-  claim.evidence +=
-      printed_lists.empty() ? test.substr(test.empty() ? 0 : 1) : fmt::format("Printed: {}.{}", printed_lists, test);
+  if (!printed_lists.empty()) claim.evidence.push_back(fmt::format("Printed: {}.", printed_lists));
+  if (!test.empty()) claim.evidence.push_back(test);
   if (!in_print.empty()) claim.printed = verdict_on(in_print);
   if (here.size() > 1) {
     claim.number = fmt::format("better in {} of {} means", std::ranges::count(here, Verdict::holds), here.size());
@@ -123,14 +125,15 @@ std::vector<Claim> smallest(const Case& of) {
   // A paper compares means, so the verdict is by the mean; a claim that only the worst cases support holds in part.
   Claim& claim = claims.front();
   const OtherEstimands others = other_estimands(of.study(), entry.solver, metric);
-  claim.evidence += others.sentences;
+  std::ranges::copy(others.sentences, std::back_inserter(claim.evidence));
   if (claim.verdict == Verdict::holds && !others.against.empty()) {
     claim.verdict = Verdict::in_part;
-    claim.evidence +=
-        fmt::format(" It holds by the mean, which the paper compares and which the worst cases decide{}: so in part.",
-                    others.against);
+    claim.evidence.push_back(
+        fmt::format("It holds by the mean, which the paper compares and which the worst cases decide{}: so in part.",
+                    others.against));
   }
-  if (metric == Metric::position_error_cm) claim.evidence += ' ' + closest_point_by_point(of.study());
+  const std::string closest = metric == Metric::position_error_cm ? closest_point_by_point(of.study()) : "";
+  if (!closest.empty()) claim.evidence.push_back(closest);
   return claims;
 }
 
@@ -196,17 +199,18 @@ std::vector<Claim> ranking(const Case& of) {
     const FoundOrder here = found_order(tested, printed);
     claim.verdict = verdict_on(here);
     claim.number = fmt::format("{} of {} pairs by the test", here.pairs.better, here.pairs.all());
-    claim.evidence = fmt::format("Here: {} Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
-                                 our_ranking(printed, metric), pair_test_words(tested), here.pairs.better,
-                                 here.pairs.all(), here.pairs.worse);
+    claim.evidence = {fmt::format("Here: {}", our_ranking(printed, metric)),
+                      fmt::format("Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
+                                  pair_test_words(tested), here.pairs.better, here.pairs.all(), here.pairs.worse)};
   } else {
-    claim.evidence = fmt::format("Here: not ranked, because {} (see the warnings).", times_not_judged);
+    claim.evidence = {fmt::format("Here: not ranked, because {} (see the warnings).", times_not_judged)};
     claim.number = times_not_judged;
   }
-  claim.evidence += fmt::format(" Printed, by {}: {} of {} pairs.", pair_test_words(tested_print),
-                                in_print.pairs.better, in_print.pairs.all());
+  claim.evidence.push_back(fmt::format("Printed, by {}: {} of {} pairs.", pair_test_words(tested_print),
+                                       in_print.pairs.better, in_print.pairs.all()));
   if (metric == Metric::seconds && !of.file.implementation.empty()) {
-    claim.evidence += fmt::format(" Times depend on the implementation: {} there, C++ here.", of.file.implementation);
+    claim.evidence.push_back(
+        fmt::format("Times depend on the implementation: {} there, C++ here.", of.file.implementation));
   }
   return {claim};
 }
@@ -254,7 +258,7 @@ std::vector<Claim> compromise(const Case& of) {
     if (is_comparable(of.study(), metric)) {
       here.push_back(of.study().evidence(metric));
     } else {
-      claim.evidence = fmt::format("Without times, because {}. ", times_not_judged);
+      claim.evidence = {fmt::format("Without times, because {}.", times_not_judged)};
     }
   }
   const std::string& solver = of.entry.solver;
@@ -265,11 +269,14 @@ std::vector<Claim> compromise(const Case& of) {
   claim.printed = verdict_on(printed.found);
   claim.number =
       fmt::format("ahead of {} of {}{}", ours.found.better, ours.found.all(), is_whole ? "" : ", without times");
-  claim.evidence += fmt::format(
-      "{} dominates {} of {} solvers, that is, it is better in one mean and worse in none; {} dominate it. Whom nobody "
-      "dominates (the Pareto front): {}. Printed: it dominates {}; the front is {}.",
-      solver, ours.found.better, ours.found.all(), ours.found.worse, listed(ours.names), printed.found.better,
-      listed(printed.names));
+  std::ranges::move(
+      std::vector{
+          fmt::format("{} dominates {} of {} solvers, that is, it is better in one mean and worse in none; {} "
+                      "dominate it.",
+                      solver, ours.found.better, ours.found.all(), ours.found.worse),
+          fmt::format("Whom nobody dominates (the Pareto front): {}.", listed(ours.names)),
+          fmt::format("Printed: it dominates {}; the front is {}.", printed.found.better, listed(printed.names))},
+      std::back_inserter(claim.evidence));
   return {claim};
 }
 
@@ -296,7 +303,7 @@ std::vector<Claim> differ(const Case& of) {
   Claim claim = of.begun();
   claim.verdict = verdict_on(here);
   claim.printed = verdict_on(in_print);
-  claim.evidence = fmt::format("{}.", fmt::join(list, "; "));
+  claim.evidence = {fmt::format("{}.", fmt::join(list, "; "))};
   claim.number = fmt::format("{} of {} differ", std::ranges::count(here, Verdict::holds), here.size());
   return {claim};
 }
@@ -354,10 +361,9 @@ std::vector<Claim> least_spread(const Case& of) {
   const Spread& nearest = std::ranges::min(here, {}, &Spread::others);
   claim.number = fmt::format("{}, {} {}", with_unit(own.ours.std, info_of(metric).unit), nearest.other,
                              short_number(nearest.others));
-  claim.evidence = fmt::format(
-      "Standard deviation of the run means: {}. Printed: {}. p-values: Brown-Forsythe test of each pair, printed: "
-      "Bartlett's; after Holm.",
-      spread_words(here, own.solver, metric), spread_words(printed, own.solver, metric));
+  claim.evidence = {fmt::format("Standard deviation of the run means: {}.", spread_words(here, own.solver, metric)),
+                    fmt::format("Printed: {}.", spread_words(printed, own.solver, metric)),
+                    "p-values: Brown-Forsythe test of each pair, printed: Bartlett's; after Holm."};
   return {claim};
 }
 
@@ -392,19 +398,20 @@ std::vector<Claim> smoothest(const Case& of) {
       {"Mean second difference of an angle along the path", second_differences_deg},
       {"Mean of the largest move of a joint", largest_moves_deg}};
   for (const auto& [words, values_of] : measures) {
-    Observations observed{.name = "smoothness", .quantity = fmt::format("{} [deg]", words)};
+    Observations observed{.name = "smoothness", .quantity = fmt::format("{} [deg]", words), .unit = "deg"};
     for (const std::string& solver : study.solvers) observed.groups.push_back({solver, values_of(study, solver)});
     if (std::ranges::any_of(observed.groups, [](const Group& group) { return group.values.empty(); })) return {};
     const Against ours = against(tested(observed, feasible(study.plan, observed)), of.entry.solver);
     verdicts.push_back(verdict_on(ours.found));
     const std::string number =
         fmt::format("{} deg, {} {}", short_number(ours.own_mean), ours.nearest, short_number(ours.nearest_mean));
-    claim.evidence += fmt::format("{}: {} {}; found smaller than {} of {} others, larger than {}. ", words,
-                                  of.entry.solver, number, ours.found.better, ours.found.all(), ours.found.worse);
+    claim.evidence.push_back(fmt::format("{}: {} {}; found smaller than {} of {} others, larger than {}.", words,
+                                         of.entry.solver, number, ours.found.better, ours.found.all(),
+                                         ours.found.worse));
     if (claim.number.empty()) claim.number = number;
   }
   claim.verdict = verdict_on(verdicts);
-  claim.evidence += of.entry.note;
+  if (!of.entry.note.empty()) claim.evidence.push_back(of.entry.note);
   return {claim};
 }
 

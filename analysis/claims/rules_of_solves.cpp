@@ -54,7 +54,7 @@ std::vector<Claim> least_at_each_point(const Case& of) {
   for (const std::string& solver : study.solvers) {
     if (first[solver] > 0) words.push_back(fmt::format("{} at {}", solver, first[solver]));
   }
-  claim.evidence = fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), points);
+  claim.evidence = {fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), points)};
   return {claim};
 }
 
@@ -65,10 +65,10 @@ std::vector<Claim> inside_limits(const Case& of) {
   Claim claim = of.begun();
   claim.verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails;
   claim.number = fmt::format("{} of {} outside", count.outside_limits, count.solves);
-  claim.evidence = count.outside_limits == 0
-                       ? fmt::format("All {} are.", count.solves)
-                       : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
-                                     count.solves, short_number(count.worst_outside_deg));
+  claim.evidence = {count.outside_limits == 0
+                        ? fmt::format("All {} are.", count.solves)
+                        : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
+                                      count.solves, short_number(count.worst_outside_deg))};
   return {claim};
 }
 
@@ -88,7 +88,7 @@ std::vector<Claim> has_effect(const Case& of) {
   claim.number = fmt::format("{} of {} answers change", changed, shared);
   if (changed == 0) {
     claim.verdict = Verdict::fails;
-    claim.evidence = fmt::format("All {} answers are the same to the last bit {}", shared, of.entry.note);
+    claim.evidence = {fmt::format("All {} answers are the same to the last bit {}", shared, of.entry.note)};
     return {claim};
   }
   const Metric metric = of.entry.metrics.front();
@@ -102,9 +102,10 @@ std::vector<Claim> has_effect(const Case& of) {
   Found one;
   one.add(found.relation);
   claim.verdict = verdict_on(one);
-  claim.evidence = fmt::format("{} of {} answers change without it. {}: {} {} with, {} without{}.", changed, shared,
-                               inference::capitalised(info_of(metric).name), short_number(means[0].mean),
-                               info_of(metric).unit, short_number(means[1].mean), in_brackets(found.p));
+  claim.evidence = {fmt::format("{} of {} answers change without it.", changed, shared),
+                    fmt::format("{}: {} {} with, {} without{}.", inference::capitalised(info_of(metric).name),
+                                short_number(means[0].mean), info_of(metric).unit, short_number(means[1].mean),
+                                in_brackets(found.p))};
   return {claim};
 }
 
@@ -113,14 +114,15 @@ std::vector<Claim> singularities(const Case& of) {
   Claim claim = of.begun();
   claim.verdict = Verdict::untested;
   claim.table = "";
-  claim.evidence = of.entry.decides;
+  claim.evidence = {of.entry.decides};
   const SolverFacts& facts = gathered_of(of.study(), of.entry.solver);
   if (facts.joints.size() != of.entry.joints.size()) return {claim};
   for (std::size_t joint = 0; joint < facts.joints.size(); ++joint) {
     const auto& [answers, near, nearest_deg] = facts.joints[joint];
     if (of.entry.joints[joint].empty()) continue;
-    claim.evidence += fmt::format(" {} of {} answers are within {} deg of {} (the nearest: {} deg).", near, answers,
-                                  Straight::near_deg, of.entry.joints[joint], short_number(nearest_deg));
+    claim.evidence.push_back(fmt::format("{} of {} answers are within {} deg of {} (the nearest: {} deg).", near,
+                                         answers, Straight::near_deg, of.entry.joints[joint],
+                                         short_number(nearest_deg)));
   }
   return {claim};
 }
@@ -155,7 +157,7 @@ std::vector<TimedRow> timed_rows(const StudyResults& study, const ClaimEntry& en
 
 // " Printed, in MATLAB on another machine: ..."
 std::string printed_elsewhere(const Case& of, const std::string& words) {
-  return fmt::format(" Printed, in {} on another machine: {}.", of.file.implementation, words);
+  return fmt::format("Printed, in {} on another machine: {}.", of.file.implementation, words);
 }
 
 std::string not_judged() { return fmt::format("Not judged, because {} (see the warnings).", times_not_judged); }
@@ -173,17 +175,17 @@ std::vector<Claim> in_time(const Case& of) {
     const auto& [printed, ours] = rows.front();
     const double limit_ms = of.entry.limit_ms;
     Claim claim = of.begun();
-    claim.evidence = not_judged();
+    claim.evidence = {not_judged()};
     claim.number = times_not_judged;
     if (times_are_comparable(study)) {
       claim.verdict = within(ours.in_time == ours.solves, ours.time_ms.median < limit_ms);
       claim.number = fmt::format("{} of {} in time", ours.in_time, ours.solves);
-      claim.evidence =
+      claim.evidence = {
           fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; median {} ms, slowest {} ms.",
                       ours.in_time, ours.solves, tolerance_cm(study), limit_ms, short_number(ours.time_ms.median),
-                      short_number(ours.time_ms.max));
+                      short_number(ours.time_ms.max))};
     }
-    claim.evidence += printed_elsewhere(of, printed_words(printed, limit_ms));
+    claim.evidence.push_back(printed_elsewhere(of, printed_words(printed, limit_ms)));
     claim.printed = within(printed.ms.max < limit_ms, printed.ms.mean < limit_ms);
     return {claim};
   });
@@ -202,16 +204,16 @@ std::vector<Claim> too_slow(const Case& of) {
       printed_list.push_back(fmt::format("{} ms", short_number(printed.ms.mean)));
     }
     Claim claim = of.begun();
-    claim.evidence = not_judged();
+    claim.evidence = {not_judged()};
     claim.number = times_not_judged;
     if (times_are_comparable(study)) {
       claim.verdict = verdict_on(here);
-      claim.evidence = fmt::format("Here, in C++, median: {}.", fmt::join(list, ", "));
+      claim.evidence = {fmt::format("Here, in C++, median: {}.", fmt::join(list, ", "))};
       const TimeAssessment& last = rows.back().ours;
       claim.number = fmt::format("{} ms with {}", short_number(last.time_ms.median), last.solver);
     }
     claim.printed = verdict_on(in_print);
-    claim.evidence += printed_elsewhere(of, fmt::format("{}", fmt::join(printed_list, ", ")));
+    claim.evidence.push_back(printed_elsewhere(of, fmt::format("{}", fmt::join(printed_list, ", "))));
     return {claim};
   });
 }
@@ -240,11 +242,10 @@ std::vector<Claim> rounding_level(const Case& of) {
     claim.verdict = within(mean(ours) <= order * rounding, false);
     claim.printed = within(mean(printed) <= order * rounding, false);
     claim.number = fmt::format("{} cm", short_number(mean(ours)));
-    claim.evidence = fmt::format(
-        "Mean error {} cm over {} points; printed {} cm. Rounding level: {} cm (2^-52 of {} cm, the farthest target) "
-        "times at most {}.",
-        short_number(mean(ours)), ours.size(), short_number(mean(printed)), short_number(rounding),
-        short_number(farthest_cm), order);
+    claim.evidence = {fmt::format("Mean error {} cm over {} points; printed {} cm.", short_number(mean(ours)),
+                                  ours.size(), short_number(mean(printed))),
+                      fmt::format("Rounding level: {} cm (2^-52 of {} cm, the farthest target) times at most {}.",
+                                  short_number(rounding), short_number(farthest_cm), order)};
     return {claim};
   });
 }

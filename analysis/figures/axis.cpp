@@ -42,7 +42,7 @@ std::string logarithmic_settings(const Drawn& of) {
 
 }  // namespace
 
-Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale, double least) {
+Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least) {
   std::vector<double> finite;
   std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
   if (std::ranges::none_of(finite, [&](double value) { return value > least; })) least = 0;
@@ -52,13 +52,14 @@ Axis value_axis(std::span<const double> values, std::string_view quantity, Scale
   Axis axis{.has_values = !finite.empty(), .least = least};
   const double largest = finite.empty() ? 1.0 : std::ranges::max(finite);
   const double smallest = finite.empty() ? 0.0 : std::ranges::min(finite);
-  axis.quantity = quantity;
   double factor = 1;
-  if (axis.quantity.ends_with("[s]") && largest > 0 && largest < 0.1) {
+  std::string unit = quantity.unit;
+  if (unit == "s" && largest > 0 && largest < 0.1) {
     const bool micro = largest < 1e-4;
     factor = micro ? 1e6 : 1e3;
-    axis.quantity.replace(axis.quantity.size() - 3, 3, micro ? "[µs]" : "[ms]");
+    unit = micro ? "µs" : "ms";
   }
+  axis.quantity = text_of({quantity.name, unit});
   if (!positive.empty() && scale != Scale::linear) {
     const double smallest_shown = std::ranges::min(positive);
     axis.logarithmic = scale == Scale::logarithmic || largest > spread_for_logarithmic * smallest_shown;

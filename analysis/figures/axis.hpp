@@ -3,7 +3,8 @@
 
 #include <span>
 #include <string>
-#include <string_view>
+
+#include "analysis/inference/name_with_unit.hpp"
 
 namespace ikbench::figures {
 
@@ -19,8 +20,8 @@ struct Axis {
   std::string settings = {};
 };
 
-// The axis of `quantity`, which has its unit in brackets; small seconds "[s]" become [ms] or [us]. A logarithmic axis
-// cannot show values up to `least`, unless all are.
-Axis value_axis(std::span<const double> values, std::string_view quantity, Scale scale, double least = 0);
+// The axis of `quantity`; small seconds become [ms] or [µs]. A logarithmic axis cannot show values up to `least`,
+// unless all are.
+Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least = 0);
 
 }  // namespace ikbench::figures

@@ -174,7 +174,7 @@ Figure box_figure(const StudyResults& study, const BoxRequest& request) {
       all.insert(all.end(), {least_of(mark), mark.median, mark.max});
     }
   }
-  const Axis axis = value_axis(all, quantity(request.metric), Scale::by_spread);
+  const Axis axis = value_axis(all, with_unit(request.metric), Scale::by_spread);
   figure.caption = with_notes(
       fmt::format("{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box "
                   "heights.{}",

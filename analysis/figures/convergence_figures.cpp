@@ -98,7 +98,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
       study.facts.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
                        : "",
       dependence(study), without_trace(study));
-  const Axis axis = value_axis(all, error + " [cm]", Scale::logarithmic);
+  const Axis axis = value_axis(all, {error, "cm"}, Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
       axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
@@ -253,7 +253,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
     if (of_evaluations.solves.empty()) return;
     std::optional<Figure> figure = draw(of_evaluations, clusters_of_evaluations);
     if (!figure) return;
-    if (const std::string note = left_out(study, Metric::evaluations).note; !note.empty())
+    if (const std::string note = words_of(left_out(study, Metric::evaluations).doubts); !note.empty())
       figure->caption += " " + note;
     add(std::move(figure));
   };
@@ -262,7 +262,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
         [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Cost::evaluations); });
     if (!has_clean_times) return;
     std::optional<Figure> figure = draw(of_seconds, clusters_of_seconds, Cost::seconds);
-    const std::string note = left_out(study, Metric::seconds).note;
+    const std::string note = words_of(left_out(study, Metric::seconds).doubts);
     if (figure && !note.empty()) figure->caption += " " + note;
     add(std::move(figure));
   };

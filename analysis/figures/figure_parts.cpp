@@ -41,7 +41,7 @@ std::string with_notes(std::string caption, const StudyResults& study, Metric me
                               : " Values of zero are drawn at the lower edge.";
   }
   if (info_of(metric).kind == Kind::time) {
-    if (const std::string note = times_note(study); !note.empty()) caption += ' ' + note;
+    if (const std::string note = words_of(times_doubts(study)); !note.empty()) caption += ' ' + note;
   }
   return caption;
 }

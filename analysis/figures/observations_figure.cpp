@@ -138,7 +138,7 @@ Figure observations_figure(const Observations& observations, QuantileType quarti
   if (n < observations.groups.size()) {
     figure.caption += fmt::format(" Only the first {} of {} groups are shown.", n, observations.groups.size());
   }
-  if (!observations.flaw.empty()) figure.caption += fmt::format(" Flawed: {}", observations.flaw);
+  if (!observations.flaws.empty()) figure.caption += fmt::format(" Flawed: {}", words_of(observations.flaws));
   return figure;
 }
 

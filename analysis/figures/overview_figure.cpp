@@ -88,7 +88,8 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
       if (std::isfinite(mark.variation_deg)) variations.push_back(mark.variation_deg);
     }
   }
-  const Axis axis = value_axis(errors, "mean " + quantity(Metric::position_error_cm), Scale::logarithmic);
+  const Axis axis =
+      value_axis(errors, {fmt::format("mean {}", info_of(Metric::position_error_cm).name), "cm"}, Scale::logarithmic);
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
   const double widest = variations.empty() ? 1 : std::max(1e-9, std::ranges::max(variations));
   figure.settings =

@@ -167,7 +167,7 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
   }
   labels.insert(labels.end(), study.solvers.begin(), study.solvers.end());
   const Axis axis =
-      value_axis(curves.all, quantity(metric),
+      value_axis(curves.all, with_unit(metric),
                  metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread, info_of(metric).rounding);
   figure.caption =
       with_notes(fmt::format("{}: {} over the runs at each point.{}{}", capitalised(axis.quantity),

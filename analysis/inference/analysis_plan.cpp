@@ -137,22 +137,21 @@ Json plan_json(const StudyEntry& entry) {
 }
 
 // Of a store that somebody edited: what of its plan is no plan.
-std::string unreadable_note(const StudyEntry& entry) {
+Doubts unreadable_doubts(const StudyEntry& entry) {
   const Json json = plan_json(entry);
-  if (!json.is_object()) return "";
+  if (!json.is_object()) return {};
   AnalysisPlan plan;
   JsonReader reader(json);
   list_fields(reader, plan);
   if (!plan.control.empty() && std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) {
     reader.unreadable.emplace_back("control");
   }
-  if (reader.unreadable.empty()) return "";
-  return fmt::format("The study's analysis plan has invalid values ({}); the defaults replace them.",
-                     fmt::join(reader.unreadable, ", "));
+  if (reader.unreadable.empty()) return {};
+  return {{.kind = DoubtKind::plan_unreadable, .who = {reader.unreadable.begin(), reader.unreadable.end()}}};
 }
 
 // What sessions of the study solved and it no longer has.
-std::string dropped_note(const StudyEntry& entry, const std::vector<Session>& sessions) {
+Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessions) {
   std::vector<std::string> dropped;
   for (const Session& session : sessions) {
     const auto study = session.environment.find("study"), solvers = session.environment.find("solvers");
@@ -166,11 +165,8 @@ std::string dropped_note(const StudyEntry& entry, const std::vector<Session>& se
       if (!is_there && std::ranges::find(dropped, name) == dropped.end()) dropped.push_back(name);
     }
   }
-  if (dropped.empty()) return "";
-  return fmt::format(
-      "The study had more solvers when its solves were made: {}. The correction for several comparisons counts only those "
-      "that are left.",
-      one_line(fmt::format("{}", fmt::join(dropped, ", "))));
+  if (dropped.empty()) return {};
+  return {{.kind = DoubtKind::solvers_dropped, .who = dropped}};
 }
 
 std::int64_t all_of(const SolvesOfSessions& solves) {
@@ -232,27 +228,27 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 
-std::vector<std::string> plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions,
-                                      const SolvesOfSessions& solves) {
-  std::vector<std::string> sentences;
+Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
+  Doubts doubts;
   for (const auto& [changes, count] : recorded(entry, sessions, solves).changed) {
-    sentences.push_back(fmt::format("The analysis plan was changed after {} of {} solves were made: {}.", count,
-                                    all_of(solves), changes));
+    doubts.push_back({.kind = DoubtKind::plan_changed,
+                      .count = static_cast<double>(count),
+                      .of = static_cast<double>(all_of(solves)),
+                      .what = changes});
   }
-  if (std::string note = dropped_note(entry, sessions); !note.empty()) sentences.push_back(std::move(note));
-  if (std::string note = unreadable_note(entry); !note.empty()) sentences.push_back(std::move(note));
-  return sentences;
+  return doubts + dropped_doubts(entry, sessions) + unreadable_doubts(entry);
 }
 
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
                                     const SolvesOfSessions& solves) {
-  std::vector<std::string> notes = plan_changes(entry, sessions, solves);
+  Doubts doubts = plan_changes(entry, sessions, solves);
   if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
-    notes.push_back(fmt::format("{} of {} solves come from a version that did not store the analysis plan.", nowhere,
-                                all_of(solves)));
+    doubts.push_back({.kind = DoubtKind::plan_not_recorded,
+                      .count = static_cast<double>(nowhere),
+                      .of = static_cast<double>(all_of(solves))});
   }
-  if (!plan_json(entry).is_object()) notes.emplace_back("The study has no analysis plan; this is the default plan.");
-  if (!notes.empty()) return notes;
+  if (!plan_json(entry).is_object()) doubts.push_back({.kind = DoubtKind::no_plan});
+  if (!doubts.empty()) return list_of(doubts);
   std::vector<std::string> values;
   for (const PlanValue& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
   return {fmt::format("The methods {} ({}).",

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/doubt.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/store.hpp"
 
@@ -26,10 +27,10 @@ using SolvesOfSessions = std::map<std::int64_t, std::int64_t>;
 // "significance 0.05 -> 0.01, unit run -> point"; empty where the plans are the same.
 std::string changes_between(const results::AnalysisPlan& before, const results::AnalysisPlan& after);
 
-// A sentence for each other plan that solves were made under, as their sessions recorded it: it was changed with their
+// One for each other plan that solves were made under, as their sessions recorded it: it was changed with their
 // numbers known.
-std::vector<std::string> plan_changes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
-                                      const SolvesOfSessions& solves);
+Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
+                    const SolvesOfSessions& solves);
 // Those, or that nothing was changed; and how many solves have a session that recorded no plan.
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);

@@ -1,15 +1,11 @@
 #include "analysis/inference/comparable.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "analysis/inference/study_facts.hpp"
-#include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::inference {
@@ -20,8 +16,6 @@ using namespace statistics;
 namespace {
 
 using SolverLabels = std::vector<std::string>;
-
-std::string list_of(const SolverLabels& labels) { return one_line(fmt::format("{}", fmt::join(labels, ", "))); }
 
 template <class Is>
 SolverLabels those(const StudyResults& study, Is is) {
@@ -38,10 +32,6 @@ bool has(std::span<const Solve> solves, CountedBy by) {
   return std::ranges::find(solves, by, &Solve::counted_by) != solves.end();
 }
 
-void add_sentence(std::string& text, const std::string& sentence) {
-  text += text.empty() || sentence.empty() ? sentence : " " + capitalised(sentence);
-}
-
 struct Disturbed {
   std::ptrdiff_t solves = 0, timed = 0;
 };
@@ -55,9 +45,7 @@ Disturbed disturbed(std::span<const Solve> solves) {
 }
 
 // Where solves end by their wall time, more than times depend on the machine.
-std::string and_errors(const StudyResults& study) {
-  return study.facts.stop.seconds > 0 ? " Solves end by their wall time, so that errors depend on that too." : "";
-}
+bool errors_too(const StudyResults& study) { return study.facts.stop.seconds > 0; }
 
 // Why times of solvers are left out, one kind after another. Those of a kind lack nothing else.
 struct TimesLeftOut {
@@ -78,34 +66,38 @@ struct TimesLeftOut {
   std::size_t size() const { return imported.size() + disturbed.size() + programs.size(); }
 };
 
-std::string disturbed_words(const StudyResults& study, const SolverLabels& labels) {
-  Disturbed found;
-  bool has_programs = false;
+Doubt imported_doubt(const StudyResults& study, const SolverLabels& labels) {
+  return {.kind = DoubtKind::times_imported,
+          .who = labels,
+          .count = static_cast<double>(timed(study, Timing::imported)),
+          .of = static_cast<double>(study.solves.size())};
+}
+
+Doubt disturbed_doubt(const StudyResults& study, const SolverLabels& labels) {
+  Doubt doubt{.kind = DoubtKind::times_disturbed, .who = labels, .errors_too = errors_too(study)};
   for (const std::string& label : labels) {
     const Disturbed own = disturbed(solves_of(study, label));
-    found.solves += own.solves;
-    found.timed += own.timed;
-    has_programs |= is_program(study, label);
+    doubt.count += static_cast<double>(own.solves);
+    doubt.of += static_cast<double>(own.timed);
+    doubt.has_programs |= is_program(study, label);
   }
-  return fmt::format("{} of {} solves took more than 1.1 times their CPU time{}, so other programs were running.{}",
-                     found.solves, found.timed,
-                     has_programs ? ", or waited for a processor for more than a tenth of it" : "", and_errors(study));
+  return doubt;
+}
+
+Doubts doubts_of(const StudyResults& study, const TimesLeftOut& kinds) {
+  Doubts doubts;
+  if (!kinds.imported.empty()) doubts.push_back(imported_doubt(study, kinds.imported));
+  if (!kinds.disturbed.empty()) doubts.push_back(disturbed_doubt(study, kinds.disturbed));
+  if (!kinds.programs.empty()) doubts.push_back({.kind = DoubtKind::times_of_programs, .who = kinds.programs});
+  return doubts;
 }
 
 LeftOut times_left_out(const StudyResults& study) {
   const TimesLeftOut kinds(study);
-  LeftOut result;
+  LeftOut result{.doubts = doubts_of(study, kinds)};
   for (const SolverLabels* labels : {&kinds.imported, &kinds.disturbed, &kinds.programs}) {
     result.solvers.insert(labels->begin(), labels->end());
   }
-  const auto add = [&](const SolverLabels& labels, const std::string& why) {
-    if (!labels.empty()) {
-      add_sentence(result.note, fmt::format("Times are left out: those of {}, because {}", list_of(labels), why));
-    }
-  };
-  add(kinds.imported, "its solves were imported, so their times were taken elsewhere.");
-  if (!kinds.disturbed.empty()) add(kinds.disturbed, disturbed_words(study, kinds.disturbed));
-  add(kinds.programs, programs_words("they"));
   return result;
 }
 
@@ -122,34 +114,27 @@ LeftOut evaluations_left_out(const StudyResults& study) {
   });
   LeftOut result;
   for (const SolverLabels* labels : {&nobody, &claimed}) result.solvers.insert(labels->begin(), labels->end());
-  if (!nobody.empty()) result.note = fmt::format("Nobody counted the evaluations of {}.", list_of(nobody));
-  if (!claimed.empty()) {
-    add_sentence(result.note,
-                 fmt::format("Evaluations of {} are not compared: they are its own word, and the others' were counted.",
-                             list_of(claimed)));
-  }
+  if (!nobody.empty()) result.doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
+  if (!claimed.empty()) result.doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
   return result;
 }
 
 // Of the whole study, whoever solved it.
-std::string machine_note(const StudyResults& study) {
+Doubts machine_doubts(const StudyResults& study) {
   const auto parallel = timed(study, Timing::parallel), debug = timed(study, Timing::debug_build);
+  Doubts doubts = cpu_doubts(study.cpus);
   if (parallel + debug > 0) {
-    return fmt::format(
-        "Times are not comparable: of {} solves, {} ran in parallel with others and {} in a debug build.{}",
-        study.solves.size(), parallel, debug, and_errors(study));
+    doubts = {{.kind = DoubtKind::solved_in_parallel,
+               .count = static_cast<double>(parallel),
+               .of = static_cast<double>(study.solves.size()),
+               .other = static_cast<double>(debug),
+               .is_of_all = true}};
   }
-  std::string note = cpu_note(study.cpus);
-  return note.empty() ? note : note + and_errors(study);
+  for (Doubt& doubt : doubts) doubt.errors_too = errors_too(study);
+  return doubts;
 }
 
 }  // namespace
-
-std::string programs_words(std::string_view whose) {
-  return fmt::format(
-      "{} have messages and another process in them. analysis.program_times = \"compared\" compares them all the same.",
-      whose);
-}
 
 LeftOut left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
@@ -162,31 +147,27 @@ StudyResults compared_in(StudyResults study, Metric metric) {
   return of_solvers(std::move(study), [&](std::string_view solver) { return !without.solvers.contains(solver); });
 }
 
-std::string timing_note(const StudyResults& study) {
-  if (std::string note = machine_note(study); !note.empty()) return note;
-  const TimesLeftOut without(study);
-  if (without.size() == 0 || without.size() + 2 <= study.solvers.size()) return "";
-  std::string why;
-  if (!without.imported.empty()) {
-    add_sentence(why, fmt::format("{} of {} solves were imported, so their times were taken elsewhere.",
-                                  timed(study, Timing::imported), study.solves.size()));
-  }
-  if (!without.disturbed.empty()) add_sentence(why, disturbed_words(study, study.solvers));
-  if (!without.programs.empty()) add_sentence(why, programs_words("those of " + list_of(without.programs)));
-  return "Times are not comparable: " + why;
+Doubts timing_doubts(const StudyResults& study) {
+  if (Doubts doubts = machine_doubts(study); !doubts.empty()) return doubts;
+  TimesLeftOut without(study);
+  if (without.size() == 0 || without.size() + 2 <= study.solvers.size()) return {};
+  if (!without.disturbed.empty()) without.disturbed = study.solvers;
+  Doubts doubts = doubts_of(study, without);
+  for (Doubt& doubt : doubts) doubt.is_of_all = true;
+  return doubts;
 }
 
-std::string timing_note(const StudyResults& study, std::string_view solver) {
-  if (std::string note = machine_note(study); !note.empty()) return note;
-  return timing_note(of_solvers(study, [&](std::string_view name) { return name == solver; }));
+Doubts timing_doubts(const StudyResults& study, std::string_view solver) {
+  if (Doubts doubts = machine_doubts(study); !doubts.empty()) return doubts;
+  return timing_doubts(of_solvers(study, [&](std::string_view name) { return name == solver; }));
 }
 
-std::string times_note(const StudyResults& study) {
-  std::string note = timing_note(study);
-  return note.empty() ? left_out(study, Metric::seconds).note : note;
+Doubts times_doubts(const StudyResults& study) {
+  Doubts doubts = timing_doubts(study);
+  return doubts.empty() ? left_out(study, Metric::seconds).doubts : doubts;
 }
 
-bool times_are_comparable(const StudyResults& study) { return timing_note(study).empty(); }
+bool times_are_comparable(const StudyResults& study) { return timing_doubts(study).empty(); }
 
 bool is_comparable(const StudyResults& study, Metric metric) {
   return info_of(metric).kind != Kind::time || times_are_comparable(study);
@@ -202,31 +183,25 @@ bool is_program(const StudyResults& study, std::string_view solver) {
   return std::ranges::find(solves, Timing::process, &Solve::timing) != solves.end();
 }
 
-std::string cpu_note(const std::set<std::string>& cpus) {
-  return cpus.size() < 2
-             ? ""
-             : fmt::format("Times are not comparable: they come from different machines ({}).", fmt::join(cpus, ", "));
+Doubts cpu_doubts(const std::set<std::string>& cpus) {
+  if (cpus.size() < 2) return {};
+  return {{.kind = DoubtKind::several_machines, .who = {cpus.begin(), cpus.end()}, .is_of_all = true}};
 }
 
-std::string transport_note(const StudyResults& study) {
-  std::vector<std::string> found;
-  for (const std::string& solver : study.solvers) {
+Doubts transport_doubts(const StudyResults& study) {
+  const SolverLabels found = those(study, [&](const std::string& solver) {
     const std::vector<double>& shares = gathered_of(study, solver).transport_shares;
-    if (!shares.empty() && median(shares) >= 0.5) found.push_back(one_line(solver));
-  }
-  return found.empty() ? ""
-                       : fmt::format("At least half of the time of {} is transport: messages to the program and back.",
-                                     fmt::join(found, ", "));
+    return !shares.empty() && median(shares) >= 0.5;
+  });
+  if (found.empty()) return {};
+  return {{.kind = DoubtKind::mostly_transport, .who = found}};
 }
 
-std::string evaluation_note(const StudyResults& measured) {
-  if (!times_are_comparable(measured)) return "";
+Doubts evaluation_doubts(const StudyResults& measured) {
+  if (!times_are_comparable(measured)) return {};
   const StudyResults study = compared_in(measured, Metric::seconds);
-  if (study.external.empty() || study.external.size() == study.solvers.size()) return "";
-  return fmt::format(
-      "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; {} "
-      "(library, program or shared object) may evaluate one by one.",
-      one_line(fmt::format("{}", fmt::join(study.external, ", "))));
+  if (study.external.empty() || study.external.size() == study.solvers.size()) return {};
+  return {{.kind = DoubtKind::evaluated_one_by_one, .who = study.external}};
 }
 
 }  // namespace ikbench::inference

@@ -71,15 +71,14 @@ std::size_t rows_of(const std::vector<GroupRun>& keys, const GroupRun& key) {
   return static_cast<std::size_t>(last - first);
 }
 
-std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request) {
+std::string rows_share_a_run(const CsvFile& file, const Contents& contents, const CsvRequest& request) {
   constexpr std::string_view why = "points of one run depend on each other and are not replicates";
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
     if (!numbers_runs(title, request)) continue;
     const auto [shared, told_by] = shared_run(file, contents, request, column);
     if (shared.empty()) continue;
-    if (request.replicates == Replicates::as_given)
-      return fmt::format("{}; {}; used as observations anyway", shared, why);
+    if (request.replicates == Replicates::as_given) return shared;
     const std::string run = one_line(title);
     if (told_by.empty())
       file.refuse(fmt::format("{}; {}; average them with --run {}, or accept them with --force", shared, why, run));

@@ -30,6 +30,6 @@ std::vector<GroupRun> group_runs(const Contents& contents, const RunOf& run_of) 
 std::size_t rows_of(const std::vector<GroupRun>& keys, const GroupRun& key);
 
 // Refuses rows that are no replicates, or says why they are none.
-std::string flaw_of(const CsvFile& file, const Contents& contents, const CsvRequest& request);
+std::string rows_share_a_run(const CsvFile& file, const Contents& contents, const CsvRequest& request);
 
 }  // namespace ikbench::inference

@@ -114,6 +114,7 @@ std::string block_of(Blocks blocks) {
 Observations without_groups(const Quantity& quantity) {
   return {.name = quantity.name,
           .quantity = quantity.text,
+          .unit = quantity.unit,
           .better = quantity.better,
           .scale = quantity.scale,
           .notes = quantity.notes};
@@ -161,7 +162,7 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
         fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
   }
   if (info_of(metric).kind != Kind::time) return;
-  if (std::string note = timing_note(study); !note.empty()) result.flaw = std::move(note);
+  if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
 }
 
 // Of solvers that repeat themselves; empty where none does.
@@ -196,19 +197,17 @@ std::set<std::string_view> partial_imports(const StudyResults& study) {
 
 }  // namespace
 
-std::string why_not_blocked(const StudyResults& study) {
+Doubts why_not_blocked(const StudyResults& study) {
   if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty())
     return why_not_blocked(of_solvers(study, [&](std::string_view solver) { return !partial.contains(solver); }));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
-    return study.facts.path.kind.empty()
-               ? "There are no blocks: the study does not state its path."
-               : "There are no blocks: each solve starts where the solver's previous answer left the arm.";
+    return {{study.facts.path.kind.empty() ? DoubtKind::no_path_for_blocks : DoubtKind::chained_solves}};
   }
-  if (!were_given_the_same(study, blocks)) return "There are no blocks: the solvers did not have the same targets.";
+  if (!were_given_the_same(study, blocks)) return {{DoubtKind::other_targets}};
   const std::size_t count = layout(study, blocks).size();
-  if (count == 0) return "There are no blocks: no run is complete for all solvers.";
-  return count == 1 ? "There are no blocks to compare, because there is only one." : "";
+  if (count > 1) return {};
+  return {{count == 0 ? DoubtKind::no_common_run : DoubtKind::single_block}};
 }
 
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, Estimand estimand) {
@@ -237,9 +236,9 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
 }
 
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
-  if (LeftOut without = left_out(study, metric); is_comparable(study, metric) && !without.solvers.empty()) {
+  if (const LeftOut without = left_out(study, metric); is_comparable(study, metric) && !without.solvers.empty()) {
     Observations result = observations(compared_in(study, metric), metric, estimand);
-    result.notes.push_back(std::move(without.note));
+    result.notes.push_back(words_of(without.doubts));
     return result;
   }
   const Unit unit = study.plan.unit;
@@ -249,8 +248,8 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   const Quantity quantity = quantity_of(study, metric, estimand);
   Observations result = without_groups(quantity);
   result.replicate = replicate_of(study, unit, quantity.average);
-  if (unit == Unit::point) result.flaw = points_flaw;
-  if (unit == Unit::run) result.notes.push_back(why_not_blocked(study));
+  if (unit == Unit::point) result.flaws = {{DoubtKind::points_as_observations}};
+  if (unit == Unit::run) result.notes.push_back(words_of(why_not_blocked(study)));
   std::vector<Sample> all = samples(study, quantity.value);
   result.notes.push_back(copies_note(all));
   for (Sample& sample : all) {

@@ -14,9 +14,6 @@
 
 namespace ikbench::inference {
 
-constexpr std::string_view points_flaw =
-    "points of one run depend on each other; used as observations because --force was given";
-
 // What all solvers are given alike; where solves are chained, where one starts is the solver's own doing.
 enum class Blocks { none, runs, drawn_targets, path_targets };
 
@@ -49,7 +46,7 @@ Observations observations(const StudyResults& study, Metric metric);  // by its 
 // An import that would take runs from several other solvers is left out, and a note says so.
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 
-// Why there is none, in a sentence; empty where there is one.
-std::string why_not_blocked(const StudyResults& study);
+// Why there is none; empty where there is one.
+Doubts why_not_blocked(const StudyResults& study);
 
 }  // namespace ikbench::inference

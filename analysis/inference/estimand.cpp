@@ -60,8 +60,8 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
 }
 
 // In a study with a tolerance, so that none gains by answers that solve nothing.
-void penalise(Quantity& result, double limit) {
-  result.text = "penalised " + result.text;
+void penalise(Quantity& result, Metric metric, double limit) {
+  result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
   result.notes.push_back(fmt::format(
       "A solve without status ok costs {0:g} times the limit, {0:g} times {1} (PAR10), so that no solver "
       "gains by answers that solve nothing. The limit is the study's, or without one what the dearest solve "
@@ -83,6 +83,7 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   Quantity result{.name = std::string(info.slug),
                   .text = quantity(metric),
+                  .unit = std::string(info.unit),
                   .better = info.better,
                   .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
                   .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
@@ -90,7 +91,7 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
     count_solved_runs(result, study, metric);
   } else if (is_penalised(study, metric)) {
     const double limit = limit_of(study, metric);
-    penalise(result, limit);
+    penalise(result, metric, limit);
     result.value = averaged(counted_value(study, metric, limit), average_of(metric));
   }
   const double least = least_of(study, metric);
@@ -117,11 +118,12 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
   const bool is_average = average_estimand(metric) == Estimand::typical;
   Quantity result{.name = is_average ? std::string(info.slug) : fmt::format("{}-typical", info.slug),
                   .text = quantity(metric),
+                  .unit = std::string(info.unit),
                   .better = info.better,
                   .scale = ValueScale::log10,
                   .average = is_average ? std::string(average_name(metric)) : "geometric mean"};
   const double limit = is_penalised(study, metric) ? limit_of(study, metric) : not_defined;
-  if (is_penalised(study, metric)) penalise(result, limit);
+  if (is_penalised(study, metric)) penalise(result, metric, limit);
   result.text = "typical " + result.text;
   result.value = averaged(
       [counted = counted_value(study, metric, limit), least = info.rounding](const Solve& solve) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/inference/metrics.hpp"
@@ -12,10 +13,12 @@
 namespace ikbench::inference {
 
 constexpr double penalty = 10;
+constexpr std::string_view penalty_words = "failures: 10 times the limit";
 
 struct Quantity {
   std::string name;  // of files and anchors: "error", "error-typical", "error-reliability"
   std::string text;  // with its unit in brackets: "typical position error [cm]"
+  std::string unit = {};
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
   std::string average = "mean";         // what an observation is of its solves, in words

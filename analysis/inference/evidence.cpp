@@ -93,8 +93,9 @@ Evidence begin(const Given& given, const AnalysisPlan& plan) {
   Evidence evidence;
   evidence.name = given.name;
   evidence.quantity = one_line(given.quantity);
+  evidence.unit = given.unit;
   evidence.better = given.better;
-  evidence.margin = std::max(given.margin, is_in_cm(evidence.quantity) ? plan.margin_cm : 0);
+  evidence.margin = std::max(given.margin, evidence.unit == "cm" ? plan.margin_cm : 0);
   evidence.plan = plan;
   return evidence;
 }
@@ -304,7 +305,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.block_noun = observations.block_noun;
   result.blocks = observations.blocks.size();
   result.notes = observations.notes;
-  result.flaw = observations.flaw;
+  result.flaws = observations.flaws;
   result.of_outcomes = are_outcomes(observations) &&
                        std::ranges::all_of(observations.groups, [](const Group& group) { return group.copies == 0; });
   std::vector<GroupSummary> summaries;

@@ -89,7 +89,7 @@ struct Contrast {
 inline bool is_decided(const Contrast& contrast) { return is_difference(contrast.relation); }
 
 struct Evidence {
-  std::string name, quantity;
+  std::string name, quantity, unit = {};
   Better better = Better::smaller;
   // log10: tests are of the logarithms. What is told is in the quantity's unit: means are geometric, a difference is
   // the ratio first by second; standard deviations are of the logarithms.
@@ -98,7 +98,7 @@ struct Evidence {
   std::size_t blocks = 0;
   bool from_summaries = false;
   std::vector<std::string> notes = {};
-  std::string flaw = {};
+  Doubts flaws = {};
   double margin = 0;                // absolute, in the unit of the quantity: the plan's in cm, or one of its own
   results::AnalysisPlan plan = {};  // its test is never by_design here, but the one that decides
   const Method* method = nullptr;   // that decides (method.hpp)

@@ -51,8 +51,8 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
   const auto found = std::ranges::find_if(evidence.contrasts, [&](const Contrast& contrast) {
     return contrast.first == std::min(one, other) && contrast.second == std::max(one, other);
   });
-  if (!evidence.flaw.empty()) {
-    result.undefined = evidence.flaw;
+  if (!evidence.flaws.empty()) {
+    result.undefined = words_of(evidence.flaws);
   } else if (found == evidence.contrasts.end()) {
     result.undefined = "the plan does not compare the two";
   } else {

@@ -1,11 +1,8 @@
 #include "analysis/inference/look_note.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-
-#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 
@@ -17,23 +14,24 @@ int runs_looked_at(const StudyResults& study) {
   return runs;
 }
 
-std::string look_note(const std::vector<Look>& looks, int runs, double significance) {
+Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance) {
   std::vector<std::string> earlier;
   for (const Look& look : looks) {
     if (look.runs != runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
   }
-  if (earlier.empty()) return "";
+  if (earlier.empty()) return {};
   constexpr std::size_t most_named = 5;
   const std::size_t number_of_earlier = earlier.size();
   if (number_of_earlier > most_named) earlier.erase(earlier.begin(), earlier.end() - most_named);
   const std::size_t number = number_of_earlier + 1;
   const double level = significance / static_cast<double>(number * (number - 1));
-  return fmt::format(
-      "This is look {} at this study: {} were after {} runs, and now there are {}. Whoever adds runs until p is "
-      "small finds differences that are none. So take for a difference only p below {} here: then all looks after the "
-      "first together find one that is none in at most {} of studies. Or plan the looks: ikbench compare --sequential.",
-      number, number_of_earlier > most_named ? "the latest before it" : "earlier ones", fmt::join(earlier, ", "), runs,
-      rounded_number(level, 3), percent(significance));
+  return {{.kind = DoubtKind::looked_before,
+           .who = earlier,
+           .count = static_cast<double>(number),
+           .of = static_cast<double>(runs),
+           .value = level,
+           .limit = 100 * significance,
+           .what = number_of_earlier > most_named ? "the latest before it" : "earlier ones"}};
 }
 
 }  // namespace ikbench::inference

@@ -14,8 +14,6 @@ namespace ikbench::inference {
 using namespace results;
 using namespace statistics;
 
-bool is_in_cm(std::string_view quantity) { return quantity.ends_with("[cm]") || quantity.ends_with("_cm"); }
-
 bool has_absolute_margin(const Evidence& evidence) {
   return evidence.margin > 0 && evidence.scale == ValueScale::plain;
 }

@@ -14,8 +14,6 @@
 
 namespace ikbench::inference {
 
-// Whether the quantity's name says so: "position error [cm]", "position_error_cm".
-bool is_in_cm(std::string_view quantity);
 bool has_absolute_margin(const Evidence& evidence);
 
 // "5 %", "5 % or 0.01 cm", "0.01 cm"; 0: there is no absolute one.

@@ -1,7 +1,5 @@
 #include "analysis/inference/metrics.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -62,10 +60,9 @@ const MetricInfo& info_of(Metric metric) { return row(metric); }
 
 std::string_view name_of(Metric metric) { return row(metric).column; }
 
-std::string quantity(Metric metric) {
-  const MetricInfo& info = row(metric);
-  return info.unit.empty() ? std::string(info.name) : fmt::format("{} [{}]", info.name, info.unit);
-}
+NameWithUnit with_unit(Metric metric) { return {std::string(row(metric).name), std::string(row(metric).unit)}; }
+
+std::string quantity(Metric metric) { return text_of(with_unit(metric)); }
 
 bool is_of_run(Metric metric) { return row(metric).of_run != nullptr; }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations.hpp"
 #include "analysis/inference/solve.hpp"
 
@@ -53,10 +54,11 @@ struct MetricInfo {
 // std::out_of_range for what is no row.
 const MetricInfo& info_of(Metric metric);
 std::string_view name_of(Metric metric);  // the column's name
-std::string quantity(Metric metric);      // "position error [cm]"
-bool is_of_run(Metric metric);            // alone: a single solve has no value
-bool is_error(Metric metric);             // how far an answer is from its target
-bool is_cost(Metric metric);              // what an answer takes: a solver that does nothing has the least
+NameWithUnit with_unit(Metric metric);
+std::string quantity(Metric metric);  // "position error [cm]"
+bool is_of_run(Metric metric);        // alone: a single solve has no value
+bool is_error(Metric metric);         // how far an answer is from its target
+bool is_cost(Metric metric);          // what an answer takes: a solver that does nothing has the least
 // Of a solve, and of what is one observation. Not defined where the metric has no meaning in the study.
 double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);

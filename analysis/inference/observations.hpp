@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/doubt.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::inference {
@@ -27,8 +28,9 @@ struct Group {
 };
 
 struct Observations {
-  std::string name;      // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
-  std::string quantity;  // with its unit in brackets: "position error [cm]"
+  std::string name;       // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
+  std::string quantity;   // with its unit in brackets: "position error [cm]"
+  std::string unit = {};  // of the values; empty where there is none, or nobody says
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
   std::vector<Group> groups = {};  // values may be infinite, and NaN where a solver diverged
@@ -40,7 +42,7 @@ struct Observations {
   std::string block_noun = "blocks";    // as they are called in sentences: "targets"
   std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
   double margin = 0;                    // absolute, in the unit of the values; 0: none but the plan's
-  std::string flaw = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
+  Doubts flaws = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
 };
 
 struct SummaryGroup {
@@ -51,6 +53,7 @@ struct SummaryGroup {
 struct Summaries {
   std::string name;
   std::string quantity;
+  std::string unit = {};
   Better better = Better::smaller;
   std::vector<SummaryGroup> groups = {};
   std::vector<std::string> notes = {};

@@ -15,6 +15,7 @@
 #include "analysis/inference/csv_cells.hpp"
 #include "analysis/inference/csv_contents.hpp"
 #include "analysis/inference/csv_replicates.hpp"
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -63,11 +64,6 @@ std::string counts_in_words(const std::vector<Observation>& observations) {
   return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
 }
 
-void add_flaw(Observations& result, const std::string& flaw) {
-  if (flaw.empty()) return;
-  result.flaw += (result.flaw.empty() ? "" : "; ") + flaw;
-}
-
 // The number of rows of a whole run where there are no blocks: that of most runs, of equals the larger. Runs with more
 // are refused, or told where rows are taken as given.
 std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
@@ -92,7 +88,7 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
   if (request.replicates == Replicates::checked)
     file.refuse(words +
                 "; a row may be duplicated, or the other runs may lack rows; --force averages them as they are");
-  add_flaw(result, words + "; averaged anyway");
+  result.flaws.push_back({.kind = DoubtKind::uneven_runs, .what = words});
   return whole;
 }
 
@@ -178,8 +174,6 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
   return words;
 }
 
-constexpr std::string_view flattered = "a group that failed there looks better than it is";
-
 // The values of a group in a block, where a block is given: one each.
 void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;  // by group and block
@@ -237,10 +231,8 @@ void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view wh
         fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, blocks.size(), example));
   }
   if (const std::string words = in_words(lacks, "blocks", cells.groups); !words.empty()) {
-    add_flaw(result, fmt::format("values are missing in {}; {}; {}", words,
-                                 some_averaged ? "the remaining values of these blocks are averaged"
-                                               : "these blocks are left out for all groups",
-                                 flattered));
+    result.flaws.push_back(
+        {.kind = some_averaged ? DoubtKind::blocks_averaged : DoubtKind::blocks_left_out, .what = words});
   }
   result.blocks = std::move(complete);
 }
@@ -323,14 +315,20 @@ Observations read_observations(std::string_view text, std::string_view source, c
     file.refuse("all values are missing; expected at least one");
   }
   const std::string quantity = (is_typical ? "typical " : "") + (request.value.empty() ? "value" : request.value);
-  Observations result{.name = slug(quantity), .quantity = quantity, .better = request.better, .scale = request.scale};
+  Observations result{.name = slug(quantity),
+                      .quantity = quantity,
+                      .unit = split_unit(quantity).unit,
+                      .better = request.better,
+                      .scale = request.scale};
   result.notes = std::move(contents.notes);
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
   result.blocks = label(file, request, contents);
   result.replicate = "a row of " + file.name();
   if (request.run.empty() && request.block.empty()) {
-    add_flaw(result, flaw_of(file, contents, request));
-    if (result.flaw.empty()) add_absent_rows(file, request, contents);
+    if (std::string shared = rows_share_a_run(file, contents, request); !shared.empty()) {
+      result.flaws.push_back({.kind = DoubtKind::rows_share_a_run, .what = std::move(shared)});
+    }
+    if (result.flaws.empty()) add_absent_rows(file, request, contents);
   }
   if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
     result.notes.push_back(
@@ -353,7 +351,8 @@ Observations read_observations(std::string_view text, std::string_view source, c
     }
     const std::string words = in_words(lacks_of(contents), request.run.empty() ? "values" : "runs", contents.groups);
     if (!words.empty())
-      add_flaw(result, fmt::format("{}: {}; {}", request.run.empty() ? "missing" : "incomplete", words, flattered));
+      result.flaws.push_back(
+          {.kind = request.run.empty() ? DoubtKind::values_missing : DoubtKind::runs_incomplete, .what = words});
     join_equal(result, what);
     return result;
   }

@@ -1,7 +1,6 @@
 #include "analysis/inference/speeds.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,22 +76,19 @@ std::optional<TwoSpeeds> two_speeds(const std::vector<double>& paces) {
 
 }  // namespace
 
-std::string speeds_note(const StudyResults& study) {
+Doubts speed_doubts(const StudyResults& study) {
   std::vector<std::string> shares;
   std::vector<double> ratios;
   for (const std::string& solver : study.solvers) {
     const std::vector<double> paces = paces_of(study, solver);
     if (paces.size() < fewest) continue;
     const std::optional<TwoSpeeds> found = two_speeds(paces);
-    if (!found) return "";
+    if (!found) return {};
     ratios.push_back(found->ratio);
     shares.push_back(fmt::format("{} {}", one_line(solver), percent(found->slow_share)));
   }
-  if (shares.size() < 2) return "";
-  return fmt::format(
-      "The machine had two speeds: the solves of every solver are in two groups, and an evaluation of the slow ones took "
-      "{} times as long. Slow solves: {}. Measure times again on a machine whose clock is fixed.",
-      rounded_number(median(ratios), 2), fmt::join(shares, ", "));
+  if (shares.size() < 2) return {};
+  return {{.kind = DoubtKind::two_speeds, .who = shares, .value = median(ratios)}};
 }
 
 }  // namespace ikbench::inference

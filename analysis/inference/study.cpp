@@ -116,8 +116,7 @@ double seconds_of(const StudyResults& study, const Solve& solve) {
 }
 
 bool departs_from_paper(const StudyResults& study) {
-  const auto is_without = [](const std::string& departure) { return departure.starts_with("no "); };
-  return !study.departed_from.empty() || std::ranges::any_of(study.facts.departures, is_without);
+  return !study.departed_from.empty() || !study.facts.missing_solvers.empty();
 }
 
 bool enforces_limits(const StudyResults& study) { return study.facts.enforces_limits; }

@@ -93,6 +93,7 @@ StudyFacts facts_of(const Json& all, std::string definition) {
           .robot = text(all, "robot"),
           .start = text(all, "start"),
           .departures = texts(part(all, "departures")),
+          .missing_solvers = texts(part(all, "missing_solvers")),
           .enforces_limits = text(all, "limits") == "enforced",
           .draws_targets = text(path, "targets") == "drawn" || text(path, "kind") == "random",
           .orientation = search != "all_joints",

@@ -46,7 +46,8 @@ struct StudyFacts {
   std::string published = {};  // paper whose printed tables it is held against (results/published), or empty
   std::string robot = {};
   std::string start = {};
-  std::vector<std::string> departures = {};  // what of the published study's definition was changed
+  std::vector<std::string> departures = {};       // what of the published study's definition was changed
+  std::vector<std::string> missing_solvers = {};  // of the published study
   bool enforces_limits = false;
   bool draws_targets = false;         // anew for every run; else the targets of a run follow each other
   bool orientation = true;            // is searched for, and not the position alone

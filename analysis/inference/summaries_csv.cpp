@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "analysis/inference/csv_cells.hpp"
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations_csv.hpp"
 
 namespace ikbench::inference {
@@ -72,7 +73,7 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
     }
     auto summaries = std::ranges::find(result, of, &Summaries::quantity);
     if (summaries == result.end()) {
-      result.push_back({.name = slug(of), .quantity = of});
+      result.push_back({.name = slug(of), .quantity = of, .unit = split_unit(of).unit});
       summaries = result.end() - 1;
     }
     std::int64_t all = group.summary.n;

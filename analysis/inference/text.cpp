@@ -180,7 +180,7 @@ std::string capitalised(std::string_view text) {
 
 std::string range_words(double low, double high) {
   constexpr double widest = 100;
-  if (!(high <= widest * low)) return fmt::format("{:.0f} or more", low);
+  if (!(high <= widest * low)) return fmt::format("at least {:.0f}", low);
   return low == high ? fmt::format("{:.0f}", low) : fmt::format("{:.0f} to {:.0f}", low, high);
 }
 

@@ -26,7 +26,7 @@ std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);  // 2430, not 2.4e+03: all digits before the point
 std::string short_number(double value);                            // three digits, or "not defined"
-// "31 to 122", "31"; "31 or more" where the range has no end, or says nothing, because it is of more than a factor of
+// "31 to 122", "31"; "at least 31" where the range has no end, or says nothing, because it is of more than a factor of
 // 100.
 std::string range_words(double low, double high);
 std::string percent(double share);  // "5 %", three digits

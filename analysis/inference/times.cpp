@@ -85,26 +85,16 @@ Outliers outliers_of(const StudyResults& study) {
   return found;
 }
 
-std::string machine_words(const StudyResults& study) {
-  std::string words;
-  if (const auto& interruptions = study.gathered->interruptions)
-    words += fmt::format(" The system interrupted the solves {} times.", *interruptions);
-  if (std::isfinite(study.stolen_seconds)) {
-    words += fmt::format(" Meanwhile the host kept {} s of processor time from this machine.",
-                         rounded_number(study.stolen_seconds, 3));
-  }
-  return words;
-}
-
-std::string note_on(const Outliers& found, const StudyResults& study) {
-  if (found.solves == 0) return "";
-  return fmt::format(
-      "{} of {} solves took more than {} times as long as usual{}. The worst is {}, run {}, point {}: {} ms instead of "
-      "{} ms.{} For the verdict such a solve counts as usual, so it decides nothing.",
-      found.solves, study.solves.size(), outlying, found.worst->is_repeated ? " in one of their repeats" : "",
-      one_line(study.gathered->labels[found.worst->solver]), found.worst->run, found.worst->point,
-      rounded_number(ms_per_second * found.worst->seconds, 3), rounded_number(ms_per_second * found.worst->usual, 3),
-      machine_words(study));
+Doubt slow_doubt(const Outliers& found, const StudyResults& study) {
+  const Outlier& worst = *found.worst;
+  return {.kind = DoubtKind::slow_solves,
+          .count = static_cast<double>(found.solves),
+          .of = static_cast<double>(study.solves.size()),
+          .other = outlying,
+          .value = ms_per_second * worst.seconds,
+          .limit = ms_per_second * worst.usual,
+          .what = fmt::format("{}, run {}, point {}{}", one_line(study.gathered->labels[worst.solver]), worst.run,
+                              worst.point, worst.is_repeated ? ", in one of its repeats" : "")};
 }
 
 }  // namespace
@@ -124,16 +114,27 @@ ValueOf undisturbed_seconds(const StudyResults& study) {
 }
 
 std::string speed_note(const StudyResults& study) {
-  const std::string uncounted = left_out(study, Metric::evaluations).note;
+  const std::string uncounted = words_of(left_out(study, Metric::evaluations).doubts);
   return uncounted.empty() ? std::string(median_speed_words)
                            : fmt::format("{} {} Their times are as measured.", median_speed_words, uncounted);
 }
 
-std::string outliers_note(const StudyResults& study) { return note_on(outliers_of(study), study); }
+Doubts outlier_doubts(const StudyResults& study) {
+  const Outliers found = outliers_of(study);
+  if (found.solves == 0) return {};
+  Doubts doubts{slow_doubt(found, study)};
+  if (const auto& count = study.gathered->interruptions) {
+    doubts.push_back({.kind = DoubtKind::interruptions, .count = static_cast<double>(*count)});
+  }
+  if (std::isfinite(study.stolen_seconds)) {
+    doubts.push_back({.kind = DoubtKind::stolen_time, .value = study.stolen_seconds});
+  }
+  return doubts;
+}
 
-std::string repeats_note(const StudyResults& study) {
+Doubts repeat_doubts(const StudyResults& study) {
   const double defined = study.facts.repeats;
-  if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return "";  // those are made once
+  if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return {};  // those are made once
   std::int64_t others = 0;
   int fewest = std::numeric_limits<int>::max(), most = 0;
   for (const auto& [repeats, solves] : study.gathered->repeats) {
@@ -142,20 +143,25 @@ std::string repeats_note(const StudyResults& study) {
     fewest = std::min(fewest, repeats);
     most = std::max(most, repeats);
   }
-  if (others == 0) return "";
-  return fmt::format("{} of {} solves were timed by another definition of the study: {} repeats each instead of {}.",
-                     others, study.solves.size(),
-                     fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most), defined);
+  if (others == 0) return {};
+  return {{.kind = DoubtKind::other_repeats,
+           .count = static_cast<double>(others),
+           .of = static_cast<double>(study.solves.size()),
+           .value = defined,
+           .what = range_words(fewest, most)}};
 }
 
-std::string load_warning(const StudyResults& study) {
+Doubts load_doubts(const StudyResults& study) {
   const Outliers found = outliers_of(study);
   bool is_loaded = false;
   for (std::size_t i = 0; i < found.of_solver.size(); ++i) {
     const std::size_t solves = solves_of(study, study.gathered->labels[i]).size();
     is_loaded |= found.of_solver[i] > 1 && found.of_solver[i] > loaded * static_cast<double>(solves);
   }
-  return is_loaded ? "The machine was loaded. " + note_on(found, study) : "";
+  if (!is_loaded) return {};
+  Doubt doubt = slow_doubt(found, study);
+  doubt.kind = DoubtKind::machine_loaded;
+  return {doubt};
 }
 
 }  // namespace ikbench::inference

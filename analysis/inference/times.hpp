@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/inference/doubt.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
@@ -18,18 +19,18 @@ constexpr std::string_view median_speed_words =
 // These words, and of which solvers they are not true.
 std::string speed_note(const StudyResults& study);
 
-// The time of a solve; of one that took more than three times as long as usual, its usual time (outliers_note). `study`
-// outlives the result.
+// The time of a solve; of one that took more than three times as long as usual, its usual time (outlier_doubts).
+// `study` outlives the result.
 ValueOf undisturbed_seconds(const StudyResults& study);
 
-// Which solves took more than three times as long as usual, and what the machine did meanwhile; empty where none did.
+// Which solves took more than three times as long as usual, and what the machine did meanwhile; none where none did.
 // Usual is the shortest repeat, or where there is one alone what at_median_speed() has.
-std::string outliers_note(const StudyResults& study);
+Doubts outlier_doubts(const StudyResults& study);
 
-// Which solves were not made as often as the study's `repeats` now says; empty where there are none.
-std::string repeats_note(const StudyResults& study);
+// Which solves were not made as often as the study's `repeats` now says.
+Doubts repeat_doubts(const StudyResults& study);
 
-// What outliers_note() says, where so many of one solver's solves took long that the machine was loaded; else empty.
-std::string load_warning(const StudyResults& study);
+// The same where so many of one solver's solves took long that the machine was loaded.
+Doubts load_doubts(const StudyResults& study);
 
 }  // namespace ikbench::inference

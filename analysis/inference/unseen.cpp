@@ -7,8 +7,8 @@
 
 namespace ikbench::inference {
 
-std::string unseen_words(int observations, std::string_view of_what, double significance) {
-  return fmt::format("as far as {} {} can show: a failure in up to {} % of them is not excluded", observations, of_what,
+std::string rare_failures_words(int observations, std::string_view of_what, double significance) {
+  return fmt::format("{} {} do not exclude a failure in up to {} % of them", observations, of_what,
                      rounded_number(100 * statistics::most_without_success(observations, significance), 2));
 }
 

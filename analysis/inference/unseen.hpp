@@ -6,7 +6,7 @@
 
 namespace ikbench::inference {
 
-// "as far as 20 runs can show: a failure in up to 14 % of them is not excluded"
-std::string unseen_words(int observations, std::string_view of_what, double significance);
+// "20 runs do not exclude a failure in up to 14 % of them"
+std::string rare_failures_words(int observations, std::string_view of_what, double significance);
 
 }  // namespace ikbench::inference

@@ -32,7 +32,8 @@ constexpr std::size_t most_named = 20;
 // What decides or describes numbers; a name does neither, and the arm, the departures and what is out of reach
 // follow from the rest.
 bool counts(std::string_view key) {
-  constexpr std::array<std::string_view, 6> others{"name", "title", "published", "trace", "departures", "arm"};
+  constexpr std::array<std::string_view, 7> others{"name",       "title",           "published", "trace",
+                                                   "departures", "missing_solvers", "arm"};
   const std::string_view part = key.substr(0, key.find('.'));
   return std::ranges::find(others, part) == others.end() &&
          std::ranges::find(decide_no_solve, part) == decide_no_solve.end();
@@ -77,21 +78,20 @@ Facts known_of(const Provenance& of) {
 
 }  // namespace
 
-std::string why_times_differ(const std::vector<Session>& a, const std::vector<Session>& b) {
+Doubts why_times_differ(const std::vector<Session>& a, const std::vector<Session>& b) {
   std::set<std::string> cpus = values_of(a, "cpu");
   cpus.merge(values_of(b, "cpu"));
   if (a.empty() || b.empty() || cpus.contains("unknown")) {
-    return "Times are not comparable: the stores do not name the CPU.";
+    return {{.kind = DoubtKind::unknown_machine, .is_of_all = true}};
   }
   std::vector<Session> sessions = a;
   std::ranges::copy(b, std::back_inserter(sessions));
-  if (std::string note = cpu_note(machines_of(sessions)); !note.empty()) return note;
+  if (Doubts doubts = cpu_doubts(machines_of(sessions)); !doubts.empty()) return doubts;
   const auto is_same = [](const Session& one, const Session& other) {
     return one.id == other.id && one.environment == other.environment;
   };
-  if (std::ranges::equal(a, b, is_same)) return "";
-  return "Times are not comparable: A and B were solved in separate sessions, and a machine that is slower in one of "
-         "them slows all its runs. Run both as labels of one study.";
+  if (std::ranges::equal(a, b, is_same)) return {};
+  return {{.kind = DoubtKind::separate_sessions, .is_of_all = true}};
 }
 
 std::string differences(const Provenance& a, const Provenance& b) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/doubt.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::inference {
@@ -17,7 +18,7 @@ struct Provenance {
 
 // Why times of different sessions cannot be compared: they are of several CPUs or of unknown ones, or of separate
 // sessions, whose differences no number of runs shows; empty where they can.
-std::string why_times_differ(const std::vector<results::Session>& a, const std::vector<results::Session>& b);
+Doubts why_times_differ(const std::vector<results::Session>& a, const std::vector<results::Session>& b);
 
 // "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or that the stores tell no difference.
 std::string differences(const Provenance& a, const Provenance& b);

@@ -236,15 +236,14 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     const Observations observed = observations(study, metric, estimand);
     for (const std::string& note : observed.notes) comparison.notes.push_back(note);
     const auto group = [&](const char* name) { return std::ranges::find(observed.groups, name, &Group::name); };
-    const std::string why_not = info_of(metric).kind == Kind::time ? of.times_differ : "";
-    if (!why_not.empty() || !observed.flaw.empty() || group(name_of_a) == observed.groups.end() ||
-        group(name_of_b) == observed.groups.end()) {
+    const Doubts& why_not =
+        info_of(metric).kind == Kind::time && !of.times_differ.empty() ? of.times_differ : observed.flaws;
+    if (!why_not.empty() || group(name_of_a) == observed.groups.end() || group(name_of_b) == observed.groups.end()) {
       row.is_compared = false;
       const auto has_nobody = [&](const Solve& solve) { return solve.counted_by == CountedBy::nobody; };
       row.is_counted = metric != Metric::evaluations || std::ranges::none_of(study.solves, has_nobody);
       row.remark = row.is_counted ? "see below" : "nobody counted";
-      if (!why_not.empty()) comparison.notes.push_back(why_not);
-      if (why_not.empty() && !observed.flaw.empty()) comparison.notes.push_back(observed.flaw);
+      std::ranges::move(list_of(why_not), std::back_inserter(comparison.notes));
       continue;
     }
     try {
@@ -356,7 +355,7 @@ void add_remarks(MetricComparison& row, double significance) {
     return add_remark(row, what_would_show(row));
   }
   if (contrast.relation == Relation::better || row.is_by_ranks) return;
-  add_remark(row, unseen_words(std::min(row.n_a, row.n_b), fmt::format("{}s", row.observation), row.level));
+  add_remark(row, rare_failures_words(std::min(row.n_a, row.n_b), fmt::format("{}s", row.observation), row.level));
 }
 
 }  // namespace

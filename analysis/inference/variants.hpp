@@ -35,8 +35,8 @@ struct VariantPair {
 struct VariantStudy {
   std::string label;
   StudyResults study;
-  std::string times_differ;  // why times cannot be compared; empty where they can
-  std::string differences;   // between A and B, beside their numbers
+  Doubts times_differ;      // why times cannot be compared; none where they can
+  std::string differences;  // between A and B, beside their numbers
 };
 
 // Everything of the study's definition and plan is A's, but for the plan's margins, significance and power, which are

@@ -15,6 +15,7 @@
 #include "analysis/report/assessment_json.hpp"
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_tables.hpp"
+#include "analysis/report/assessment_words.hpp"
 
 namespace ikbench::report {
 
@@ -93,18 +94,20 @@ bool is_worth_drawing(const Evidence& evidence) {
 
 Assessment assessment_of(const Evidence& evidence) {
   Assessment result{.name = evidence.name,
-                    .heading = fmt::format("Statistics: {}", evidence.quantity),
+                    .quantity = evidence.quantity,
+                    .unit = evidence.unit,
                     .sentences = sentences_of(evidence),
-                    .headlines = headlines_of(evidence),
-                    .warnings = evidence.flaw.empty() ? std::vector<std::string>{} : std::vector{evidence.flaw},
+                    .in_short = in_short(evidence),
+                    .rare_failures = rare_failures_words(evidence),
+                    .flaws = evidence.flaws,
                     .tables = tables_of(evidence),
                     .json = json_of(evidence)};
   if (!is_worth_drawing(evidence)) return result;
   add_differences(evidence, result.figures);
   add_ranks(evidence, result.figures);
   add_effects(evidence, result.figures);
-  if (evidence.flaw.empty()) return result;
-  for (Figure& figure : result.figures) figure.caption += " Flawed: " + evidence.flaw;
+  if (evidence.flaws.empty()) return result;
+  for (Figure& figure : result.figures) figure.caption += " Flawed: " + words_of(evidence.flaws);
   return result;
 }
 
@@ -129,6 +132,21 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
 }
 
 }  // namespace
+
+std::string heading_of(const Assessment& assessment) { return "Statistics: " + assessment.quantity; }
+
+std::vector<std::string> headlines_of(std::span<const Assessment> assessments) {
+  std::vector<std::string> headlines, failures;
+  for (const Assessment& each : assessments) {
+    if (each.in_short.sentences.empty()) continue;
+    const std::string_view flaw = each.flaws.empty() ? "" : " (flawed)";
+    headlines.push_back(fmt::format("{}{}: {}", each.quantity, flaw, words_of(each.in_short)));
+    const bool is_new = std::ranges::find(failures, each.rare_failures) == failures.end();
+    if (!each.rare_failures.empty() && is_new) failures.push_back(each.rare_failures);
+  }
+  for (const std::string& words : failures) headlines.push_back(words + '.');
+  return headlines;
+}
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
   return with_observations(tested(observations, plan), observations);

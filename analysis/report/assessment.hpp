@@ -3,26 +3,36 @@
 // from whom, where methods disagree, and what this does not show.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/inference/judged_study.hpp"
+#include "analysis/report/assessment_verdicts.hpp"
+#include "analysis/report/sentence.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
 struct Assessment {
-  std::string name;                        // of Observations; tables and figures are "statistics-<name>-..."
-  std::string heading;                     // "Statistics: position error [cm]"
-  std::vector<std::string> sentences;      // plain text, each with its topic in front: "Assumptions: ..."
-  std::vector<std::string> headlines;      // those that a summary takes
-  std::vector<std::string> warnings = {};  // why it must not be taken at its word
+  std::string name;      // of Observations; tables and figures are "statistics-<name>-..."
+  std::string quantity;  // "position error [cm]"
+  std::string unit = {};
+  std::vector<Sentence> sentences;  // plain text
+  InShort in_short = {};            // what a summary takes of it
+  std::string rare_failures = {};   // that it does not exclude, in a sentence
+  inference::Doubts flaws = {};     // why it must not be taken at its word
   std::vector<Table> tables;
   std::vector<figures::Figure> figures;
   std::string json;  // one object with every number
 };
+
+// "Statistics: position error [cm]"
+std::string heading_of(const Assessment& assessment);
+// What a summary takes: the answer of each, and then what so few observations do not exclude, once.
+std::vector<std::string> headlines_of(std::span<const Assessment> assessments);
 
 Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan);

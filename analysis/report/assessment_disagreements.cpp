@@ -54,7 +54,7 @@ std::string dispute_of_all(const Evidence& evidence) {
 
 }  // namespace
 
-std::string disagreements(const Evidence& evidence) {
+Sentence disagreements(const Evidence& evidence) {
   const Dispute found = dispute(evidence);
   std::vector<std::string> parts;
   const auto add = [&](std::string_view finds, const std::vector<std::string>& pairs) {
@@ -65,7 +65,8 @@ std::string disagreements(const Evidence& evidence) {
   add("favour the other one in", found.opposite);
   const std::string ranks = parts.empty() ? "" : fmt::format(" Ranks: {}.", rank_method(evidence).of_pair);
   if (std::string all = dispute_of_all(evidence); !all.empty()) parts.push_back(std::move(all));
-  return parts.empty() ? "" : fmt::format("Where methods disagree: {}.{}", fmt::join(parts, "; "), ranks);
+  if (parts.empty()) return {};
+  return {"Where methods disagree", fmt::format("{}.{}", fmt::join(parts, "; "), ranks)};
 }
 
 }  // namespace ikbench::report

@@ -4,10 +4,11 @@
 #include <string>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/sentence.hpp"
 
 namespace ikbench::report {
 
 // Empty where no two methods can be compared.
-std::string disagreements(const inference::Evidence& evidence);
+Sentence disagreements(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
 
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -52,24 +54,28 @@ std::string doubt_words(const Evidence& evidence, const Contrast& contrast) {
   const std::string_view interval = evidence.scale == ValueScale::log10 ? "the interval of the ratio"
                                     : evidence.of_outcomes              ? "the interval of the difference"
                                                            : "the interval of the difference between means";
-  const std::string_view none = evidence.scale == ValueScale::log10 ? "1" : "zero";
+  const std::string_view none = none_words(evidence);
   if (contrast.relation == Relation::undecided) {
-    return excludes_none(evidence, contrast) ? fmt::format("{} excludes {}", interval, none) : "";
+    return excludes_none(evidence, contrast)
+               ? fmt::format(words::interval_excludes, "interval"_a = interval, "none"_a = none)
+               : "";
   }
   if (!is_decided(contrast)) return "";
   std::vector<std::string> doubts, measures;
-  if (includes_none(evidence, contrast)) doubts.push_back(fmt::format("{} includes {}", interval, none));
+  if (includes_none(evidence, contrast))
+    doubts.push_back(fmt::format(words::interval_includes, "interval"_a = interval, "none"_a = none));
   const Dissent found = dissent(evidence, contrast);
   if (found.mean) measures.emplace_back("the mean");
   if (found.median) measures.emplace_back("the median");
   if (found.share) measures.push_back(evidence.blocks > 0 ? "the share of " + evidence.block_noun : "A12");
   if (!measures.empty()) {
-    doubts.push_back(fmt::format("{} {} the other", listed(measures), measures.size() == 1 ? "favours" : "favour"));
+    doubts.push_back(fmt::format(words::favour_other, "measures"_a = listed(measures),
+                                 "favour"_a = measures.size() == 1 ? "favours" : "favour"));
   }
   return fmt::format("{}", fmt::join(doubts, " and "));
 }
 
-std::string change_words(const Evidence& evidence) {
+Sentence change_words(const Evidence& evidence) {
   std::vector<const Contrast*> open;
   bool is_small = false, is_doubted = false;
   for (const Contrast& contrast : evidence.contrasts) {
@@ -78,22 +84,21 @@ std::string change_words(const Evidence& evidence) {
     is_small = is_small || contrast.extent == Extent::within || contrast.extent == Extent::across;
     is_doubted = is_doubted || !doubt_words(evidence, contrast).empty();
   }
-  if (evidence.contrasts.empty() || has_single_values(evidence)) return "";
+  if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
   std::vector<std::string> parts;
-  if (!evidence.flaw.empty()) parts.emplace_back("observations without the flaw");
+  if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
   if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
-    parts.push_back(fmt::format("a larger new study, planned before it is seen ({})", runs));
+    parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
   }
   const auto is_undefined = [](const Contrast& contrast) { return contrast.relation == Relation::undefined; };
   const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3; };
   if (std::ranges::any_of(evidence.contrasts, is_undefined) && std::ranges::any_of(evidence.groups, is_short)) {
-    parts.emplace_back("more observations than two");
+    parts.emplace_back(words::more_than_two);
   }
-  if (is_doubted) parts.emplace_back("another measure, because the mean, the median or ranks favour another group");
-  if (is_small)
-    parts.push_back(fmt::format("a margin above {}, because a difference may be smaller", margin_words(evidence)));
-  parts.emplace_back("other targets, arms, budgets or settings");
-  return fmt::format("What would change it: {}.", fmt::join(parts, "; "));
+  if (is_doubted) parts.emplace_back(words::another_measure);
+  if (is_small) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin_words(evidence)));
+  parts.emplace_back(words::other_conditions);
+  return {"What would change it", fmt::format("{}.", fmt::join(parts, "; "))};
 }
 
 }  // namespace ikbench::report

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/sentence.hpp"
 
 namespace ikbench::report {
 
@@ -19,6 +20,6 @@ std::string doubt_words(const inference::Evidence& evidence, const inference::Co
 
 // "What would change it: a new study of about 57 observations per group; ...": which other choice or data the answer
 // hangs on. Empty where no pair is compared.
-std::string change_words(const inference::Evidence& evidence);
+Sentence change_words(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

@@ -93,6 +93,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
 std::string json_of(const Evidence& evidence) {
   const AnalysisPlan& plan = evidence.plan;
   Json object{{"quantity", evidence.quantity},
+              {"unit", evidence.unit},
               {"better", evidence.better == Better::smaller ? "smaller" : "larger"},
               {"scale", evidence.scale == ValueScale::log10 ? "log10" : "plain"},
               {"replicate", evidence.replicate},
@@ -112,7 +113,7 @@ std::string json_of(const Evidence& evidence) {
                 {"power", plan.power},
                 {"quartiles", plan.quartiles}}},
               {"notes", evidence.notes},
-              {"flaw", evidence.flaw},
+              {"flaw", words_of(evidence.flaws)},
               {"variance_ratio", json_number(evidence.variance_ratio)},
               {"critical_difference", json_number(evidence.critical_difference)},
               {"pairs", evidence.pairs}};
@@ -123,7 +124,7 @@ std::string json_of(const Evidence& evidence) {
   object["groups"] = groups;
   object["tests"] = tests;
   object["contrasts"] = contrasts;
-  object["sentences"] = sentences_of(evidence);
+  object["sentences"] = words_of(sentences_of(evidence));
   return object.dump(2, ' ', false, Json::error_handler_t::replace);  // names may be anything
 }
 

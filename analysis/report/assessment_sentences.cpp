@@ -13,12 +13,14 @@
 #include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/power.hpp"
 
 namespace ikbench::report {
 
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -32,19 +34,20 @@ std::string sizes(const Evidence& evidence) {
   return fmt::format("{} to {} observations", least.described.n, most.described.n);
 }
 
-std::string design(const Evidence& evidence) {
+Sentence design(const Evidence& evidence) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) names.push_back(name_words(evidence, i));
-  std::string text = fmt::format("Data: {}, {} is better; {} {} ({}) with {} each", evidence.quantity,
-                                 evidence.better == Better::smaller ? "smaller" : "larger", names.size(),
-                                 names.size() == 1 ? "group" : "groups", listed(names), sizes(evidence));
-  text += evidence.from_summaries ? "; only means, standard deviations and sizes are known." : ".";
-  if (!evidence.replicate.empty()) text += fmt::format(" One observation is {}.", evidence.replicate);
-  if (evidence.scale == ValueScale::log10)
-    text += " Tests compare logarithms. So a mean is a geometric mean, and a difference is a ratio.";
-  if (evidence.blocks > 0)
-    text += fmt::format(" All groups share {} blocks. A block is {}.", evidence.blocks, evidence.block);
-  return text;
+  std::string text = fmt::format(words::data, "quantity"_a = evidence.quantity,
+                                 "better"_a = evidence.better == Better::smaller ? "smaller" : "larger",
+                                 "count"_a = names.size(), "groups"_a = names.size() == 1 ? "group" : "groups",
+                                 "names"_a = listed(names), "sizes"_a = sizes(evidence));
+  text += evidence.from_summaries ? words::known_summaries : ".";
+  if (!evidence.replicate.empty()) text += ' ' + fmt::format(words::observation, "what"_a = evidence.replicate);
+  if (evidence.scale == ValueScale::log10) text += fmt::format(" {}", words::logarithms);
+  if (evidence.blocks > 0) {
+    text += ' ' + fmt::format(words::blocks, "count"_a = evidence.blocks, "what"_a = evidence.block);
+  }
+  return {"Data", text};
 }
 
 // What so many observations can see, whatever was seen.
@@ -55,27 +58,28 @@ std::string sensitivity(const Evidence& evidence) {
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const bool in_blocks = evidence.decides_within_blocks();
-  return fmt::format(
-      " With {} {} a t-test finds differences of at least {} standard deviations{} with {} power; other tests need more.",
-      n, replicates_words(evidence),
-      rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
-      in_blocks ? " of the differences" : "", percent(evidence.plan.power));
+  return ' ' +
+         fmt::format(
+             words::sensitivity, "n"_a = n, "of"_a = replicates_words(evidence),
+             "least"_a = rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
+             "of_differences"_a = in_blocks ? " of the differences" : "", "power"_a = percent(evidence.plan.power));
 }
 
-std::string methods(const Evidence& evidence) {
-  const std::string_view by = deciding_words(evidence);
-  std::string text = fmt::format("Methods: {} decides, at {}", by, rounded_number(evidence.plan.significance, 3));
+Sentence methods(const Evidence& evidence) {
+  std::string family;
   if (!evidence.plan.control.empty()) {
-    text +=
+    family =
         fmt::format(", for each group against the control {}", row_label(evidence.plan.control, longest_name_in_text));
   } else if (evidence.pairs > 1) {
-    text += fmt::format(", for all {} pairs", evidence.pairs);
+    family = fmt::format(", for all {} pairs", evidence.pairs);
   }
   if (!evidence.from_summaries && evidence.ranks_decide() && evidence.pairs > 1) {
-    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
-    text += fmt::format("; p-values are corrected by {}", whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+    family += fmt::format("; p-values are corrected by {}", adjustment_words(evidence));
   }
-  return text + "; differences below " + margin_words(evidence) + " do not matter." + sensitivity(evidence);
+  return {"Methods", fmt::format(words::method, "test"_a = deciding_words(evidence),
+                                 "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
+                                 "margin"_a = margin_words(evidence)) +
+                         sensitivity(evidence)};
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -89,24 +93,8 @@ std::string result_words(const TestResult& test) {
   return fmt::format("{}, {}", text, p_words(test.p));
 }
 
-std::string assumptions(const Evidence& evidence) {
-  std::string text = "Assumptions: ";
-  std::vector<std::string> tests;
-  for (const TestResult& each : evidence.tests) {
-    if (each.role == Role::assumption) tests.push_back(fmt::format("{}: {}", each.test, result_words(each)));
-  }
-  if (tests.empty()) return "";
-  const TestResult* test = variance_test(evidence);
-  const bool tested = test != nullptr && test->undefined.empty();
-  text += !tested                      ? "equal variances cannot be tested"
-          : variances_differ(evidence) ? "equal variances are rejected"
-                                       : "equal variances are not rejected";
-  if (std::isfinite(evidence.variance_ratio)) {
-    text += fmt::format("; the variance of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
-                        rounded_number(evidence.variance_ratio, 3), name_words(evidence, evidence.least_variable));
-  }
-  text += fmt::format(" ({}).", fmt::join(tests, "; "));
-  if (evidence.from_summaries) return text + " Summaries do not show whether the values are normal.";
+std::string normality_words(const Evidence& evidence) {
+  if (evidence.from_summaries) return "Summaries do not show whether the values are normal.";
   std::vector<std::string> not_normal;
   std::size_t known = 0;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
@@ -115,30 +103,42 @@ std::string assumptions(const Evidence& evidence) {
     if (p < evidence.plan.significance)
       not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
   }
-  if (known == 0)
-    return text + " Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
+  if (known == 0) return "Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
   if (!not_normal.empty()) {
-    return text +
-           fmt::format(" Normality is rejected for {} (Shapiro-Wilk, separately for each group).", listed(not_normal));
+    return fmt::format("Normality is rejected for {} (Shapiro-Wilk, separately for each group).", listed(not_normal));
   }
-  return text + fmt::format(" Normality is not rejected for any group{} (Shapiro-Wilk).",
-                            known < evidence.groups.size() ? " that can be tested" : "");
+  return fmt::format("Normality is not rejected for any group{} (Shapiro-Wilk).",
+                     known < evidence.groups.size() ? " that can be tested" : "");
+}
+
+Sentence assumptions(const Evidence& evidence) {
+  std::vector<std::string> tests;
+  for (const TestResult& each : evidence.tests) {
+    if (each.role == Role::assumption) tests.push_back(fmt::format("{}: {}", each.test, result_words(each)));
+  }
+  if (tests.empty()) return {};
+  const TestResult* test = variance_test(evidence);
+  const bool tested = test != nullptr && test->undefined.empty();
+  std::string text = !tested                      ? "equal variances cannot be tested"
+                     : variances_differ(evidence) ? "equal variances are rejected"
+                                                  : "equal variances are not rejected";
+  if (std::isfinite(evidence.variance_ratio)) {
+    text += fmt::format("; the variance of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
+                        rounded_number(evidence.variance_ratio, 3), name_words(evidence, evidence.least_variable));
+  }
+  return {"Assumptions", fmt::format("{} ({}). {}", text, fmt::join(tests, "; "), normality_words(evidence))};
 }
 
 // Single values over decades: their mean is that of the largest few, and a test of means is a test of those.
-std::string decades(const Evidence& evidence) {
+Sentence decades(const Evidence& evidence) {
   constexpr double wide = 2;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
     const double span = evidence.groups[i].decades;
     if (span > wide) names.push_back(fmt::format("{} ({})", name_words(evidence, i), rounded_number(span, 2)));
   }
-  if (names.empty() || evidence.ranks_decide() || evidence.scale == ValueScale::log10) return "";
-  return fmt::format(
-      "Caution: the single values of {} span more than two decades (in brackets: nine tenths of them), so the largest "
-      "few decide the mean, and a test of means compares the worst cases. Geometric means, A12 and rank tests compare "
-      "typical values.",
-      listed(names));
+  if (names.empty() || evidence.ranks_decide() || evidence.scale == ValueScale::log10) return {};
+  return {"Caution", fmt::format(words::decades, "names"_a = listed(names))};
 }
 
 std::string effect_words(const TestResult& test) {
@@ -146,13 +146,14 @@ std::string effect_words(const TestResult& test) {
 }
 
 // The planned test of all groups, and then the others.
-std::vector<std::string> analyses(const Evidence& evidence) {
+std::vector<Sentence> analyses(const Evidence& evidence) {
   std::string planned, others;
   for (const TestResult& test : evidence.tests) {
     if (test.role == Role::assumption) continue;
     std::string& text = &test == deciding_test(evidence) ? planned : others;
-    text += fmt::format(" {}{}: {}{}{}.", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without),
-                        result_words(test), effect_words(test),
+    text += fmt::format("{}{}{}: {}{}{}.", text.empty() ? "" : " ", test.test,
+                        test.without.empty() ? "" : fmt::format(" ({})", test.without), result_words(test),
+                        effect_words(test),
                         !test.undefined.empty() ? ""
                         : test.p < evidence.plan.significance
                             ? (evidence.groups.size() == 2 ? "; the groups differ" : "; at least one group differs")
@@ -160,18 +161,17 @@ std::vector<std::string> analyses(const Evidence& evidence) {
     if (test.role == Role::paper && variances_differ(evidence))
       text += " It assumes equal variances, which are rejected.";
   }
-  return {planned.empty() ? "" : "All groups together:" + planned,
-          others.empty() ? "" : "Other tests of all groups, which do not decide:" + others};
+  return {{"All groups together", planned}, {"Other tests of all groups, which do not decide", others}};
 }
 
-std::string too_few(const Evidence& evidence) {
-  if (!has_too_few(evidence)) return "";
+Sentence too_few(const Evidence& evidence) {
+  if (!has_too_few(evidence)) return {};
   const auto most = std::ranges::max(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; });
-  return fmt::format("Caution: no pair can differ by this test. It takes at least {} {}, and here are {}.",
-                     evidence.fewest, replicates_words(evidence), most.described.n);
+  return {"Caution", fmt::format(words::too_few, "fewest"_a = evidence.fewest, "of"_a = replicates_words(evidence),
+                                 "most"_a = most.described.n)};
 }
 
-std::vector<std::string> limits(const Evidence& evidence) {
+Sentence limits(const Evidence& evidence) {
   std::vector<std::string> parts;
   std::vector<const Contrast*> open;
   for (const Contrast& contrast : evidence.contrasts) {
@@ -179,68 +179,57 @@ std::vector<std::string> limits(const Evidence& evidence) {
   }
   if (!open.empty()) {
     const std::string runs = runs_words(evidence, runs_of_all(open));
-    parts.push_back(fmt::format("undecided does not mean equal: {}",
-                                runs.empty() ? "a difference remains possible"
-                                             : fmt::format("{}, with {} power", runs, percent(evidence.plan.power))));
+    parts.push_back(fmt::format(words::undecided_is_not_equal,
+                                "why"_a = runs.empty()
+                                              ? "a difference remains possible"
+                                              : fmt::format("{}, with {} power", runs, percent(evidence.plan.power))));
   }
-  if (!evidence.flaw.empty()) parts.push_back("with flawed observations the p-values are no evidence");
-  if (evidence.from_summaries)
-    parts.push_back("summaries do not show distributions: no ranks, no medians, no normality");
-  parts.push_back(
-      "the results hold for these conditions only, not for other targets, arms, budgets or settings; each quantity is "
-      "judged separately");
-  return {fmt::format("What this does not show: {}.", fmt::join(parts, "; "))};
+  if (std::string failures = rare_failures_words(evidence); !failures.empty()) parts.push_back(std::move(failures));
+  if (!evidence.flaws.empty()) parts.emplace_back(words::flawed_p);
+  if (evidence.from_summaries) parts.emplace_back(words::only_summaries);
+  parts.emplace_back(words::only_these_conditions);
+  return {"What this does not show", fmt::format("{}.", fmt::join(parts, "; "))};
 }
 
 }  // namespace
 
-std::vector<std::string> sentences_of(const Evidence& evidence) {
-  if (evidence.groups.empty()) return {"There are no groups."};
-  std::vector<std::string> sentences;
+std::vector<Sentence> sentences_of(const Evidence& evidence) {
+  if (evidence.groups.empty()) return {{"", "There are no groups."}};
+  std::vector<Sentence> sentences;
+  const auto say = [&](Sentence sentence) { add(sentences, std::move(sentence)); };
+  const auto describe = [&] {
+    say(design(evidence));
+    for (const std::string& note : evidence.notes) say({"Note", note});
+  };
   if (evidence.groups.size() > 1 && evidence.contrasts.empty()) {
-    sentences.emplace_back(
-        "Not judged: the observations are described, but the groups are not ranked, tested or compared. The note below "
-        "the table says why.");
-    sentences.push_back(design(evidence));
-    for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
+    say({"Not judged", std::string(words::described_only)});
+    describe();
     return sentences;
   }
-  if (!evidence.flaw.empty()) sentences.push_back(flaw_words(evidence));
-  if (std::string words = in_short(evidence); !words.empty()) sentences.push_back("In short: " + words);
-  if (std::string words = change_words(evidence); !words.empty()) sentences.push_back(std::move(words));
-  sentences.push_back(design(evidence));
-  for (const std::string& note : evidence.notes) sentences.push_back("Note: " + note);
-  if (evidence.of_outcomes) sentences.push_back(shares_words(evidence));
+  say({"Flawed", words_of(evidence.flaws)});
+  say({"In short", words_of(in_short(evidence))});
+  say(change_words(evidence));
+  describe();
+  if (evidence.of_outcomes) say(shares_words(evidence));
   if (evidence.groups.size() < 2) {
-    sentences.push_back("There is only one group, so there is nothing to compare.");
+    say({"", "There is only one group, so there is nothing to compare."});
     return sentences;
   }
   if (evidence.constant) {
-    for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
-    sentences.push_back(
-        fmt::format("All values within a group are equal. p comes from {}. If a quantity is fixed by design, such as a "
-                    "budget of evaluations, its difference is a fact and needs no test.",
-                    test_of_constants_words(evidence)));
+    for (Sentence& sentence : who_differs(evidence)) say(std::move(sentence));
+    say({"", fmt::format(words::constants, "test"_a = test_of_constants_words(evidence))});
     return sentences;
   }
   if (has_single_values(evidence)) return sentences;
-  sentences.push_back(evidence.of_outcomes ? outcome_methods_words(evidence) : methods(evidence));
-  sentences.push_back(too_few(evidence));
-  sentences.push_back(assumptions(evidence));
-  sentences.push_back(decades(evidence));
-  for (std::string& sentence : analyses(evidence)) sentences.push_back(std::move(sentence));
-  for (std::string& sentence : who_differs(evidence)) sentences.push_back(std::move(sentence));
-  sentences.push_back(disagreements(evidence));
-  for (std::string& sentence : limits(evidence)) sentences.push_back(std::move(sentence));
-  std::erase(sentences, "");
+  say(evidence.of_outcomes ? outcome_methods_words(evidence) : methods(evidence));
+  say(too_few(evidence));
+  say(assumptions(evidence));
+  say(decades(evidence));
+  for (Sentence& sentence : analyses(evidence)) say(std::move(sentence));
+  for (Sentence& sentence : who_differs(evidence)) say(std::move(sentence));
+  say(disagreements(evidence));
+  say(limits(evidence));
   return sentences;
-}
-
-std::vector<std::string> headlines_of(const Evidence& evidence) {
-  const std::string words = in_short(evidence);
-  if (words.empty()) return {};
-  return {evidence.flaw.empty() ? fmt::format("{}: {}", evidence.quantity, words)
-                                : fmt::format("{} ({}): {}", evidence.quantity, flaw_words(evidence), words)};
 }
 
 }  // namespace ikbench::report

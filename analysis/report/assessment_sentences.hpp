@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/sentence.hpp"
 
 namespace ikbench::report {
 
-std::vector<std::string> sentences_of(const inference::Evidence& evidence);
-// Those that a summary takes.
-std::vector<std::string> headlines_of(const inference::Evidence& evidence);
+std::vector<Sentence> sentences_of(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

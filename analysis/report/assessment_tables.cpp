@@ -80,7 +80,7 @@ Table groups_table(const Evidence& evidence) {
                     evidence.plan.quartiles));
   }
   for (const std::string& note : evidence.notes) table.notes.push_back(note);
-  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
   return table;
 }
 
@@ -117,7 +117,7 @@ Table tests_table(const Evidence& evidence) {
   }
   table.notes.push_back(fmt::format("Significance {}. {} decides. The plan chooses the test, not the data.",
                                     rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
-  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
   return table;
 }
 
@@ -171,17 +171,13 @@ Table contrasts_table(const Evidence& evidence) {
                               : "A12: the probability that an observation of the first is better than one of the "
                                 "second; ties count half. Its interval is not adjusted.");
   }
-  std::vector<const Contrast*> all;
-  for (const Contrast& contrast : evidence.contrasts) all.push_back(&contrast);
-  if (const std::string limit = unseen_words(evidence, all); !limit.empty()) {
-    table.notes.push_back(fmt::format("Better and the same: {}.", limit));
-  }
+  if (const std::string limit = rare_failures_words(evidence); !limit.empty()) table.notes.push_back(limit + '.');
   if (evidence.reference) {
     table.notes.push_back(fmt::format(
         "The table shows the pairs with {}{}.", evidence.groups[*evidence.reference].name,
         evidence.plan.control.empty() ? ", the best; there are too many groups to show all pairs" : ", the control"));
   }
-  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
   return table;
 }
 

@@ -1,9 +1,11 @@
 #include "analysis/report/assessment_verdicts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
@@ -13,45 +15,45 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
-// "A has the mean 1.25", "B has no mean: 3 of its 20 values are not finite"
+using Pairs = std::vector<const Contrast*>;
+
 std::string mean_words(const Evidence& evidence, std::size_t group) {
   const Description& of = evidence.groups[group].described;
   const std::string name = name_words(evidence, group);
-  if (std::isfinite(of.mean)) return fmt::format("{} has the mean {}", name, rounded_number(of.mean, 3));
-  if (of.not_finite == 0) return fmt::format("{} has no mean", name);
-  return fmt::format("{} has no mean: {} of its {} values {} not finite", name, of.not_finite, of.n,
-                     of.not_finite == 1 ? "is" : "are");
+  if (std::isfinite(of.mean))
+    return fmt::format(words::has_mean, "name"_a = name, "mean"_a = rounded_number(of.mean, 3));
+  if (of.not_finite == 0) return fmt::format(words::has_no_mean, "name"_a = name);
+  return fmt::format(words::mean_not_finite, "name"_a = name, "lost"_a = of.not_finite, "n"_a = of.n);
 }
 
 // "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
 // out.
-std::string amount_words(const Evidence& evidence, const Contrast& contrast) {
+Clause amount_of(const Evidence& evidence, const Contrast& contrast) {
   const auto [low, high] = interval_sizes(evidence, contrast);
   const bool is_for_it =
       !includes_none(evidence, contrast) && !mean_favours_other(evidence, contrast) && std::isfinite(low + high);
-  const std::string extent = extent_words(evidence, contrast);
-  if (!is_for_it) return extent.empty() ? "" : "by " + extent;
+  Clause amount = extent_clause(evidence, contrast);
+  if (!is_for_it) {
+    if (!amount.text.empty()) amount.text = "by " + amount.text;
+    return amount;
+  }
   const double unit = evidence.of_outcomes ? 0.01 : 1;  // percentage points
   std::string text = "by " + rounded_number(low / unit, 3);
   if (rounded_number(low, 3) != rounded_number(high, 3)) text += " to " + rounded_number(high / unit, 3);
   if (evidence.of_outcomes) text += " percentage points";
   if (evidence.scale == ValueScale::log10) text += " times";
-  return extent.empty() ? text : fmt::format("{}, {}", text, extent);
-}
-
-// "..., 3 % to 12 % (margin 5 %; p = 0.002)": in the brackets that are there, or in its own.
-std::string with_remark(std::string text, const std::string& remark) {
-  if (!text.ends_with(')')) return fmt::format("{} ({})", text, remark);
-  text.pop_back();
-  return fmt::format("{}; {})", text, remark);
+  amount.text = amount.text.empty() ? text : fmt::format("{}, {}", text, amount.text);
+  return amount;
 }
 
 std::size_t other_than(std::size_t group, const Contrast& contrast) {
@@ -62,47 +64,90 @@ std::size_t better_of(const Contrast& contrast) {
   return contrast.relation == Relation::better ? contrast.first : contrast.second;
 }
 
-// ", ahead in 98 % of blocks", of the better one; empty where only summaries are known.
+// Of the better one; empty where only summaries are known.
 std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
   const double share = contrast.superiority.value;
   if (!std::isfinite(share)) return "";
-  return fmt::format(", ahead in {} of {}", percent(better_of(contrast) == contrast.first ? share : 1 - share),
-                     evidence.blocks > 0 ? std::string_view(evidence.block_noun) : "pairs of observations");
+  const double own = better_of(contrast) == contrast.first ? share : 1 - share;
+  return fmt::format(words::ahead, "share"_a = percent(own),
+                     "of"_a = evidence.blocks > 0 ? std::string_view(evidence.block_noun) : "pairs of observations");
 }
 
 // By what the one is better, where it is not the mean.
-std::string by_words(const Evidence& evidence) {
+std::string_view by_words(const Evidence& evidence) {
   if (!evidence.ranks_decide()) return "";
   return evidence.decides_within_blocks() ? " by ranks within blocks" : " by ranks";
 }
 
-// ": mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %", with "mean " as the kind; " (A has the mean 1.25; B has no
-// mean: ...)".
-std::string effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group, std::string_view kind) {
+// "mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"; of ranks "ahead in 98 % of blocks (mean ...)".
+Clause effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group) {
   const std::size_t other = other_than(group, contrast);
   const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
-  if (!std::isfinite(mean) || !std::isfinite(of_other))
-    return fmt::format(" ({}; {}){}", mean_words(evidence, group), mean_words(evidence, other),
-                       ahead_words(evidence, contrast));
-  const std::string amount = amount_words(evidence, contrast);
+  if (!std::isfinite(mean) || !std::isfinite(of_other)) {
+    return {ahead_words(evidence, contrast), {mean_words(evidence, group), mean_words(evidence, other)}};
+  }
+  const std::string_view kind = evidence.of_outcomes                  ? "share"
+                                : evidence.scale == ValueScale::log10 ? "geometric mean"
+                                                                      : "mean";
   const std::string means =
       evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other);
-  const std::string ahead = ahead_words(evidence, contrast);
   if (evidence.ranks_decide()) {
-    return fmt::format("{} ({}{}, which ranks do not compare)", ahead, kind.empty() ? "mean " : kind, means);
+    return {ahead_words(evidence, contrast), {fmt::format(words::not_by_ranks, "kind"_a = kind, "means"_a = means)}};
   }
-  return fmt::format(": {}{}{}{}{}", kind, means, amount.empty() ? "" : ", ", amount, kind.empty() ? ahead : "");
+  Clause amount = amount_of(evidence, contrast);
+  amount.text = fmt::format("{} {}{}{}", kind, means, amount.text.empty() ? "" : ", ", amount.text);
+  return amount;
 }
 
-// "IK-BA is better than DE: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p = 0.000297), although ..."
-std::string better_words(const Evidence& evidence, const Contrast& contrast) {
-  const std::size_t winner = better_of(contrast);
-  std::string text =
-      fmt::format("{} is better{} than {}{}", name_words(evidence, winner), by_words(evidence),
-                  name_words(evidence, other_than(winner, contrast)), effect_of(evidence, contrast, winner, ""));
-  if (std::isfinite(contrast.p)) text = with_remark(std::move(text), p_words(contrast.p));
-  const std::string doubt = doubt_words(evidence, contrast);
-  return doubt.empty() ? text : fmt::format("{}, although {}", text, doubt);
+std::string others_of(const Evidence& evidence, std::size_t group, const Pairs& pairs) {
+  std::vector<std::string> names;
+  for (const Contrast* pair : pairs) names.push_back(name_words(evidence, other_than(group, *pair)));
+  return listed(names);
+}
+
+// ", although the median favours the other", and of whom, where it is not so of all.
+std::string doubts_of(const Evidence& evidence, std::size_t group, const Pairs& pairs) {
+  std::vector<std::pair<std::string, Pairs>> doubts;
+  for (const Contrast* pair : pairs) {
+    const std::string doubt = doubt_words(evidence, *pair);
+    if (doubt.empty()) continue;
+    const auto found = std::ranges::find(doubts, doubt, &std::pair<std::string, Pairs>::first);
+    (found == doubts.end() ? doubts.emplace_back(doubt, Pairs{}) : *found).second.push_back(pair);
+  }
+  std::vector<std::string> parts;
+  for (const auto& [doubt, of] : doubts) {
+    const bool is_of_all = of.size() == pairs.size();
+    parts.push_back(is_of_all ? doubt : fmt::format("{} ({})", doubt, others_of(evidence, group, of)));
+  }
+  return parts.empty() ? "" : ", although " + listed(parts);
+}
+
+// "IK-BA is better than BA and DE (p at most 0.0003)", "Against DE, the best of these: mean 0.0019 vs 0.365, ...". What
+// is known of one pair, and how sure all are.
+std::vector<std::string> decided_words(const Evidence& evidence, std::size_t group, const Pairs& pairs,
+                                       bool is_better) {
+  double largest_p = not_defined;
+  for (const Contrast* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
+  const Contrast& best = **std::ranges::min_element(
+      pairs, {}, [&](const Contrast* pair) { return standing(evidence, evidence.groups[other_than(group, *pair)]); });
+  Clause answer{fmt::format(words::decided, "first"_a = name_words(evidence, group),
+                            "better"_a = is_better ? "better" : "worse", "by"_a = by_words(evidence),
+                            "others"_a = others_of(evidence, group, pairs))};
+  const Clause effect = effect_of(evidence, best, group);
+  if (pairs.size() == 1) {
+    if (!effect.text.empty()) answer.text += ": " + effect.text;
+    answer.remarks = effect.remarks;
+  }
+  if (!std::isnan(largest_p)) {
+    const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
+    answer.remarks.push_back(is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
+  }
+  std::vector<std::string> sentences{words_of(answer) + doubts_of(evidence, group, pairs)};
+  if (pairs.size() > 1) {
+    sentences.push_back(fmt::format(words::nearest, "other"_a = name_words(evidence, other_than(group, best)),
+                                    "effect"_a = words_of(effect)));
+  }
+  return sentences;
 }
 
 bool has_judged(const Evidence& evidence) {
@@ -119,75 +164,82 @@ std::string who_differs_words(const Evidence& evidence, const std::vector<std::s
   if (pairs == 1) return differ == 1 ? with_best.front() : "no difference is shown";
   const std::string of = evidence.reference ? fmt::format("pairs with {}", best) : "pairs";
   if (differ == 0) return fmt::format("no difference is shown in any of the {} {}", pairs, of);
-  return fmt::format("{} of the {} {} {}. {}{}", differ, pairs, of, differ == 1 ? "differs" : "differ",
-                     with_best.empty() ? fmt::format("None of them includes {}: ", best) : "",
-                     clauses(with_best.empty() ? of_others : with_best));
+  const std::string text = fmt::format(words::pairs_differ, "verb"_a = differ == 1 ? "differs" : "differ",
+                                       "differ"_a = differ, "pairs"_a = pairs, "of"_a = of);
+  return fmt::format("{}. {}", text,
+                     with_best.empty()
+                         ? fmt::format(words::pairs_not_of_best, "best"_a = best, "pairs"_a = clauses(of_others))
+                         : clauses(with_best));
 }
 
 // "difference between -0.1 and 0.2"
 std::string interval_words_of(const Evidence& evidence, const Contrast& contrast) {
   const double unit = evidence.of_outcomes ? 0.01 : 1;
-  return fmt::format("{} between {} and {}{}", evidence.scale == ValueScale::log10 ? "ratio" : "difference",
-                     rounded_number(contrast.difference.low / unit, 3),
-                     rounded_number(contrast.difference.high / unit, 3),
-                     evidence.of_outcomes ? " percentage points" : "");
+  return fmt::format(words::interval, "what"_a = evidence.scale == ValueScale::log10 ? "ratio" : "difference",
+                     "low"_a = rounded_number(contrast.difference.low / unit, 3),
+                     "high"_a = rounded_number(contrast.difference.high / unit, 3),
+                     "unit"_a = evidence.of_outcomes ? " percentage points" : "");
 }
 
 // What is known of two that are not told apart.
-std::string open_words(const Evidence& evidence, const Contrast& contrast) {
-  const std::string runs = runs_words(evidence, contrast.runs_to_decide);
-  const std::string then = runs.empty() ? "" : "; " + runs;
-  if (contrast.p == 1 && contrast.difference.value == no_difference(evidence) &&
-      !std::isfinite(contrast.difference.low)) {
-    return "all observations are equal, but there are too few to call the groups the same" + then;
+std::vector<std::string> open_remarks(const Evidence& evidence, const Contrast& contrast) {
+  std::vector<std::string> remarks;
+  const bool has_interval = std::isfinite(contrast.difference.low);
+  const bool is_equal = contrast.p == 1 && contrast.difference.value == no_difference(evidence) && !has_interval;
+  remarks.emplace_back(is_equal ? words::all_equal : p_words(contrast.p));
+  if (has_interval) {
+    std::string interval = interval_words_of(evidence, contrast);
+    if (excludes_none(evidence, contrast)) {
+      interval += ", " + fmt::format(words::excludes_none, "none"_a = none_words(evidence),
+                                     "method"_a = evidence.method->interval);
+    }
+    remarks.push_back(std::move(interval));
   }
-  if (!std::isfinite(contrast.difference.low)) return p_words(contrast.p) + then;
-  return fmt::format("{}; {}{}{}", p_words(contrast.p), interval_words_of(evidence, contrast),
-                     excludes_none(evidence, contrast)
-                         ? fmt::format(", which excludes {} by another method ({}) than the test that decides",
-                                       evidence.scale == ValueScale::log10 ? "1" : "zero", evidence.method->interval)
-                         : "",
-                     then);
+  if (std::string runs = runs_words(evidence, contrast.runs_to_decide); !runs.empty())
+    remarks.push_back(std::move(runs));
+  return remarks;
 }
 
-// "A vs B (...); A vs C and B vs C (...)": a reason once for all that share it, and which test would do.
+// "A vs B (...); A vs C and B vs C (...)": a reason once for all that share it.
 template <class NameOf>
-std::string undefined_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs, NameOf name_of_pair) {
+std::string reasons_of(const Pairs& pairs, NameOf name_of_pair) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
-  bool by_means = false, by_ranks = false;
-  std::size_t single = 0;  // that no test judges
   for (const Contrast* pair : pairs) {
     auto found = std::ranges::find(by_reason, pair->undefined, [](const auto& each) { return each.first; });
     if (found == by_reason.end()) found = by_reason.insert(found, {pair->undefined, {}});
     found->second.push_back(name_of_pair(*pair));
+  }
+  std::vector<std::string> texts;
+  for (const auto& [reason, names] : by_reason) texts.push_back(fmt::format("{} ({})", listed(names), reason));
+  return clauses(texts);
+}
+
+// Which test would judge pairs that are not judged; empty where none would.
+std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
+  bool by_means = false, by_ranks = false, has_single = false;
+  for (const Contrast* pair : pairs) {
     const Description &first = evidence.groups[pair->first].described,
                       &second = evidence.groups[pair->second].described;
-    if (std::min(first.n, second.n) < 2) {
-      ++single;
-      continue;
-    }
-    (std::isfinite(first.std) && std::isfinite(second.std) ? by_means : by_ranks) = true;
+    const bool is_single = std::min(first.n, second.n) < 2;  // no test judges it
+    has_single = has_single || is_single;
+    if (!is_single) (std::isfinite(first.std) && std::isfinite(second.std) ? by_means : by_ranks) = true;
   }
-  std::vector<std::string> words;
-  for (const auto& [reason, names] : by_reason) words.push_back(fmt::format("{} ({})", listed(names), reason));
   const bool has_other = !evidence.from_summaries && !evidence.ranks_decide();
-  const std::string test = has_other && by_ranks                           ? "kruskal_wallis"
-                           : by_means && evidence.plan.test == "bootstrap" ? "tamhane"
-                                                                           : "";
-  if (test.empty()) return clauses(words);
-  return fmt::format(
-      "{0}; in a new study another test would judge {1} (ikbench run: --set analysis.test={2}; ikbench stats: --test {2})",
-      clauses(words),
-      single > 0          ? "others of them"
-      : pairs.size() == 1 ? "it"
-                          : "them",
-      test);
+  const std::string_view test = has_other && by_ranks                           ? "kruskal_wallis"
+                                : by_means && evidence.plan.test == "bootstrap" ? "tamhane"
+                                                                                : "";
+  if (test.empty()) return "";
+  return fmt::format(words::another_test,
+                     "what"_a = has_single          ? "others of them"
+                                : pairs.size() == 1 ? "it"
+                                                    : "them",
+                     "test"_a = test);
 }
 
 // What is said of the pairs of one group, by what is known of them.
 struct PairsOf {
-  std::vector<const Contrast*> ahead = {}, behind = {}, same = {}, open = {}, undefined = {};
-  std::vector<const Contrast*> others_decided = {};
+  Pairs ahead = {}, behind = {}, same = {}, open = {}, undefined = {};
+  Pairs others_decided = {};
   std::size_t others = 0, others_undefined = 0;
 };
 
@@ -211,60 +263,26 @@ PairsOf pairs_of(const Evidence& evidence, std::size_t group) {
   return result;
 }
 
-std::string others_of(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
-  std::vector<std::string> names;
-  for (const Contrast* pair : pairs) {
-    const std::string name = name_words(evidence, other_than(group, *pair));
-    const std::string doubt = doubt_words(evidence, *pair);
-    names.push_back(doubt.empty() ? name : fmt::format("{} (although {})", name, doubt));
-  }
-  return listed(names);
-}
-
-// "IK-BA is better than BA and DE; against DE, the best of these: 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 % (p
-// at most 0.0003)". What is known of one pair, and how sure all are.
-std::string lead_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs,
-                       std::string_view is_better) {
-  double largest_p = not_defined;
-  for (const Contrast* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
-  const Contrast& best = **std::ranges::min_element(
-      pairs, {}, [&](const Contrast* pair) { return standing(evidence, evidence.groups[other_than(group, *pair)]); });
-  std::string text =
-      fmt::format("{} {} than {}", name_words(evidence, group), is_better, others_of(evidence, group, pairs));
-  if (pairs.size() > 1) {
-    text += fmt::format("; against {}, the best of these", name_words(evidence, other_than(group, best)));
-  }
-  const std::string_view kind = evidence.of_outcomes                  ? "share "
-                                : evidence.scale == ValueScale::log10 ? "geometric mean "
-                                                                      : "mean ";
-  text += effect_of(evidence, best, group, kind);
-  if (std::isnan(largest_p)) return text;
-  const bool is_exact = pairs.size() == 1 || largest_p < 1e-300;
-  return with_remark(std::move(text), is_exact ? p_words(largest_p) : "p at most " + at_most(largest_p));
-}
-
-std::string same_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
-  std::string text =
-      fmt::format("{} and {} are the same within {}", name_words(evidence, group), others_of(evidence, group, pairs),
-                  pairs.size() == 1 ? margin_words(evidence, *pairs.front()) : margin_words(evidence));
+std::string same_words(const Evidence& evidence, std::size_t group, const Pairs& pairs) {
+  const bool is_one = pairs.size() == 1;
+  Clause text{fmt::format(words::same, "first"_a = name_words(evidence, group),
+                          "others"_a = others_of(evidence, group, pairs),
+                          "margin"_a = is_one ? margin_words(evidence, *pairs.front()) : margin_words(evidence))};
   const Estimate& difference = pairs.front()->difference;
-  if (pairs.size() == 1 && difference.low != difference.high) {
-    text = with_remark(std::move(text), interval_words_of(evidence, *pairs.front()));
-  }
-  const std::string limit = unseen_words(evidence, pairs);
-  return limit.empty() ? text : with_remark(std::move(text), limit);
+  if (is_one && difference.low != difference.high) text.remarks = {interval_words_of(evidence, *pairs.front())};
+  return words_of(text);
 }
 
-std::string open_pairs_words(const Evidence& evidence, std::size_t group, const std::vector<const Contrast*>& pairs) {
+std::string open_words(const Evidence& evidence, std::size_t group, const Pairs& pairs) {
+  Clause text{fmt::format(words::undecided, "first"_a = name_words(evidence, group),
+                          "others"_a = others_of(evidence, group, pairs))};
   if (pairs.size() == 1) {
-    const Contrast& pair = *pairs.front();
-    return fmt::format("{} against {} is undecided ({})", name_words(evidence, group),
-                       name_words(evidence, other_than(group, pair)), open_words(evidence, pair));
+    text.remarks = open_remarks(evidence, *pairs.front());
+    return words_of(text);
   }
-  const std::string text =
-      fmt::format("{} against {} is undecided", name_words(evidence, group), others_of(evidence, group, pairs));
-  const std::string runs = runs_words(evidence, runs_of_all(pairs));
-  return runs.empty() ? text : fmt::format("{} ({})", text, runs);
+  text.text += doubts_of(evidence, group, pairs);
+  if (std::string runs = runs_words(evidence, runs_of_all(pairs)); !runs.empty()) text.remarks = {std::move(runs)};
+  return words_of(text);
 }
 
 std::string_view standing_words(const Evidence& evidence) {
@@ -272,19 +290,12 @@ std::string_view standing_words(const Evidence& evidence) {
   return evidence.decides_within_blocks() ? "average rank" : "mean rank";
 }
 
-// "5 of the 10 other pairs differ (the better first): DE vs BA; ..."
-std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
-  if (pairs.others == 0) return "";
+// "Of the 10 other pairs 5 differ (the better first): DE vs BA; ..."
+std::vector<std::string> other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
+  if (pairs.others == 0) return {};
   const bool is_one = pairs.others == 1;
   if (pairs.others_undefined == pairs.others) {
-    return is_one ? "The other pair cannot be judged." : "None of the other pairs can be judged.";
-  }
-  const std::string others = fmt::format("the {} other pair{}", pairs.others, is_one ? "" : "s");
-  const std::string undefined =
-      pairs.others_undefined == 0 ? "" : fmt::format(" {} of them cannot be judged.", pairs.others_undefined);
-  if (pairs.others_decided.empty()) {
-    return (is_one ? "The other pair is not shown to differ." : fmt::format("None of {} is shown to differ.", others)) +
-           undefined;
+    return {is_one ? "The other pair cannot be judged" : "None of the other pairs can be judged"};
   }
   std::vector<std::string> names;
   for (const Contrast* pair : pairs.others_decided) {
@@ -292,10 +303,21 @@ std::string other_pairs_words(const Evidence& evidence, const PairsOf& pairs) {
     names.push_back(
         fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, *pair))));
   }
-  const bool all = names.size() == pairs.others;
-  if (all && is_one) return fmt::format("The other pair differs too (the better first): {}.", clauses(names));
-  return fmt::format("{}{} differ{} (the better first): {}.{}", all ? "Also " : fmt::format("{} of ", names.size()),
-                     others, names.size() == 1 ? "s" : "", clauses(names), undefined);
+  std::vector<std::string> sentences;
+  if (is_one) {
+    sentences.push_back(names.empty() ? "The other pair is not shown to differ"
+                                      : "The other pair differs too (the better first): " + names.front());
+  } else if (names.empty()) {
+    sentences.push_back(fmt::format(words::others_do_not_differ, "pairs"_a = pairs.others));
+  } else {
+    sentences.push_back(fmt::format(
+        words::others_differ, "pairs"_a = pairs.others, "verb"_a = names.size() == 1 ? "differs" : "differ",
+        "differ"_a = names.size() == pairs.others ? "all" : fmt::to_string(names.size()), "list"_a = clauses(names)));
+  }
+  if (pairs.others_undefined > 0) {
+    sentences.push_back(fmt::format(words::others_not_judged, "count"_a = pairs.others_undefined));
+  }
+  return sentences;
 }
 
 // "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
@@ -326,69 +348,66 @@ std::string decided_by(const Evidence& evidence) {
 
 }  // namespace
 
-std::vector<std::string> who_differs(const Evidence& evidence) {
+std::vector<Sentence> who_differs(const Evidence& evidence) {
   if (evidence.contrasts.empty()) return {};
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   std::vector<std::string> with_best, of_others, open, same;
-  std::vector<const Contrast*> undefined, equivalent;
+  Pairs undefined;
   for (const Contrast& contrast : evidence.contrasts) {
     const bool of_best = contrast.first == best || contrast.second == best;
-    if (is_decided(contrast)) (of_best ? with_best : of_others).push_back(better_words(evidence, contrast));
-    if (contrast.relation == Relation::undecided) {
-      open.push_back(fmt::format("{} ({})", pair_words(evidence, contrast), open_words(evidence, contrast)));
+    if (is_decided(contrast)) {
+      (of_best ? with_best : of_others)
+          .push_back(decided_words(evidence, better_of(contrast), {&contrast}, true).front());
     }
-    if (contrast.relation == Relation::same) {
-      same.push_back(pair_words(evidence, contrast));
-      equivalent.push_back(&contrast);
-    }
+    const std::string pair = pair_words(evidence, contrast);
+    if (contrast.relation == Relation::undecided)
+      open.push_back(words_of(Clause{pair, open_remarks(evidence, contrast)}));
+    if (contrast.relation == Relation::same) same.push_back(pair);
     if (contrast.relation == Relation::undefined) undefined.push_back(&contrast);
   }
-  std::vector<std::string> sentences;
-  sentences.push_back(fmt::format("Differences: {}.", who_differs_words(evidence, with_best, of_others)));
-  if (!same.empty()) {
-    const std::string limit = unseen_words(evidence, equivalent);
-    sentences.push_back(fmt::format("The same within {}: {}{}.", margin_words(evidence), clauses(same),
-                                    limit.empty() ? "" : fmt::format(" ({})", limit)));
-  }
-  if (!open.empty()) sentences.push_back(fmt::format("Undecided: {}.", clauses(open)));
-  if (!undefined.empty()) {
-    const auto name = [&](const Contrast& contrast) { return pair_words(evidence, contrast); };
-    sentences.push_back(fmt::format("Not defined: {}.", undefined_words(evidence, undefined, name)));
-  }
+  std::vector<Sentence> sentences{{"Differences", who_differs_words(evidence, with_best, of_others) + '.'}};
+  if (!same.empty()) sentences.push_back({"The same within " + margin_words(evidence), clauses(same) + '.'});
+  if (!open.empty()) sentences.push_back({"Undecided", clauses(open) + '.'});
+  if (undefined.empty()) return sentences;
+  std::string reasons = reasons_of(undefined, [&](const Contrast& contrast) { return pair_words(evidence, contrast); });
+  if (const std::string other = another_test_words(evidence, undefined); !other.empty()) reasons += ". " + other;
+  sentences.push_back({"Not defined", reasons + '.'});
   return sentences;
 }
 
-std::string in_short(const Evidence& evidence) {
-  if (evidence.contrasts.empty()) return "";
+InShort in_short(const Evidence& evidence) {
+  if (evidence.contrasts.empty()) return {};
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   const PairsOf pairs = pairs_of(evidence, best);
-  if (has_single_values(evidence)) return "nothing can be judged, because no group has more than one observation.";
-  std::vector<std::string> parts;
-  if (!pairs.ahead.empty()) parts.push_back(lead_words(evidence, best, pairs.ahead, "is better" + by_words(evidence)));
-  if (!pairs.behind.empty()) parts.push_back(lead_words(evidence, best, pairs.behind, "is worse" + by_words(evidence)));
-  if (!pairs.same.empty()) parts.push_back(same_words(evidence, best, pairs.same));
-  if (!pairs.open.empty()) parts.push_back(open_pairs_words(evidence, best, pairs.open));
+  if (has_single_values(evidence)) return {{std::string(words::single_values)}};
+  InShort result;
+  const auto add = [&](std::vector<std::string> sentences) {
+    std::ranges::move(sentences, std::back_inserter(result.sentences));
+  };
+  const bool is_open = pairs.ahead.empty() && pairs.behind.empty() && !(pairs.same.empty() && pairs.open.empty());
+  const std::string first = name_words(evidence, best);
+  if (is_open && evidence.contrasts.size() > 1) {
+    add({evidence.plan.control.empty()
+             ? fmt::format(words::none_better, "first"_a = first, "average"_a = standing_words(evidence))
+             : fmt::format(words::control_not_better, "first"_a = first)});
+  }
+  if (!pairs.ahead.empty()) add(decided_words(evidence, best, pairs.ahead, true));
+  if (!pairs.behind.empty()) add(decided_words(evidence, best, pairs.behind, false));
+  if (!pairs.same.empty()) add({same_words(evidence, best, pairs.same)});
+  if (!pairs.open.empty()) add({open_words(evidence, best, pairs.open)});
   if (!pairs.undefined.empty()) {
     const auto name = [&](const Contrast& contrast) { return name_words(evidence, other_than(best, contrast)); };
-    parts.push_back(fmt::format("{} cannot be judged against {}", name_words(evidence, best),
-                                undefined_words(evidence, pairs.undefined, name)));
+    add({fmt::format(words::not_judged, "first"_a = first, "others"_a = reasons_of(pairs.undefined, name))});
+    if (std::string other = another_test_words(evidence, pairs.undefined); !other.empty()) add({std::move(other)});
   }
-  const bool is_open = pairs.ahead.empty() && pairs.behind.empty() && !(pairs.same.empty() && pairs.open.empty());
-  if (is_open && evidence.contrasts.size() > 1) {
-    parts.insert(
-        parts.begin(),
-        fmt::format(
-            "{} {} not shown to be better than another group", name_words(evidence, best),
-            evidence.plan.control.empty() ? fmt::format("has the best {}, but is", standing_words(evidence)) : "is"));
-  }
-  std::string text = fmt::format("{}.", fmt::join(parts, "; "));
-  if (const std::string others = other_pairs_words(evidence, pairs); !others.empty()) text += " " + others;
-  if (evidence.constant) return text;
-  if (has_judged(evidence)) text += fmt::format(" Decided by: {}.", decided_by(evidence));
-  std::vector<const Contrast*> decided = pairs.ahead;
-  decided.insert(decided.end(), pairs.behind.begin(), pairs.behind.end());
-  const std::string limit = unseen_words(evidence, decided);
-  return limit.empty() ? text : fmt::format("{} Better {}.", text, limit);
+  add(other_pairs_words(evidence, pairs));
+  if (!evidence.constant && has_judged(evidence))
+    add({fmt::format(words::decided_by, "tests"_a = decided_by(evidence))});
+  return result;
+}
+
+std::string words_of(const InShort& in_short) {
+  return in_short.sentences.empty() ? "" : fmt::format("{}.", fmt::join(in_short.sentences, ". "));
 }
 
 }  // namespace ikbench::report

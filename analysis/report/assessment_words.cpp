@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -11,10 +12,12 @@
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/unseen.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -73,7 +76,7 @@ std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
 namespace {
 
 std::string margins_of(const Evidence& evidence, double relative, double absolute) {
-  return inference::margin_words(relative, absolute, is_in_cm(evidence.quantity) ? " cm" : "");
+  return inference::margin_words(relative, absolute, evidence.unit == "cm" ? " cm" : "");
 }
 
 }  // namespace
@@ -96,16 +99,16 @@ std::pair<double, double> interval_sizes(const Evidence& evidence, const Contras
   return std::minmax({size(contrast.difference.low), size(contrast.difference.high)});
 }
 
-std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
+Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
-  if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return "";
-  if (evidence.ranks_decide()) return "";  // the interval is of means
+  if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return {};
+  if (evidence.ranks_decide()) return {};  // the interval is of means
   const std::string margin = margin_words(evidence, contrast);
   switch (contrast.extent) {
     case Extent::within:
-      return "less than " + margin;
+      return {"less than " + margin};
     case Extent::beyond:
-      return "more than " + margin;
+      return {"more than " + margin};
     case Extent::across: {
       const bool is_ratio = evidence.scale == ValueScale::log10;
       const double unit = is_ratio ? 1
@@ -114,16 +117,16 @@ std::string extent_words(const Evidence& evidence, const Contrast& contrast) {
       const auto [low, high] = interval_sizes(evidence, contrast);
       const double least = low - no_difference(evidence), most = high - no_difference(evidence);
       if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))
-        return fmt::format("less or more than {}", margin);
-      return fmt::format("{} to {} (margin {})", percent(least / unit), percent(most / unit), margin);
+        return {fmt::format("less or more than {}", margin)};
+      return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
     }
     default:
-      return "";
+      return {};
   }
 }
 
 std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
-  const std::string extent = extent_words(evidence, contrast), by = extent.empty() ? "" : " by " + extent;
+  const std::string extent = words_of(extent_clause(evidence, contrast)), by = extent.empty() ? "" : " by " + extent;
   switch (contrast.relation) {
     case Relation::better:
       return fmt::format("{} is better{}", evidence.groups[contrast.first].name, by);
@@ -149,8 +152,9 @@ std::string runs_words(const Evidence& evidence, const Estimate& runs) {
       std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
   if (!more) return "";
   const std::string_view of = replicates_words(evidence);
-  if (!std::isfinite(runs.low)) return fmt::format("it takes at least {:.0f} {}", runs.value, of);
-  return fmt::format("a difference of {} takes {} {}", margin_words(evidence), range_words(runs.low, runs.high), of);
+  if (!std::isfinite(runs.low)) return fmt::format(words::runs_at_least, "runs"_a = runs.value, "of"_a = of);
+  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, runs.high), "of"_a = of,
+                     "margin"_a = margin_words(evidence));
 }
 
 Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
@@ -162,21 +166,28 @@ Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
   return all;
 }
 
-std::string unseen_words(const Evidence& evidence, const std::vector<const Contrast*>& pairs) {
+std::string_view adjustment_words(const Evidence& evidence) {
+  constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
+  return whose[static_cast<std::size_t>(evidence.plan.adjustment)];
+}
+
+std::string_view none_words(const Evidence& evidence) { return evidence.scale == ValueScale::log10 ? "1" : "zero"; }
+
+std::string rare_failures_words(const Evidence& evidence) {
   int fewest = std::numeric_limits<int>::max();
-  for (const Contrast* pair : pairs) {
-    const bool by_means = pair->relation == Relation::same || (is_decided(*pair) && !evidence.ranks_decide());
-    if (!by_means || evidence.of_outcomes || pair->is_fact) continue;
+  for (const Contrast& pair : evidence.contrasts) {
+    const bool by_means = pair.relation == Relation::same || (is_decided(pair) && !evidence.ranks_decide());
+    if (!by_means || evidence.of_outcomes || pair.is_fact) continue;
     // Where a known value is the better one, a failure of the other would only make it better.
-    const std::size_t winner = pair->relation == Relation::worse ? pair->second : pair->first;
-    if (is_decided(*pair) && evidence.groups[winner].copies > 0) continue;
-    for (const std::size_t group : {pair->first, pair->second}) {
+    const std::size_t winner = pair.relation == Relation::worse ? pair.second : pair.first;
+    if (is_decided(pair) && evidence.groups[winner].copies > 0) continue;
+    for (const std::size_t group : {pair.first, pair.second}) {
       const GroupEvidence& of = evidence.groups[group];
       if (of.copies == 0) fewest = std::min(fewest, of.described.n);  // a known value has no failures to hide
     }
   }
   if (fewest == std::numeric_limits<int>::max()) return "";
-  return inference::unseen_words(fewest, replicates_words(evidence), evidence.plan.significance);
+  return inference::rare_failures_words(fewest, replicates_words(evidence), evidence.plan.significance);
 }
 
 bool has_too_few(const Evidence& evidence) {
@@ -189,10 +200,6 @@ bool has_too_few(const Evidence& evidence) {
 
 std::size_t corrected_for(const Evidence& evidence) {
   return evidence.method->corrects_all_pairs ? evidence.pairs : evidence.family();
-}
-
-std::string flaw_words(const Evidence& evidence) {
-  return fmt::format("Flawed: {}{}", evidence.flaw, evidence.flaw.ends_with('.') ? "" : ".");
 }
 
 bool has_single_values(const Evidence& evidence) {

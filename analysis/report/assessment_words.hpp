@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/sentence.hpp"
 
 namespace ikbench::report {
 
@@ -28,23 +29,24 @@ std::string margin_words(const inference::Evidence& evidence, const inference::C
 std::pair<double, double> interval_sizes(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // Of a pair that differs, against the margin: "more than 5 %", "less than 5 %", "3 % to 12 % (margin 5 %)". Empty where
 // the interval is not for the better one, or the plan has no margin.
-std::string extent_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+Clause extent_clause(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
 std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or what blocks are: "targets"
-// Of a pair that is undecided: "a difference of 5 % takes 31 to 122 observations per group", of constants and outcomes
-// "it takes at least 4 ..."; empty where it is not known, or there are as many.
+// Of a pair that is undecided: "it takes 31 to 122 observations per group to see a difference of 5 %", of constants and
+// outcomes "it takes at least 4 ..."; empty where it is not known, or there are as many.
 std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
 // What each of these takes, at least and at most.
 inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);
-// Of those of the pairs that are the same or better by means: "as far as 20 observations per group can show: a failure
-// in up to 14 % of them is not excluded". Empty where there are none.
-std::string unseen_words(const inference::Evidence& evidence, const std::vector<const inference::Contrast*>& pairs);
+// Of pairs that are the same or better by means: "20 observations per group do not exclude a failure in up to 14 % of
+// them". Empty where there are none.
+std::string rare_failures_words(const inference::Evidence& evidence);
+std::string_view adjustment_words(const inference::Evidence& evidence);  // "Holm"
+std::string_view none_words(const inference::Evidence& evidence);        // of no difference: "zero"
 // Where ranks decide: whether there are so few observations that no pair can be told apart, whatever they are.
 bool has_too_few(const inference::Evidence& evidence);
 std::size_t corrected_for(const inference::Evidence& evidence);  // so many pairs the deciding p-values are
-std::string flaw_words(const inference::Evidence& evidence);     // of one that has a flaw
 
 bool has_single_values(const inference::Evidence& evidence);  // every group has one observation, or none
 

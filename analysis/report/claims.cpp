@@ -1,6 +1,7 @@
 #include "analysis/report/claims.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -39,11 +40,11 @@ double share_of(Verdict verdict, const ClaimShares& of) {
 
 void join(Claim& claim, const ClaimShares& of) {
   if (claim.verdict == Verdict::untested) return;
-  claim.evidence += ' ' + (of.sentence.empty() ? fmt::format("Over all interpretations it {}, is undecided in {}.",
+  claim.evidence.push_back(of.sentence.empty() ? fmt::format("Over all interpretations it {}, is undecided in {}.",
                                                              answers_in(of), share_words(of.undecided))
                                                : of.sentence);
   if (share_of(claim.verdict, of) >= clear_share) return;
-  claim.evidence = fmt::format("By our default: {}; {}", name_of(claim.verdict), claim.evidence);
+  claim.evidence.front() = fmt::format("By our default: {}; {}", name_of(claim.verdict), claim.evidence.front());
   claim.verdict = Verdict::depends;
   claim.depends_on = of.decided_by;
   if (claim.depends_on.empty()) claim.depends_on.emplace_back("what is left open");
@@ -63,6 +64,8 @@ std::string verdict_words(const Claim& claim) {
   if (claim.depends_on.empty()) return name;
   return fmt::format("{} on {}{}", name, claim.depends_on.front(), claim.depends_on.size() == 1 ? "" : " etc.");
 }
+
+std::string evidence_text(const Claim& claim) { return fmt::format("{}", fmt::join(claim.evidence, " ")); }
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {
   std::vector<Claim> result;

@@ -18,7 +18,8 @@ enum class By { paper, us };  // who claims it: the paper, or we asked
 struct Claim {
   std::string statement;
   Verdict verdict;
-  std::string evidence;                 // in words and numbers, all of them of the store but those said to be printed
+  std::vector<std::string>
+      evidence;  // sentences with numbers, all of the store but those said to be printed; first the one that says most
   std::string table;                    // the name of the table that has the numbers
   std::optional<Verdict> printed = {};  // on the printed numbers alone; none where they cannot say
   std::string id = {};                  // "most_accurate"; by it other results are joined
@@ -31,6 +32,8 @@ struct Claim {
 
 // "depends on who obeys limits (+2)"
 std::string verdict_words(const Claim& claim);
+
+std::string evidence_text(const Claim& claim);  // all of it
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims);
 

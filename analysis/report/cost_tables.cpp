@@ -170,7 +170,7 @@ std::vector<Table> cost_tables(const StudyResults& measured) {
   }
   std::vector<Table> tables;
   const auto add = [&](Table table, const Compared& of) {
-    if (std::string note = left_out(study, of.metric).note; !note.empty()) table.notes.push_back(std::move(note));
+    std::ranges::move(list_of(left_out(study, of.metric).doubts), std::back_inserter(table.notes));
     tables.push_back(std::move(table));
   };
   for (const Compared* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);

@@ -22,7 +22,7 @@ constexpr std::size_t largest_svg = 400'000;    // bytes; a larger one is shown 
 constexpr std::size_t largest_sum = 1'500'000;  // bytes of all figures together, for a page below 3 MB
 constexpr std::size_t most_page_rows = 60;      // of a table on the page; all are in its files
 
-constexpr std::string_view colour_of(Beside::Nearness nearness) {
+constexpr std::string_view colour_of(Nearness nearness) {
   constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
   return colours[static_cast<std::size_t>(nearness)];
 }
@@ -34,7 +34,7 @@ std::string legend_of(const Table& table) {
     for (const Cell& cell : row) {
       const auto* const beside = std::get_if<Beside>(&cell);
       has_any = has_any || beside != nullptr;
-      has_colours = has_colours || (beside != nullptr && beside->nearness != Beside::Nearness::unknown);
+      has_colours = has_colours || (beside != nullptr && beside->nearness != Nearness::unknown);
     }
   }
   if (!has_any) return "";
@@ -42,17 +42,6 @@ std::string legend_of(const Table& table) {
          (has_colours
               ? " Green: the printed number is where 95 % of our repetitions are. Yellow: outside, but near. Red: far."
               : "");
-}
-
-// What stands at the front of a cell and has a colour.
-std::string_view verdict_of(std::string_view cell) {
-  if (cell.starts_with("relative only: ")) cell.remove_prefix(15);
-  for (const std::string_view verdict : {"agrees", "close", "differs"}) {
-    if (cell.starts_with(verdict)) return verdict;
-  }
-  if (cell.starts_with("in our range")) return "agrees";
-  if (cell.find("outside our range") != std::string_view::npos) return "differs";
-  return "";
 }
 
 Data cell_data(const Cell& cell, const Column& column) {
@@ -70,9 +59,12 @@ Data cell_data(const Cell& cell, const Column& column) {
     data.set("words", text_data(beside->words));
     return data;
   }
+  if (const auto* graded = std::get_if<Graded>(&cell)) {
+    if (graded->nearness != Nearness::unknown) data.set("verdict", Data(std::string(colour_of(graded->nearness))));
+    return data;
+  }
   const bool is_text = std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
   if (!is_text) data.set("number", Data(computable(cell)));
-  if (column.name == "verdict" && !verdict_of(shown).empty()) data.set("verdict", Data(std::string(verdict_of(shown))));
   return data;
 }
 
@@ -102,7 +94,7 @@ Data table_data(const Table& table) {
   }
   data.set("id", Data(id_of(table.name)));
   data.set("name", text_data(table.name));
-  data.set("caption", text_data(table.caption));
+  data.set("caption", text_data(numbered_caption(table)));
   if (const std::string legend = legend_of(table); !legend.empty()) data.set("legend", Data(legend));
   data.set("heads", heads);
   data.set("rows", rows);
@@ -136,7 +128,7 @@ Data claim_data(const Claim& claim, const ReportContent& content) {
   }
   data.set("number", text_data(claim.number));
   if (!claim.section.empty()) data.set("stated_in", text_data(claim.section));
-  data.set("evidence", text_data(claim.evidence));
+  data.set("evidence", text_data(evidence_text(claim)));
   if (piece_named(content, claim.table)) {
     data.set("table", Data(id_of(claim.table)));
     data.set("link", text_data(title_of(claim.table)));

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::report {
@@ -31,15 +32,10 @@ std::vector<std::string> words_of(std::string_view text) {
 }
 
 // "mean_reached_ms" as "mean reached [ms]".
-std::string in_words(std::string name) {
-  for (const std::string_view unit : {"cm", "deg", "rad", "ms", "s", "m"}) {
-    const std::string end = fmt::format("_{}", unit);
-    if (name.size() <= end.size() || !name.ends_with(end)) continue;
-    name.replace(name.size() - end.size(), end.size(), fmt::format(" [{}]", unit));
-    break;
-  }
-  std::ranges::replace(name, '_', ' ');
-  return name;
+std::string in_words(std::string_view name) {
+  NameWithUnit words = split_unit(name);
+  std::ranges::replace(words.name, '_', ' ');
+  return text_of(words);
 }
 
 // A note that names columns names them as their heads do.
@@ -103,11 +99,6 @@ std::string breakable(std::string_view text) {
   return result;
 }
 
-bool is_words(const Cell& cell, const std::string& text) {
-  return std::holds_alternative<std::string>(cell) || std::holds_alternative<Beside>(cell) || text.empty() ||
-         text == "not defined";
-}
-
 struct LatexColumn {
   std::size_t index;  // in the table
   bool is_text;
@@ -115,12 +106,12 @@ struct LatexColumn {
 };
 
 std::string cell_latex(const Cell& cell, const LatexColumn& column) {
+  if (const auto* range = std::get_if<Range>(&cell)) {
+    return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
+  }
   const std::string text = readable(cell);
-  if (is_words(cell, text)) return column.wraps ? breakable(text) : words_in_latex(text);
-  if (text.starts_with('<')) return "$<10^{-300}$";
-  const std::size_t to = text.find(" to ");  // of a range
-  return to == std::string::npos ? latex_number(text)
-                                 : latex_number(text.substr(0, to)) + " to " + latex_number(text.substr(to + 4));
+  if (!is_number(cell)) return column.wraps ? breakable(text) : words_in_latex(text);
+  return text.starts_with('<') ? "$<10^{-300}$" : latex_number(text);
 }
 
 std::vector<LatexColumn> columns_of(const Table& table) {
@@ -132,14 +123,6 @@ std::vector<LatexColumn> columns_of(const Table& table) {
     columns.push_back({.index = c, .is_text = is_text, .wraps = is_long});
   }
   return columns;
-}
-
-// "Table 3: errors" as "errors": LaTeX counts tables itself.
-std::string without_number(const std::string& caption) {
-  const std::size_t colon = caption.find(": ");
-  const bool numbered = caption.starts_with("Table ") && colon != std::string::npos &&
-                        caption.find_first_not_of("0123456789", 6) == colon;
-  return numbered ? caption.substr(colon + 2) : caption;
 }
 
 // Columns of long texts share the line.
@@ -181,9 +164,9 @@ std::string tabular(const Table& table, const std::vector<LatexColumn>& columns,
   return text + "\\bottomrule\n\\end{tabular}";
 }
 
+// Without the number: LaTeX counts tables itself.
 std::string caption_of(const Table& table, bool is_first) {
-  return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", words_in_latex(without_number(table.caption)),
-                                table.name)
+  return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", words_in_latex(table.caption), table.name)
                   : fmt::format("Table~\\ref{{tab:{}}}, continued\n\n\\smallskip\n", table.name);
 }
 

@@ -17,6 +17,7 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_doubts.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/rounding.hpp"
 
@@ -24,6 +25,7 @@ namespace ikbench::report {
 
 using namespace results;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -32,11 +34,11 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
   const MetricInfo& info = info_of(metric);
   const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
-  const std::string_view penalised = is_penalised ? "penalised " : "";
-  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", penalised, is_of_run(metric) ? info.name : info.slug);
-  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), penalised, info.slug);
+  const std::string penalised = is_penalised ? fmt::format(" ({})", penalty_words) : "";
+  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, penalised);
+  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), info.slug, penalised);
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
-  const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), penalised, info.slug);
+  const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), info.slug, penalised);
   if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
   return words + " (large errors dominate)";
 }
@@ -82,9 +84,9 @@ class Leader {
     const std::vector<std::size_t> order = order_of_groups();
     if (order.empty()) return "";
     if (!evidence_.plan.control.empty() && evidence_.reference) return against_control(*evidence_.reference);
-    if (order.size() == 1) return fmt::format("{} ({})", name(order[0]), value(order[0]));
+    if (order.size() == 1) return with_value(order[0]);
     const auto first = std::ranges::find_if(order, [&](std::size_t group) { return is_unbeaten(group, order); });
-    if (first == order.end()) return "no solver, because the tests find each worse than another";
+    if (first == order.end()) return std::string(words::each_worse);
     return first_words(*first, order);
   }
 
@@ -122,20 +124,12 @@ class Leader {
     return (evidence_.better == Better::larger ? percent(mean) : figures::value_words(metric_, mean)) +
            achieved_.of(evidence_.groups[group].name);
   }
+  std::string with_value(std::size_t group) const { return fmt::format("{} ({})", name(group), value(group)); }
   // "BA 0.0019 cm"
   std::string with_values(const std::vector<std::size_t>& groups) const {
     std::vector<std::string> all;
     for (const std::size_t group : groups) all.push_back(fmt::format("{} {}", name(group), value(group)));
     return listed(all);
-  }
-  // What n excludes, where the one is better or the same.
-  std::string unseen(std::size_t first) const {
-    std::vector<const Contrast*> own;
-    for (const Contrast& contrast : evidence_.contrasts) {
-      if (contrast.first == first || contrast.second == first) own.push_back(&contrast);
-    }
-    const std::string words = unseen_words(evidence_, own);
-    return words.empty() ? "" : "; " + words;
   }
   std::string names(const std::vector<std::size_t>& groups) const {
     std::vector<std::string> all;
@@ -170,40 +164,39 @@ class Leader {
             order, [&](std::size_t other) { return other != one && against(one, other).undefined.empty(); });
       };
       const bool is_any_tested = std::ranges::any_of(order, is_tested);
-      return is_any_tested ? fmt::format("{} ({}; not tested)", name(first), value(first))
-                           : fmt::format("no solver is tested ({})", with_values(order));
+      return is_any_tested ? fmt::format(words::leader_not_tested, "first"_a = name(first), "value"_a = value(first))
+                           : fmt::format(words::none_tested, "values"_a = with_values(order));
     }
     std::string remarks;
     if (!others.open.empty()) remarks += fmt::format("; undecided against {}", names(others.open));
     if (!others.untested.empty()) remarks += fmt::format("; not tested against {}", with_values(others.untested));
     if (order[0] != first) remarks += fmt::format("; the test decides, the average would name {}", name(order[0]));
-    remarks += unseen(first);
     if (!others.beside.empty()) {
       std::vector<std::size_t> groups{first};
       groups.insert(groups.end(), others.beside.begin(), others.beside.end());
-      return shared(groups, others.all_same) + remarks + ')';
+      return shared(groups, others.all_same, remarks);
     }
     const std::size_t second = order[0] == first ? order[1] : order[0];
     const Judgement next = against(first, second);
     const std::string own = value(first), of_second = value(second);
-    return fmt::format("{} ({}; next {} {}, {}{})", name(first), own, name(second),
-                       own == of_second ? "with the same digits" : of_second,
-                       next.is_fact            ? "a fact of these targets, because all runs are equal"
-                       : std::isfinite(next.p) ? p_words(next.p)
-                                               : "not tested",
-                       remarks);
+    return fmt::format(words::leader, "first"_a = name(first), "value"_a = own, "second"_a = name(second),
+                       "of_second"_a = own == of_second ? "with the same digits" : of_second,
+                       "p"_a = next.is_fact            ? "a fact of these targets, because all runs are equal"
+                               : std::isfinite(next.p) ? p_words(next.p)
+                                                       : "not tested",
+                       "remarks"_a = remarks);
   }
 
-  // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4", without the bracket at the end.
-  std::string shared(const std::vector<std::size_t>& groups, bool all_same) const {
+  // "IK-BA or DE (0.0017 cm and 0.0018 cm; undecided, p = 0.4)"
+  std::string shared(const std::vector<std::size_t>& groups, bool all_same, const std::string& remarks) const {
     constexpr std::size_t most = 4;
     const std::string finding = all_same ? fmt::format("the same within {}", margin_words(evidence_))
                                 : groups.size() > 2 || !std::isfinite(against(groups[0], groups[1]).p)
                                     ? "undecided"
                                     : fmt::format("undecided, {}", p_words(against(groups[0], groups[1]).p));
     if (groups.size() > most) {
-      return fmt::format("{} or one of {} others ({}; {}", name(groups[0]), groups.size() - 1, value(groups[0]),
-                         finding);
+      return fmt::format(words::shared_by_many, "first"_a = name(groups[0]), "others"_a = groups.size() - 1,
+                         "value"_a = value(groups[0]), "finding"_a = finding, "remarks"_a = remarks);
     }
     std::vector<std::string> all, values;
     for (const std::size_t group : groups) {
@@ -211,8 +204,11 @@ class Leader {
       values.push_back(value(group));
     }
     const bool is_one = std::ranges::count(values, values.front()) == std::ssize(values);
-    return fmt::format("{} {} {} ({}; {}", fmt::join(all.begin(), all.end() - 1, ", "), all_same ? "and" : "or",
-                       all.back(), is_one ? "each " + values.front() : listed(values), finding);
+    return fmt::format(
+        words::shared,
+        "all"_a =
+            fmt::format("{} {} {}", fmt::join(all.begin(), all.end() - 1, ", "), all_same ? "and" : "or", all.back()),
+        "values"_a = is_one ? "each " + values.front() : listed(values), "finding"_a = finding, "remarks"_a = remarks);
   }
 
   // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Only these
@@ -224,7 +220,7 @@ class Leader {
       if (i == control) continue;
       const Judgement judged = against(i, control);
       if (judged.relation == Relation::better) {
-        better.push_back(fmt::format("{} ({})", name(i), value(i)));
+        better.push_back(with_value(i));
       } else if (judged.relation == Relation::undefined) {
         untested.push_back(fmt::format("{} {}", name(i), value(i)));
       } else {
@@ -233,9 +229,9 @@ class Leader {
                         judged.relation == Relation::undecided ? fmt::format(" ({})", p_words(judged.p)) : ""));
       }
     }
-    std::string text =
-        fmt::format("{} {} better than the control {} ({})", better.empty() ? "no solver" : listed(better),
-                    better.size() > 1 ? "are" : "is", name(control), value(control));
+    std::string text = fmt::format(words::against_control, "better"_a = better.empty() ? "no solver" : listed(better),
+                                   "are"_a = better.size() > 1 ? "are" : "is", "control"_a = name(control),
+                                   "value"_a = value(control));
     const auto add = [&](const std::string& what, const std::vector<std::string>& who) {
       if (!who.empty()) text += fmt::format("; {}: {}", what, listed(who));
     };
@@ -243,7 +239,7 @@ class Leader {
     add("the same within " + margin_words(evidence_), found[Relation::same]);
     add("undecided", found[Relation::undecided]);
     add("not tested", untested);
-    return text + unseen(control);
+    return text;
   }
 
   const Evidence& evidence_;
@@ -254,34 +250,32 @@ class Leader {
 
 }  // namespace
 
-std::string leader_sentence(const JudgedStudy& study, Metric metric, Estimand estimand) {
+Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estimand) {
   const std::string words = Leader(study, metric, estimand).words();
-  return words.empty() ? "" : fmt::format("{}: {}.", first_by_words(study, metric, estimand), words);
+  if (words.empty()) return {};
+  return {first_by_words(study, metric, estimand), words + '.'};
 }
 
-std::string leaders_sentence(const JudgedStudy& study, Metric metric) {
-  std::vector<std::string> sentences;
-  for (const Estimand estimand : estimands_of(study, metric)) {
-    sentences.push_back(leader_sentence(study, metric, estimand));
-  }
-  std::erase(sentences, "");
-  return fmt::format("{}", fmt::join(sentences, " "));
+std::vector<Sentence> leader_sentences(const JudgedStudy& study, Metric metric) {
+  std::vector<Sentence> sentences;
+  for (const Estimand estimand : estimands_of(study, metric)) add(sentences, leader_sentence(study, metric, estimand));
+  return sentences;
 }
 
 namespace {
 
 // Imports that lack solves: their values are of fewer than the others'.
-std::string partial_imports_sentence(const JudgedStudy& study) {
+Sentence partial_imports_sentence(const JudgedStudy& study) {
   std::string list;
   for (const SolverCounts& count : counts(study)) {
     if (count.solves == count.expected || !is_imported(study, count.solver)) continue;
     list +=
         fmt::format("{}{} has {} of {} solves", list.empty() ? "" : ", ", count.solver, count.solves, count.expected);
   }
-  if (list.empty()) return "";
-  return fmt::format(
-      "Not comparable: imported, {}; its values are of these alone. ikbench compare takes what two solvers both have.",
-      list);
+  if (list.empty()) return {};
+  return {"Not comparable",
+          fmt::format("imported, {}; its values are of these alone. ikbench compare takes what two solvers both have.",
+                      list)};
 }
 
 // Where there are so few blocks that no pair can differ, whatever they hold.
@@ -318,39 +312,36 @@ std::string budgets_sentence(const StudyResults& study) {
 }
 
 // Of every quantity but the one that the study is judged by.
-std::vector<std::string> exploratory_sentences(const JudgedStudy& study) {
-  std::vector<std::string> sentences;
+std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
+  std::vector<Sentence> sentences;
   for (const Metric metric : shown_metrics(study).judged) {
     const bool is_reported = info_of(metric).shown == Shown::everywhere;
     if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
     for (const Estimand estimand : estimands_of(study, metric)) {
       if (metric == Metric::position_error_cm && estimand == primary_estimand(study)) continue;
-      sentences.push_back(leader_sentence(study, metric, estimand));
+      add(sentences, leader_sentence(study, metric, estimand));
     }
   }
-  std::erase(sentences, "");
   return sentences;
 }
 
 }  // namespace
 
-std::vector<std::string> own_verdict(const JudgedStudy& study) {
-  std::vector<std::string> sentences{partial_imports_sentence(study),
-                                     study.solvers.size() > 1 ? too_few_sentence(study) : "",
-                                     leader_sentence(study, Metric::position_error_cm, primary_estimand(study)),
-                                     change_words(study.evidence(Metric::position_error_cm, primary_estimand(study)))};
-  std::vector<std::string> others = exploratory_sentences(study);
-  if (study.solvers.size() > 1) {
-    if (!others.empty()) {
-      others.front() = fmt::format(
-          "Exploratory, because the study is judged by the first quantity and these {} are not corrected for being "
-          "several: {}",
-          others.size(), others.front());
-    }
-    others.push_back(budgets_sentence(study));
+std::vector<Sentence> own_verdict(const JudgedStudy& study) {
+  const Evidence& judged = study.evidence(Metric::position_error_cm, primary_estimand(study));
+  const bool has_several = study.solvers.size() > 1;
+  std::vector<Sentence> sentences;
+  add(sentences, partial_imports_sentence(study));
+  if (has_several) add(sentences, {"", too_few_sentence(study)});
+  add(sentences, leader_sentence(study, Metric::position_error_cm, primary_estimand(study)));
+  add(sentences, change_words(judged));
+  const std::vector<Sentence> others = exploratory_sentences(study);
+  if (has_several && !others.empty()) {
+    add(sentences, {"Exploratory", fmt::format(words::exploratory, "count"_a = others.size())});
   }
-  std::ranges::move(others, std::back_inserter(sentences));
-  std::erase(sentences, "");
+  std::ranges::copy(others, std::back_inserter(sentences));
+  if (const std::string failures = rare_failures_words(judged); !failures.empty()) add(sentences, {"", failures + '.'});
+  if (has_several) add(sentences, {"", budgets_sentence(study)});
   return sentences;
 }
 

@@ -97,8 +97,8 @@ std::vector<Side> sides_of(const StudyResults& study, const StudyResults& other)
 
 Enforced enforced_of(const JudgedStudy& study, const StudyResults& other) {
   Enforced result{.sides = sides_of(study, other), .error = study.evidence(Metric::position_error_cm)};
-  Observations accepted{.name = "accepted-variation", .quantity = quantity(Metric::variation_deg)};
-  if (study.plan.unit == Unit::point) accepted.flaw = points_flaw;
+  Observations accepted{.name = "accepted-variation", .quantity = quantity(Metric::variation_deg), .unit = "deg"};
+  if (study.plan.unit == Unit::point) accepted.flaws = {{DoubtKind::points_as_observations}};
   for (const Side& side : result.sides) {
     accepted.groups.push_back({.name = side.solver, .values = side.accepted_variation_of_runs});
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -11,10 +10,12 @@
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -22,7 +23,7 @@ std::int64_t ones_of(const GroupEvidence& group) { return std::llround(group.mea
 
 }  // namespace
 
-std::string shares_words(const Evidence& evidence) {
+Sentence shares_words(const Evidence& evidence) {
   std::vector<std::string> shares;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
     const GroupEvidence& group = evidence.groups[i];
@@ -30,19 +31,18 @@ std::string shares_words(const Evidence& evidence) {
                                  group.described.n, percent(group.mean.value), 100 * group.mean.low,
                                  100 * group.mean.high));
   }
-  return fmt::format("Shares of {}: {}.", evidence.quantity, clauses(shares));
+  return {fmt::format("Shares of {}", evidence.quantity), clauses(shares) + '.'};
 }
 
-std::string outcome_methods_words(const Evidence& evidence) {
-  std::string text = fmt::format("Methods: every observation is 0 or 1, so shares are compared. {} decides, at {}",
-                                 deciding_words(evidence), rounded_number(evidence.plan.significance, 3));
-  if (const std::size_t pairs = corrected_for(evidence); pairs > 1) {
-    constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
-    text +=
-        fmt::format(", corrected for {} pairs by {}", pairs, whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
-  }
-  return fmt::format("{}; differences below {} do not matter. Intervals: Wilson's of a share; of a difference {}.",
-                     text, margin_words(evidence), evidence.method->interval);
+Sentence outcome_methods_words(const Evidence& evidence) {
+  const std::size_t pairs = corrected_for(evidence);
+  const std::string family =
+      pairs > 1 ? fmt::format(", corrected for {} pairs by {}", pairs, adjustment_words(evidence)) : "";
+  return {"Methods", fmt::format(words::method_of_shares,
+                                 "method"_a = fmt::format(words::method, "test"_a = deciding_words(evidence),
+                                                          "level"_a = rounded_number(evidence.plan.significance, 3),
+                                                          "family"_a = family, "margin"_a = margin_words(evidence)),
+                                 "interval"_a = evidence.method->interval)};
 }
 
 Table outcomes_table(const Evidence& evidence) {
@@ -60,7 +60,7 @@ Table outcomes_table(const Evidence& evidence) {
   if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
   table.notes.emplace_back("Interval: Wilson's.");
   for (const std::string& note : evidence.notes) table.notes.push_back(note);
-  if (!evidence.flaw.empty()) table.notes.push_back("Flawed: " + evidence.flaw);
+  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
   return table;
 }
 

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/report/sentence.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
 // "Shares of solved: IK-BA 18 of 20 (90 %, 70 to 97 %); BA ..."
-std::string shares_words(const inference::Evidence& evidence);
-std::string outcome_methods_words(const inference::Evidence& evidence);
+Sentence shares_words(const inference::Evidence& evidence);
+Sentence outcome_methods_words(const inference::Evidence& evidence);
 // "statistics-NAME-groups": a row a group.
 Table outcomes_table(const inference::Evidence& evidence);
 

@@ -185,7 +185,7 @@ Table baselines_table(const JudgedStudies& studies) {
       }
     }
     for (const std::string& note : status_notes(study)) table.notes.push_back(study.name + ": " + note);
-    if (const std::string note = times_note(study); !note.empty()) table.notes.push_back(study.name + ": " + note);
+    for (const std::string& note : list_of(times_doubts(study))) table.notes.push_back(study.name + ": " + note);
   }
   return table;
 }

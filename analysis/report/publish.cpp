@@ -17,29 +17,22 @@ namespace ikbench::report {
 
 using namespace results;
 using namespace figures;
+using namespace inference;
 
 namespace {
 
 // The same message for many figures is one warning.
-std::vector<std::string> failures_of(const std::vector<FigureOutcome>& outcomes) {
-  std::vector<std::pair<std::string, std::string>> failures;
+Doubts failures_of(const std::vector<FigureOutcome>& outcomes) {
+  Doubts failures;
   for (const FigureOutcome& outcome : outcomes) {
     if (outcome.error.empty()) continue;
-    const auto same = std::ranges::find(failures, outcome.error, &std::pair<std::string, std::string>::first);
-    if (same != failures.end()) {
-      same->second += ", " + outcome.name;
-    } else {
-      failures.emplace_back(outcome.error, outcome.name);
+    auto same = std::ranges::find(failures, outcome.error, &Doubt::what);
+    if (same == failures.end()) {
+      same = failures.insert(same, {.kind = DoubtKind::figure_not_drawn, .what = outcome.error});
     }
+    same->who.push_back(outcome.name);
   }
-  std::vector<std::string> warnings;
-  for (const auto& [error, names] : failures) warnings.push_back(fmt::format("{} not drawn: {}", names, error));
-  return warnings;
-}
-
-std::string edited_warning(const std::vector<std::string>& scripts) {
-  return fmt::format("edited scripts of figures stay and are drawn with: {}; delete one to have it written anew",
-                     fmt::join(scripts, ", "));
+  return failures;
 }
 
 // What a reader may take along, of the files in the report's folder.
@@ -75,7 +68,7 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   for (const Table& table : tables) write_table(table, folder / "tables");
   if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
   const auto [outcomes, edited] = write_figures(figures, folder / "figures", options);
-  if (options.render && !edited.empty()) content.warnings.push_back(edited_warning(edited));
+  if (options.render && !edited.empty()) content.warnings.push_back({.kind = DoubtKind::figures_edited, .who = edited});
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
   std::vector<Piece> pieces(tables.begin(), tables.end());
@@ -85,8 +78,9 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   Report report{.page = folder / "report.html",
                 .file = folder / "report.md",
                 .summary = content.summary,
-                .warnings = content.warnings};
-  report.summary.insert(report.summary.begin(), content.answer.begin(), content.answer.end());
+                .warnings = list_of(content.warnings)};
+  const std::vector<std::string> answer = words_of(content.answer);
+  report.summary.insert(report.summary.begin(), answer.begin(), answer.end());
   write_file(report.file, to_markdown(content));
   if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
   write_file(report.page, to_html(content, {.figures = folder / "figures",

@@ -157,7 +157,7 @@ const Collection& collection_of(const StudyResults& study, std::span<const Colle
 
 // What a study's own tables say of themselves where points are the observations.
 Table flagged(Table table, const StudyResults& study) {
-  if (study.plan.unit == Unit::point) table.notes.push_back(capitalised(points_flaw) + '.');
+  if (study.plan.unit == Unit::point) table.notes.push_back(words_of(Doubt{DoubtKind::points_as_observations}));
   return table;
 }
 
@@ -181,78 +181,78 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
 }
 
 // Of solvers whose solves come from a file.
-std::vector<std::string> imported_warnings(const StudyEntry& entry, const StudyResults& study) {
-  std::vector<std::string> warnings;
+Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
+  Doubts doubts;
   for (const Series& series : entry.series) {
     if (!is_imported(series)) continue;
-    const bool is_verified = std::ranges::find(solves_of(study, series.label), Status::not_verified, &Solve::status) ==
-                             solves_of(study, series.label).end();
-    warnings.push_back(fmt::format(
-        "{} was imported from {}: {}", one_line(series.label), text_option(series.options, "file"),
-        is_verified
-            ? "its answers are verified, its counts and times are not."
-            : "its errors are not verified, because the file has no answers; none of its solves counts as solved."));
+    const auto solves = solves_of(study, series.label);
+    const bool is_verified = std::ranges::find(solves, Status::not_verified, &Solve::status) == solves.end();
+    doubts.push_back({.kind = is_verified ? DoubtKind::imported_verified : DoubtKind::imported_unverified,
+                      .who = {series.label},
+                      .what = text_option(series.options, "file")});
   }
-  return warnings;
+  return doubts;
 }
 
 // As the program found it before it solved the study.
-std::string out_of_reach_warning(const StudyResults& study) {
+Doubts out_of_reach_doubts(const StudyResults& study) {
   const StudyFacts::OutOfReach& of = study.facts.out_of_reach;
   const double points = of.points, all = of.farthest_point + of.farthest_cm + of.reach_cm;
   const bool is_count = points >= 1 && points <= study.points && points == std::floor(points);
-  if (!is_count || !std::isfinite(all)) return "";  // nothing, or somebody's own
-  const bool is_one = points == 1;
-  return fmt::format(
-      "{} of the {} targets of a run {} out of the arm's reach ({}point {}: {} {} cm from the shoulder; the reach is "
-      "{} cm). No solver can reach {}, so those errors say nothing about the solvers.",
-      points, study.points, is_one ? "is" : "are", is_one ? "" : "the farthest is ", of.farthest_point,
-      study.facts.wrist ? "the wrist's centre would be" : "it is", rounded_number(of.farthest_cm, 4),
-      rounded_number(of.reach_cm, 4), is_one ? "it" : "them");
+  if (!is_count || !std::isfinite(all)) return {};  // nothing, or somebody's own
+  return {{.kind = DoubtKind::out_of_reach,
+           .count = points,
+           .of = static_cast<double>(study.points),
+           .other = of.farthest_point,
+           .value = of.farthest_cm,
+           .limit = of.reach_cm,
+           .what = study.facts.wrist ? "the wrist's centre would be" : "it is"}};
 }
 
-std::vector<std::string> warnings_of(const StudyResults& study, const JudgedStudies& companions,
-                                     std::span<const Collection> collections) {
-  std::vector<std::string> warnings;
-  if (std::string warning = wrong_claims_sentence(study); !warning.empty()) warnings.push_back(std::move(warning));
-  if (std::string warning = out_of_reach_warning(study); !warning.empty()) warnings.push_back(std::move(warning));
-  if (!study.facts.published.empty() && collection_of(study, collections).name.empty()) {
-    std::vector<std::string> names;
-    for (const Collection& collection : collections) {
-      if (collection.paper) names.push_back(collection.name);
-    }
-    warnings.push_back(
-        fmt::format("no published tables of '{}'; known papers: {}", study.facts.published, fmt::join(names, ", ")));
+Doubts paper_doubts(const StudyResults& study, std::span<const Collection> collections) {
+  if (study.facts.published.empty() || !collection_of(study, collections).name.empty()) return {};
+  Doubt doubt{.kind = DoubtKind::unknown_paper, .what = study.facts.published};
+  for (const Collection& collection : collections) {
+    if (collection.paper) doubt.who.push_back(collection.name);
   }
+  return {doubt};
+}
+
+Doubts missing_doubts(const StudyResults& study) {
+  Doubts doubts;
   for (const SolverCounts& count : counts(study)) {
     if (count.solves >= count.expected) continue;
-    warnings.push_back(
-        fmt::format("{}: only {} of {} solves are stored", one_line(count.solver), count.solves, count.expected));
+    doubts.push_back({.kind = DoubtKind::solves_missing,
+                      .who = {count.solver},
+                      .count = static_cast<double>(count.solves),
+                      .of = static_cast<double>(count.expected)});
   }
-  std::vector<std::string> notes;                // each of a kind of its own: "Times are not comparable"
-  std::vector<std::vector<std::string>> others;  // of each note, the companions that have one of the kind too
-  const auto note_on = [&](const std::string& note, const std::string& companion) {
-    if (note.empty()) return;
-    const std::string kind = note.substr(0, std::min(note.find(": "), note.find(". ")));
-    const auto same = std::ranges::find_if(notes, [&](const std::string& other) { return other.starts_with(kind); });
-    if (same != notes.end()) {
-      others[static_cast<std::size_t>(same - notes.begin())].push_back(companion);
-      return;
-    }
-    notes.push_back(companion.empty() ? note : fmt::format("{} ({})", note, companion));
-    others.emplace_back();
-  };
-  for (const std::string& note : {times_note(study), speeds_note(study), load_warning(study)}) note_on(note, "");
+  return doubts;
+}
+
+// Those of the study, and those of its companions: of a kind that there is already only where it is so too.
+Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
-    for (const std::string& note : {out_of_reach_warning(companion), times_note(companion), load_warning(companion)}) {
-      note_on(note, companion.name);
+    for (Doubt& doubt : out_of_reach_doubts(companion) + times_doubts(companion) + load_doubts(companion)) {
+      auto same = std::ranges::find(doubts, title_of(doubt.kind), [](const Doubt& d) { return title_of(d.kind); });
+      if (same == doubts.end()) same = doubts.insert(same, std::move(doubt));
+      if (std::ranges::find(same->studies, companion.name) == same->studies.end()) {
+        same->studies.push_back(companion.name);
+      }
     }
   }
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    warnings.push_back(others[i].empty() ? notes[i]
-                                         : fmt::format("{} So it is in {}.", notes[i], fmt::join(others[i], ", ")));
-  }
-  return warnings;
+  return doubts;
+}
+
+Doubts blocks_doubts(const StudyResults& study) {
+  if (!needs_blocks(study.plan.test) || why_not_blocked(study).empty()) return {};
+  return Doubts{{.kind = DoubtKind::other_test, .what = study.plan.test}} + why_not_blocked(study);
+}
+
+Doubts said(const std::vector<std::string>& sentences) {
+  Doubts doubts;
+  for (const std::string& sentence : sentences) doubts.push_back({.kind = DoubtKind::said_elsewhere, .what = sentence});
+  return doubts;
 }
 
 // What a reader sees in the pieces that any study has.
@@ -261,7 +261,7 @@ void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<c
   for (const Metric metric : shown_metrics(study).judged) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
-                         leader_sentence(study, metric, average_estimand(metric)));
+                         words_of(leader_sentence(study, metric, average_estimand(metric))));
   }
   if (!shares.empty()) {
     content.seen.emplace("multiverse", shares.front().sentence);
@@ -307,33 +307,25 @@ Report write_report(const Store& store, const ReportRequest& request) {
 
   ReportContent content{.study = study.name,
                         .title = study.facts.title.empty() ? study.name : study.facts.title,
-                        .answer = {leaders_sentence(study, Metric::position_error_cm)},
+                        .answer = leader_sentences(study, Metric::position_error_cm),
                         .studied = studied(study, paper),
                         .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
-                        .warnings = warnings_of(study, reported.companions, request.collections),
                         .command = command_of(study, sessions),
                         .plan = paper.sections,
                         .path = pieces.path,
                         .seen = pieces.seen};
   join(content.claims, request.shares);
-  std::ranges::copy(plan_changes(entry, sessions, solves_of_sessions(study)), std::back_inserter(content.warnings));
-  if (needs_blocks(study.plan.test) && !why_not_blocked(study).empty()) {
-    content.warnings.push_back(
-        fmt::format("The plan asks for the {} test, which needs blocks. The studentized bootstrap of the means decides "
-                    "instead. {}",
-                    study.plan.test, why_not_blocked(study)));
-  }
   const int runs = runs_looked_at(study);
-  if (std::string note = look_note(looks_at(entry.name, store.name()), runs, study.plan.significance); !note.empty()) {
-    const std::ptrdiff_t after_wrong_claims = wrong_claims_sentence(study).empty() ? 0 : 1;
-    content.warnings.insert(content.warnings.begin() + after_wrong_claims, std::move(note));
-  }
-  if (study.plan.unit == Unit::point) content.warnings.insert(content.warnings.begin(), capitalised(points_flaw) + '.');
-  std::ranges::move(imported_warnings(entry, study), std::back_inserter(content.warnings));
-  content.warnings.insert(content.warnings.begin(), checked.unknown().begin(), checked.unknown().end());
-  content.warnings.insert(content.warnings.begin(), checked.damages().begin(), checked.damages().end());
+  const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
+  content.warnings =
+      said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
+      look_doubts(looks_at(entry.name, store.name()), runs, study.plan.significance) +
+      paper_doubts(study, request.collections) + missing_doubts(study) +
+      with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
+                      reported.companions) +
+      plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);
   for (std::size_t i = 1; i < same_limits_too.size(); ++i)
     content.summary.push_back(baselines_sentence(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
@@ -342,15 +334,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
     content.summary.push_back(std::move(closest));
   }
   std::vector<Assessment> assessments = assessments_of(study, paper);
-  for (const Assessment& assessment : assessments) {
-    if (!assessment.warnings.empty()) continue;  // of flawed observations there is no headline
-    std::ranges::copy(assessment.headlines, std::back_inserter(content.summary));
-  }
+  std::vector<Assessment> sound;
+  std::ranges::copy_if(assessments, std::back_inserter(sound), [](const Assessment& a) { return a.flaws.empty(); });
+  std::ranges::move(headlines_of(sound), std::back_inserter(content.summary));
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
-  std::erase(content.answer, "");
-  if (!checked.damages().empty()) {
-    content.answer = {"Believe nothing here: the store is damaged."};
-  }
+  if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   see(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),

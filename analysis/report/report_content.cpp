@@ -88,13 +88,6 @@ Section section(const SectionPlan& plan, std::vector<Piece>& pieces) {
           .folded = taken(plan.folded, pieces)};
 }
 
-// Of "position error [cm]: A is better than B; against B, ..." what stands after the colon and before the semicolon.
-std::string first_clause(const std::string& headline) {
-  const std::size_t colon = headline.find(": "), begin = colon == std::string::npos ? 0 : colon + 2;
-  const std::size_t end = headline.find(';', begin);
-  return headline.substr(begin, end == std::string::npos ? end : end - begin);
-}
-
 }  // namespace
 
 std::string title_of(std::string name) {
@@ -125,16 +118,8 @@ std::string seen_at(const Piece& piece, const ReportContent& content) {
   return seen != content.seen.end() && piece_named(content, name_of(piece)) == &piece ? seen->second : "";
 }
 
-std::string first_sentence(const std::string& text) {
-  for (std::size_t end = text.find(". "); end < text.size(); end = text.find(". ", end + 1)) {
-    if (end + 2 < text.size() && std::isupper(static_cast<unsigned char>(text[end + 2])) != 0)
-      return text.substr(0, end + 1);
-  }
-  return text;
-}
-
 std::vector<std::string> answers_of(const ReportContent& content) {
-  if (content.claims.empty()) return content.answer;
+  if (content.claims.empty()) return words_of(content.answer);
   std::vector<std::string> answers{tally(content.claims)};
   if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
   std::erase(answers, "");
@@ -159,13 +144,13 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   fill(of_any_paper(), content.results);
   const bool are_all = content.results.empty();  // of data alone they are what is to be seen
   for (const Assessment& assessment : assessments) {
-    SectionPlan own{assessment.heading, "", {}};
+    SectionPlan own{heading_of(assessment), "", {}};
     std::vector<std::string>& names = are_all ? own.names : own.folded;
     for (const Table& table : assessment.tables) names.push_back(table.name);
     for (const figures::Figure& figure : assessment.figures) names.push_back(figure.name);
     Section& filled = content.results.emplace_back(section(own, pieces));
     filled.sentences = assessment.sentences;
-    if (!assessment.headlines.empty()) content.seen[assessment.heading] = first_clause(assessment.headlines.front());
+    if (!assessment.in_short.sentences.empty()) content.seen[own.heading] = assessment.in_short.sentences.front() + '.';
   }
   fill({convergence()}, content.results);
   fill(last(), content.results);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/doubt.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/table.hpp"
@@ -27,8 +28,8 @@ const std::string& name_of(const Piece& piece);
 // folded whole, behind its heading.
 struct Section {
   std::string heading;
-  std::string paragraph;               // may be empty
-  std::vector<std::string> sentences;  // may be none
+  std::string paragraph;            // may be empty
+  std::vector<Sentence> sentences;  // may be none
   std::vector<Piece> pieces;
   std::vector<Piece> folded = {};
 };
@@ -52,12 +53,12 @@ struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // what stands before its name
   std::string title;
-  std::vector<std::string> answer = {};   // its first sentences; may be none
+  std::vector<Sentence> answer = {};      // its first sentences; may be none
   std::vector<std::string> studied = {};  // whose paper, what was run, what was not: sentences
   std::vector<std::string> solvers = {};  // in the order of their colours
   std::vector<Claim> claims;
   std::vector<std::string> summary;
-  std::vector<std::string> warnings;
+  inference::Doubts warnings = {};
   std::string command;                 // gives the numbers again; empty where nobody knows
   std::vector<Section> circumstances;  // what was run, where, and what became of it
   std::vector<Section> results;
@@ -73,9 +74,6 @@ const Piece* piece_named(const ReportContent& content, std::string_view name);
 
 // What is seen in a piece of the content, of pieces of one name in the first; may be empty.
 std::string seen_at(const Piece& piece, const ReportContent& content);
-
-// "IK-BA 0.00168 cm, see Eq. 4." of more sentences: the next begins with a capital.
-std::string first_sentence(const std::string& text);
 
 // The verdict's first sentences: of claims, how many hold and what else is seen there; else the answer.
 std::vector<std::string> answers_of(const ReportContent& content);

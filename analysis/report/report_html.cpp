@@ -14,6 +14,7 @@
 namespace ikbench::report {
 
 using namespace figures;
+using namespace inference;
 
 namespace {
 
@@ -31,16 +32,12 @@ constexpr std::string_view report_html = template_named("report.html"), report_c
 
 constexpr std::string_view at_a_glance = "overview";  // the figure beside the verdict
 
-// "Assumptions: equal variances do not hold" as its topic and the rest.
-Data topics_data(const std::vector<std::string>& sentences) {
+Data topics_data(const std::vector<Sentence>& sentences) {
   Data list(Data::type::list);
-  for (const std::string& sentence : sentences) {
-    constexpr std::size_t longest_topic = 60;
-    const std::size_t colon = sentence.find(": ");
-    const std::size_t length = colon == std::string::npos || colon > longest_topic ? 0 : colon + 1;
+  for (const Sentence& sentence : sentences) {
     Data data;
-    data.set("topic", text_data(sentence.substr(0, length)));
-    data.set("rest", text_data(sentence.substr(length)));
+    data.set("topic", text_data(sentence.topic.empty() ? "" : sentence.topic + ':'));
+    data.set("rest", text_data(sentence.topic.empty() ? sentence.text : ' ' + sentence.text));
     list.push_back(data);
   }
   return list;
@@ -85,7 +82,7 @@ Data section_data(const Section& section, const ReportContent& content, HtmlPiec
   data.set("items", items_data(section, pieces));
   if (!is_shown(section)) data.set("size", Data(piece_counts(section.folded)));
   const auto seen = content.seen.find(section.heading);
-  const std::string line = seen != content.seen.end() ? seen->second : first_sentence(section.paragraph);
+  const std::string line = seen != content.seen.end() ? seen->second : section.paragraph;
   if (!is_shown(section) && !line.empty()) data.set("line", text_data(line));
   if (!section.paragraph.empty() && (is_shown(section) || line != section.paragraph)) {
     data.set("paragraph", text_data(section.paragraph));
@@ -132,11 +129,10 @@ std::string series_css() {
   return css + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
 
-// "5 warnings: Times are not comparable", of the first what stands in front of its reasons.
-std::string warnings_line(const std::vector<std::string>& warnings) {
-  const std::string& first = warnings.front();
+// "5 warnings: Times are not comparable"
+std::string warnings_line(const Doubts& warnings) {
   return fmt::format("{}: {}", warnings.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings.size()),
-                     first.substr(0, std::min(first.find(": "), first.find(". "))));
+                     title_of(warnings.front().kind));
 }
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }
@@ -155,7 +151,10 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
     page.set("answers", list_data(answers_of(content)));
   }
   std::vector<std::string> summary = content.summary;
-  if (!content.claims.empty()) summary.insert(summary.begin(), content.answer.begin(), content.answer.end());
+  if (!content.claims.empty()) {
+    const std::vector<std::string> answer = words_of(content.answer);
+    summary.insert(summary.begin(), answer.begin(), answer.end());
+  }
   page.set("has_summary", !summary.empty());
   page.set("summary", list_data(summary));
   page.set("verdicts", verdicts_data(content));
@@ -166,7 +165,7 @@ void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   if (!content.warnings.empty()) {
     page.set("has_warnings", true);
     page.set("several", text_data(warnings_line(content.warnings)));
-    page.set("warnings", list_data(content.warnings));
+    page.set("warnings", list_data(list_of(content.warnings)));
   }
   if (!content.command.empty()) page.set("command", text_data(content.command));
   if (content.solvers.size() > 1) {

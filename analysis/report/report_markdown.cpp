@@ -61,7 +61,10 @@ Table table_of(const std::vector<Claim>& claims, std::string caption, Detail det
   for (const Claim& claim : claims) {
     table.rows.push_back({claim.statement, verdict_words(claim),
                           claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,
-                          claim.section, detail == Detail::whole ? claim.evidence : first_sentence(claim.evidence)});
+                          claim.section,
+                          detail == Detail::whole  ? evidence_text(claim)
+                          : claim.evidence.empty() ? ""
+                                                   : claim.evidence.front()});
   }
   return table;
 }
@@ -84,7 +87,7 @@ std::string markdown(const std::vector<Section>& sections) {
   for (const Section& section : sections) {
     text += fmt::format("## {}\n\n", markdown_text(section.heading));
     if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
-    if (!section.sentences.empty()) text += bullets(section.sentences);
+    if (!section.sentences.empty()) text += bullets(words_of(section.sentences));
     for (const std::vector<Piece>* part : {&section.pieces, &section.folded}) {
       for (const Piece& piece : *part) text += std::visit([](const auto& shown) { return markdown(shown); }, piece);
     }
@@ -98,8 +101,8 @@ std::string to_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   text += fmt::format("{} {}.\n\n", content.kind, markdown_text(content.study));
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
-  if (!content.answer.empty()) text += markdown_text(fmt::format("{}", fmt::join(content.answer, " "))) + "\n\n";
-  if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(content.warnings);
+  if (!content.answer.empty()) text += markdown_text(paragraph_of(content.answer)) + "\n\n";
+  if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(list_of(content.warnings));
   text += verdict(content, Detail::whole) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {

@@ -11,9 +11,9 @@ Report write_statistics(const std::vector<Assessment>& assessments, const Statis
                                       .title = request.title,
                                       .command = request.command},
                           .assessments = assessments};
+  publication.content.summary = headlines_of(assessments);
   for (const Assessment& assessment : assessments) {
-    std::ranges::copy(assessment.headlines, std::back_inserter(publication.content.summary));
-    std::ranges::copy(assessment.warnings, std::back_inserter(publication.content.warnings));
+    std::ranges::copy(assessment.flaws, std::back_inserter(publication.content.warnings));
   }
   return publish(std::move(publication), request.folder, request.figures);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -47,10 +48,9 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  for (const std::string& note : {times_note(study), speeds_note(study), outliers_note(study), repeats_note(study),
-                                  transport_note(study), evaluation_note(study)}) {
-    if (!note.empty()) table.notes.push_back(note);
-  }
+  const Doubts doubts = times_doubts(study) + speed_doubts(study) + outlier_doubts(study) + repeat_doubts(study) +
+                        transport_doubts(study) + evaluation_doubts(study);
+  std::ranges::move(list_of(doubts), std::back_inserter(table.notes));
 }
 
 Cell count(std::int64_t number) { return number; }
@@ -135,8 +135,8 @@ Table anova_table(const StudyResults& study, Metric metric) {
     table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, std::span(&metric, 1));
-  if (!is_judged) table.notes.push_back(timing_note(study) + " So our F and p are left out.");
-  if (const std::string note = left_out(study, metric).note; is_judged && !note.empty()) table.notes.push_back(note);
+  if (!is_judged) table.notes.push_back(words_of(timing_doubts(study)) + " So our F and p are left out.");
+  if (is_judged) std::ranges::move(list_of(left_out(study, metric).doubts), std::back_inserter(table.notes));
   return table;
 }
 

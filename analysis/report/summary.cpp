@@ -23,14 +23,15 @@ using namespace figures;
 namespace {
 
 std::string departures_sentence(const StudyResults& study) {
-  if (study.facts.departures.empty()) return "";
+  std::vector<std::string> departures = study.facts.departures;
+  for (const std::string& solver : study.facts.missing_solvers) departures.push_back("no " + solver);
+  if (departures.empty()) return "";
   if (!study.departed_from.empty()) {
     return fmt::format(
         "This study names the paper {}, but has another arm or task ({}): it is not held against the paper.",
-        study.departed_from, fmt::join(study.facts.departures, ", "));
+        study.departed_from, fmt::join(departures, ", "));
   }
-  return fmt::format("This study departs from the built-in study of the paper in: {}.{}",
-                     fmt::join(study.facts.departures, ", "),
+  return fmt::format("This study departs from the built-in study of the paper in: {}.{}", fmt::join(departures, ", "),
                      departs_from_paper(study) ? " Only claims that it has the solvers for are judged." : "");
 }
 
@@ -82,15 +83,17 @@ std::string ranking_sentence(const StudyResults& study, Metric metric) {
   return text + ".";
 }
 
-std::string wrong_claims_sentence(const StudyResults& study) {
-  std::string list;
+Doubts wrong_claims(const StudyResults& study) {
+  Doubts doubts;
   for (const SolverCounts& count : counts(study)) {
-    const int wrong = count.of(Status::claimed_but_wrong);
-    if (wrong == 0) continue;
-    list +=
-        fmt::format("{}{} in {} of {} solves", list.empty() ? "" : ", ", one_line(count.solver), wrong, count.solves);
+    if (const int wrong = count.of(Status::claimed_but_wrong); wrong > 0) {
+      doubts.push_back({.kind = DoubtKind::wrong_claims,
+                        .who = {count.solver},
+                        .count = static_cast<double>(wrong),
+                        .of = static_cast<double>(count.solves)});
+    }
   }
-  return list.empty() ? "" : fmt::format("Wrong claims: the error is not what the solver said: {}.", list);
+  return doubts;
 }
 
 std::string limits_sentence(const StudyResults& study) {

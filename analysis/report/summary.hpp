@@ -20,8 +20,8 @@ std::vector<std::string> studied(const inference::StudyResults& study, const Pap
 // The solvers that have a mean of the metric.
 std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric);
 std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric);
-// Who claimed an error that the verifier does not find, and how often: a warning.
-std::string wrong_claims_sentence(const inference::StudyResults& study);
+// Who claimed an error that the verifier does not find, and how often.
+inference::Doubts wrong_claims(const inference::StudyResults& study);
 std::string limits_sentence(const inference::StudyResults& study);
 // Why times are not ranked.
 std::string times_sentence(const inference::StudyResults& study);

@@ -36,6 +36,10 @@ bool has_any(const Table& table, std::size_t column) {
 
 }  // namespace
 
+std::string numbered_caption(const Table& table) {
+  return table.number == 0 ? table.caption : fmt::format("Table {}: {}", table.number, table.caption);
+}
+
 std::string readable(const Cell& cell) {
   return std::visit(
       Overloaded{
@@ -47,14 +51,21 @@ std::string readable(const Cell& cell) {
             if (p.value < smallest_p) return std::string("< 1e-300");
             return rounded_number(p.value, digits_to_read);
           },
-          [](Range range) {
-            return fmt::format("{} to {}", rounded_number(range.low, 3), rounded_number(range.high, 3));
-          },
+          [](Range range) { return fmt::format("{} to {}", readable_end(range.low), readable_end(range.high)); },
           [](const Beside& beside) {
             return fmt::format("{} (printed {}{}{})", short_number(beside.ours), beside.printed,
                                beside.words.empty() ? "" : ": ", beside.words);
-          }},
+          },
+          [](const Graded& graded) { return graded.words; }},
       cell);
+}
+
+std::string readable_end(double of_range) { return rounded_number(of_range, 3); }
+
+bool is_number(const Cell& cell) {
+  if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value);
+  if (const auto* p = std::get_if<PValue>(&cell)) return std::isfinite(p->value);
+  return std::holds_alternative<std::int64_t>(cell);
 }
 
 std::string computable(const Cell& cell) {
@@ -64,7 +75,8 @@ std::string computable(const Cell& cell) {
                  [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
                  [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
                  [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); },
-                 [](const Beside& beside) { return computable(Cell(beside.ours)); }},
+                 [](const Beside& beside) { return computable(Cell(beside.ours)); },
+                 [](const Graded& graded) { return graded.words; }},
       cell);
 }
 
@@ -90,7 +102,7 @@ std::vector<std::vector<std::string>> readable_cells(const Table& table) {
 
 std::string to_markdown(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);
-  std::string text = fmt::format("**{}**\n\n|", markdown_text(table.caption));
+  std::string text = fmt::format("**{}**\n\n|", markdown_text(numbered_caption(table)));
   for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c].name));
   text += "\n|";
   for (const std::size_t c : used) text += table.columns[c].align == Align::left ? " :--- |" : " ---: |";

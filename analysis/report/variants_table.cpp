@@ -11,12 +11,14 @@
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -51,8 +53,8 @@ Estimate ratio_of(const MetricComparison& metric) {
 
 std::string margin_words(const VariantsReport& of) {
   const auto is_in_cm = [](const VariantComparison& comparison) {
-    return std::ranges::any_of(
-        comparison.metrics, [](const MetricComparison& metric) { return inference::is_in_cm(name_of(metric.metric)); });
+    return std::ranges::any_of(comparison.metrics,
+                               [](const MetricComparison& metric) { return info_of(metric.metric).unit == "cm"; });
   };
   return inference::margin_words(of.plan.margin, std::ranges::any_of(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
 }
@@ -62,10 +64,10 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
   if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
   const Extent extent = metric.contrast.extent;
   const auto sized = [&](std::string_view word) {
-    return extent == Extent::within   ? fmt::format("{} by less than {}", word, margin)
-           : extent == Extent::beyond ? fmt::format("{} by more than {}", word, margin)
-           : extent == Extent::across ? fmt::format("{}, perhaps by less than {}", word, margin)
-                                      : fmt::format("{}, by how much is not known", word);
+    return extent == Extent::within   ? fmt::format(words::by_less, "word"_a = word, "margin"_a = margin)
+           : extent == Extent::beyond ? fmt::format(words::by_more, "word"_a = word, "margin"_a = margin)
+           : extent == Extent::across ? fmt::format(words::perhaps_by_less, "word"_a = word, "margin"_a = margin)
+                                      : fmt::format(words::by_unknown, "word"_a = word);
   };
   switch (metric.contrast.relation) {
     case Relation::better:
@@ -213,12 +215,13 @@ std::string variants_verdict(const VariantsReport& of) {
   const std::string margin = margin_words(of);
   std::size_t all = 0;
   for (const VariantComparison& comparison : of.comparisons) all += comparison.metrics.size();
-  const std::string rest = fmt::format("Of {} comparison{}: {}.", all, all == 1 ? "" : "s", counted(of, margin));
+  const std::string rest =
+      fmt::format(words::comparisons, "count"_a = all, "s"_a = all == 1 ? "" : "s", "counts"_a = counted(of, margin));
   if (any_metric(of.comparisons, is_regression))
-    return fmt::format("Regression beyond {}: {}. {}", margin, regressions(of), rest);
+    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(of), "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
-  return fmt::format("No regression beyond {}{}. {}", margin,
-                     any_metric(of.comparisons, is_unknown) ? " was found" : "", rest);
+  return fmt::format(words::no_regression, "margin"_a = margin,
+                     "found"_a = any_metric(of.comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);
 }
 
 std::string variants_json(const VariantsReport& of) {

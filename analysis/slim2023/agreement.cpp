@@ -42,11 +42,10 @@ const Sample* sample_of(const std::vector<Sample>& all, const std::string& solve
 }
 
 Cell cell_of(const Agreement& agreement) {
-  Beside cell{.ours = agreement.ours, .printed = agreement.printed, .nearness = Beside::Nearness::within};
-  if (agreement.is_expected) return cell;
-  cell.nearness = is_near(agreement.ratio) ? Beside::Nearness::near : Beside::Nearness::far;
-  cell.words = words_of(agreement);
-  return cell;
+  return Beside{.ours = agreement.ours,
+                .printed = agreement.printed,
+                .nearness = nearness_of(agreement),
+                .words = agreement.is_expected ? "" : words_of(agreement)};
 }
 
 // Formats a value with as many digits after the point as a printed number.
@@ -79,7 +78,15 @@ void add_times(Table& table, const StudyResults& study) {
 
 }  // namespace
 
-bool is_near(double ratio) { return std::isfinite(ratio) && ratio < near_ratio && ratio > 1 / near_ratio; }
+Nearness nearness_of(double ratio) {
+  if (!std::isfinite(ratio)) return Nearness::unknown;
+  return ratio < near_ratio && ratio > 1 / near_ratio ? Nearness::near : Nearness::far;
+}
+
+Nearness nearness_of(const Agreement& agreement) {
+  if (agreement.is_expected) return Nearness::within;
+  return nearness_of(agreement.ratio) == Nearness::near ? Nearness::near : Nearness::far;
+}
 
 std::string words_of(const Agreement& agreement) {
   if (agreement.is_expected) return "in our range";

@@ -28,10 +28,11 @@ struct Agreement {
 
 // Limit of ours by the printed, in both directions, for "near".
 constexpr double near_ratio = 1.5;
-bool is_near(double ratio);
+report::Nearness nearness_of(double ratio);
 
 // "in our range", "1.8 times, outside our range 0.6213 to 0.8254"
 std::string words_of(const Agreement& agreement);
+report::Nearness nearness_of(const Agreement& agreement);
 
 // The agreement of each printed number of the repeated solvers. `repetitions` are the run means of the study by seed;
 // empty if there are none.

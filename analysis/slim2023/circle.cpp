@@ -122,8 +122,9 @@ bool is_circle(const StudyResults& study) { return study.facts.path.kind == "cir
 std::optional<Table> table_8(const StudyResults& study) {
   if (!is_table_8(study)) return std::nullopt;
   Table table{.name = "table-8",
-              .caption = "Table 8: joint angles and position error along the circle",
-              .columns = {{"point"}}};
+              .caption = "joint angles and position error along the circle",
+              .columns = {{"point"}},
+              .number = 8};
   for (const char* prefix : {"", "paper_"}) {
     for (std::size_t i = 1; i <= angles_of_table; ++i)
       table.columns.push_back({fmt::format("{}theta{}_deg", prefix, i)});

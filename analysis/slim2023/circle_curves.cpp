@@ -177,7 +177,7 @@ Figure convergence_figure(const StudyResults& study) {
     clauses.push_back(fmt::format("'{}.dat' index {} using 1:(shown($2)) with lines ls {} lw 1.3 title {}", figure.name,
                                   clauses.size(), i + 1, gnuplot_string(labels.back())));
   }
-  const Axis axis = value_axis(all, "average position error [cm]", Scale::logarithmic);
+  const Axis axis = value_axis(all, {"average position error", "cm"}, Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings =
       axis.settings + fmt::format("set xlabel 'iteration'\nset xrange [0:{}]\n", std::max<std::size_t>(iterations, 2));

@@ -64,7 +64,7 @@ std::map<std::string, std::string> seen(const Reported& reported) {
     const bool is_judged = is_comparable(study, metric);
     const PaperNumbers& numbers = paper_numbers(metric);
     sentences[fmt::format("figure-{}", numbers.box_figure)] =
-        is_judged ? leader_sentence(study, metric, average_estimand(metric)) : times_sentence(study);
+        is_judged ? words_of(leader_sentence(study, metric, average_estimand(metric))) : times_sentence(study);
     if (metric != Metric::position_error_cm && is_judged) {
       sentences[fmt::format("figure-{}", numbers.curves_figure)] = ranking_sentence(study, metric);
     }

@@ -141,7 +141,8 @@ std::vector<std::string> paper_summary(const Reported& reported) {
   for (const Metric metric : judged) {
     sentences.push_back(rankings(study, metric));
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
-    if (metric == Metric::seconds) sentences.push_back(leaders_sentence(study, metric));
+    if (metric == Metric::seconds)
+      std::ranges::move(words_of(leader_sentences(study, metric)), std::back_inserter(sentences));
     if (metric == Metric::variation_deg) sentences.push_back(variation_sentence(study, rows));
   }
   sentences.push_back(times_sentence(study));

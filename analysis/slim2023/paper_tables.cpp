@@ -24,9 +24,9 @@ namespace {
 
 Cell text(std::string_view words) { return std::string(words); }
 
-std::string by_ratio(double ratio) {
-  if (!std::isfinite(ratio)) return "not defined";
-  return is_near(ratio) ? "near" : "far";
+Graded by_ratio(double ratio) {
+  const Nearness nearness = nearness_of(ratio);
+  return {nearness == Nearness::unknown ? "not defined" : nearness == Nearness::near ? "near" : "far", nearness};
 }
 
 double mean_of(const std::vector<Comparison>& rows, std::string_view solver, Metric metric) {
@@ -42,12 +42,16 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
   const auto printed_reference = printed_row(study, time_reference, Metric::seconds);
   if (!printed || !printed_reference) return;
   row.paper_mean = printed->printed.mean;
-  row.remark = times_not_judged;
+  row.remark.words = times_not_judged;
   if (!times_are_comparable(study) || left_out(study, Metric::seconds).solvers.contains(row.solver)) return;
   row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->printed.mean);
-  row.remark = row.solver == time_reference   ? "relative only: the reference"
-               : std::isfinite(our_reference) ? "relative only: " + by_ratio(row.ratio)
-                                              : fmt::format("no time of {} to compare with", time_reference);
+  if (!std::isfinite(our_reference)) {
+    row.remark.words = fmt::format("no time of {} to compare with", time_reference);
+    return;
+  }
+  const bool is_reference = row.solver == time_reference;
+  row.remark = is_reference ? Graded{"the reference"} : by_ratio(row.ratio);
+  row.remark.words = "relative only: " + row.remark.words;
 }
 
 // The printed cells beside the rows of an ANOVA, the last three of a table.
@@ -88,7 +92,7 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
       return each.statistic == "mean" && row.solver == each.solver && row.metric == each.metric;
     };
     const auto row = std::ranges::find_if(rows, is_its);
-    if (row != rows.end()) row->remark = words_of(each);
+    if (row != rows.end()) row->remark = {words_of(each), nearness_of(each)};
   }
   return rows;
 }
@@ -96,7 +100,8 @@ std::vector<Comparison> compare(const StudyResults& study, std::span<const Repea
 Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
   Table table = results_table(study, paper_metrics);
   table.name = "table-3";
-  table.caption = "Table 3: position error, angles variation and computing time";
+  table.number = 3;
+  table.caption = "position error, angles variation and computing time";
   table.columns.insert(table.columns.end(), {{"paper_mean"}, {"ratio"}, {"verdict", Align::left}});
   const std::vector<Comparison> compared = compare(study, repetitions);  // row by row
   for (std::size_t i = 0; i < compared.size(); ++i) {
@@ -133,7 +138,8 @@ Table printed_anova_table(const StudyResults& study, Metric metric) {
   const int number = paper_numbers(metric).anova_table;
   Table table = anova_table(study, metric);
   table.name = fmt::format("table-{}", number);
-  table.caption = fmt::format("Table {}: one-way ANOVA of the {}", number, quantity(metric));
+  table.number = number;
+  table.caption = fmt::format("one-way ANOVA of the {}", quantity(metric));
   add_printed_anova(table, comparable_printed_anova(study, metric));
   return table;
 }

@@ -25,7 +25,7 @@ struct Comparison {
   double paper_mean = statistics::not_defined;
   double ratio =
       statistics::not_defined;  // ours by the printed mean; for seconds, both first divided by those of IK-BA
-  std::string remark = {};      // "in our range"; empty where there is nothing to hold it against
+  report::Graded remark = {};   // "in our range"; empty where there is nothing to hold it against
 };
 
 constexpr std::string_view time_reference = "IK-BA";

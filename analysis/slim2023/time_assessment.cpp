@@ -184,9 +184,7 @@ std::vector<std::string> table_7_notes(const StudyResults& study, const std::vec
   notes.push_back(fmt::format("Mean time per bat [ms], printed: {}.", listed(printed, [](const PrintedTime& row) {
                                 return fmt::format("{} {}", row.solver, rounded_number(row.ms.mean / bats_of(row), 3));
                               })));
-  for (const std::string& note : {times_note(study), outliers_note(study)}) {
-    if (!note.empty()) notes.push_back(note);
-  }
+  std::ranges::move(list_of(times_doubts(study) + outlier_doubts(study)), std::back_inserter(notes));
   const std::string misprinted = listed(printed, [](const PrintedTime& row) {
     return row.ms.mean <= row.ms.max ? "" : fmt::format("{} ({} by {})", row.solver, row.ms.mean, row.ms.max);
   });
@@ -249,8 +247,8 @@ std::optional<Table> table_7(const StudyResults& study) {
   const double tolerance = tolerance_cm(study);
   Table table{.name = "table-7",
               .caption = std::isfinite(tolerance)
-                             ? fmt::format("Table 7: computing time [ms] until the position error is {} cm", tolerance)
-                             : "Table 7: computing time [ms]",
+                             ? fmt::format("computing time [ms] until the position error is {} cm", tolerance)
+                             : "computing time [ms]",
               .columns = {{"configuration", Align::left},
                           {"solves"},
                           {"never_reached"},
@@ -261,7 +259,8 @@ std::optional<Table> table_7(const StudyResults& study) {
                           {"max_ms"},
                           {"min_ms"},
                           {"iterations_median"},
-                          {"evaluations_median"}}};
+                          {"evaluations_median"}},
+              .number = 7};
   for (const TimeAssessment& row : rows) table.rows.push_back(table_7_row(row, printed, tolerance));
   table.notes = table_7_notes(study, rows, printed);
   return table;
@@ -278,19 +277,20 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   const auto reaches = [most = most_error_cm(study)](const Solve& solve) { return solve.position_error_cm <= most; };
   const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters, reaches),
                      compare_costs(study, Cost::seconds, clusters, reaches)};
-  Table table{.name = "table-7-cost",
-              .caption = fmt::format("Table 7: what {} cm costs in time [ms], unsuccessful solves included",
-                                     tolerance_cm(study)),
-              .columns = {{"configuration", Align::left},
-                          {"ert_ms"},
-                          {"ert_ms interval"},
-                          {"ert_ratio"},
-                          {"ert_ratio interval"},
-                          {"median_ratio"},
-                          {"A12"},
-                          {"mean_reached_ms"},
-                          {"ratio_reached"},
-                          {"paper_ratio"}}};
+  Table table{
+      .name = "table-7-cost",
+      .caption = fmt::format("what {} cm costs in time [ms], unsuccessful solves included", tolerance_cm(study)),
+      .columns = {{"configuration", Align::left},
+                  {"ert_ms"},
+                  {"ert_ms interval"},
+                  {"ert_ratio"},
+                  {"ert_ratio interval"},
+                  {"median_ratio"},
+                  {"A12"},
+                  {"mean_reached_ms"},
+                  {"ratio_reached"},
+                  {"paper_ratio"}},
+      .number = 7};
   const auto reference = place_of(study, printed.front().solver);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const SolverCost& cost = of.solvers[i];

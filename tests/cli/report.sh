@@ -91,8 +91,8 @@ has "$(<second/tables/results.csv)" "DLS" # it has no paper, and so no Table 3
 succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
 has "$err" "warning: point 1 is out of reach"
 succeeds report far/store.sqlite --no-figures
-has "$(head -n 20 far/report.md)" "3 of the 3 targets of a run are out of the arm's reach (the farthest is point "
-has "$err" "warning: 3 of the 3 targets of a run are out of the arm's reach"
+has "$(head -n 20 far/report.md)" "3 of the 3 targets of a run cannot be reached. The farthest is point "
+has "$err" "warning: 3 of the 3 targets of a run cannot be reached"
 
 # A store that may only be read, in a folder that may only be read, by somebody who is not root.
 mkdir closed

@@ -201,27 +201,27 @@ TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, 
 TEST_CASE("an axis is logarithmic where it is asked for or the spread is large", "[figure]") {
   const std::vector<double> near{1, 2, 3};
   const std::vector<double> far{0.001, 2, 3};
-  CHECK(!value_axis(near, "x [cm]", Scale::by_spread).logarithmic);
-  CHECK(value_axis(far, "x [cm]", Scale::by_spread).logarithmic);
-  CHECK(value_axis(near, "x [cm]", Scale::logarithmic).logarithmic);
-  CHECK(contains(value_axis(far, "x [cm]", Scale::by_spread).settings, "set yrange [1e-3:1e1]"));
-  CHECK(!value_axis(std::vector<double>{0, 0}, "x [cm]", Scale::logarithmic).logarithmic);
+  CHECK(!value_axis(near, {"x", "cm"}, Scale::by_spread).logarithmic);
+  CHECK(value_axis(far, {"x", "cm"}, Scale::by_spread).logarithmic);
+  CHECK(value_axis(near, {"x", "cm"}, Scale::logarithmic).logarithmic);
+  CHECK(contains(value_axis(far, {"x", "cm"}, Scale::by_spread).settings, "set yrange [1e-3:1e1]"));
+  CHECK(!value_axis(std::vector<double>{0, 0}, {"x", "cm"}, Scale::logarithmic).logarithmic);
 }
 
 TEST_CASE("a logarithmic axis shows zero at its lower edge, a decade below the rest", "[figure]") {
-  const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, "x [cm]", Scale::logarithmic);
+  const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, {"x", "cm"}, Scale::logarithmic);
   CHECK(axis.shows_at_edge);
   CHECK(contains(axis.settings, "set yrange [1e-3:1e1]"));
   CHECK(contains(axis.settings, "set ytics add ('0' 1e-3)"));
 }
 
 TEST_CASE("on a logarithmic axis rounding is at the lower edge, unless all is rounding", "[figure]") {
-  const Axis axis = value_axis(std::vector<double>{1e-13, 1e-3, 3}, "x [cm]", Scale::logarithmic, 1e-7);
+  const Axis axis = value_axis(std::vector<double>{1e-13, 1e-3, 3}, {"x", "cm"}, Scale::logarithmic, 1e-7);
   CHECK(axis.shows_at_edge);
   CHECK(contains(axis.settings, "set yrange [1e-4:1e1]"));
   CHECK(contains(axis.settings, "set ytics add ('≤1e-07' 1e-4)"));
   CHECK(contains(axis.settings, "shown(y) = y > 1e-07 ? y * 1 : (y <= 1e-07 ? 1e-4 : NaN)"));
-  const Axis of_rounding = value_axis(std::vector<double>{1e-15, 3e-14}, "x [cm]", Scale::logarithmic, 1e-7);
+  const Axis of_rounding = value_axis(std::vector<double>{1e-15, 3e-14}, {"x", "cm"}, Scale::logarithmic, 1e-7);
   CHECK(!of_rounding.shows_at_edge);
   CHECK(contains(of_rounding.settings, "set yrange [1e-15:1e-13]"));
 }
@@ -232,7 +232,7 @@ TEST_CASE("the unit of a time is the same on the axis and in the caption", "[fig
     CHECK(named(figures, name).caption.starts_with("Computing time [ms]: "));
     CHECK(contains(named(figures, name).settings, "computing time [ms]"));
   }
-  const Axis logarithmic = value_axis(std::vector<double>{1e-4, 0.05}, "time [s]", Scale::logarithmic);
+  const Axis logarithmic = value_axis(std::vector<double>{1e-4, 0.05}, {"time", "s"}, Scale::logarithmic);
   CHECK(logarithmic.quantity == "time [ms]");
   CHECK(contains(logarithmic.settings, "set yrange [1e-1:1e2]"));
 }
@@ -268,7 +268,7 @@ TEST_CASE("a printed minimum of zero is below its last digit, and no bar goes to
 }
 
 TEST_CASE("small times are shown in milli- and microseconds", "[figure]") {
-  CHECK(contains(value_axis(std::vector<double>{0.002}, "time [s]", Scale::linear).settings, "time [ms]"));
-  CHECK(contains(value_axis(std::vector<double>{2e-6}, "time [s]", Scale::linear).settings, "time [µs]"));
-  CHECK(contains(value_axis(std::vector<double>{2.0}, "time [s]", Scale::linear).settings, "time [s]"));
+  CHECK(contains(value_axis(std::vector<double>{0.002}, {"time", "s"}, Scale::linear).settings, "time [ms]"));
+  CHECK(contains(value_axis(std::vector<double>{2e-6}, {"time", "s"}, Scale::linear).settings, "time [µs]"));
+  CHECK(contains(value_axis(std::vector<double>{2.0}, {"time", "s"}, Scale::linear).settings, "time [s]"));
 }

@@ -123,8 +123,11 @@ TEST_CASE("of more than 200 groups the first 200 are shown", "[figure]") {
 }
 
 TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
-  const Figure figure = observations_figure({.quantity = "x", .groups = {{"a", {1, 2}}}, .flaw = "20 rows share run 1"},
-                                            QuantileType::type_7, "rain");
+  const Figure figure =
+      observations_figure({.quantity = "x",
+                           .groups = {{"a", {1, 2}}},
+                           .flaws = {{.kind = DoubtKind::said_elsewhere, .what = "20 rows share run 1"}}},
+                          QuantileType::type_7, "rain");
   CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
 }
 

@@ -120,7 +120,7 @@ TEST_CASE("solvers that were dropped after they had solved are told, and those o
   said(2, "s", R"(nonsense)");
   CHECK(plan_changes(entry_with("{}"), sessions, solves_by_session({3, 2, 1, 1})).empty());
   said(3, "s", R"(["IK-BA", "PSO", 7, "DE", "PSO"])");
-  CHECK(plan_changes(entry_with("{}"), sessions, solves_by_session({3, 2, 1, 1})) ==
+  CHECK(list_of(plan_changes(entry_with("{}"), sessions, solves_by_session({3, 2, 1, 1}))) ==
         std::vector<std::string>{"The study had more solvers when its solves were made: PSO, DE. The correction for "
                                  "several comparisons counts only those that are left."});
 }

@@ -83,15 +83,16 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
   CHECK(found.replicate == "the mean of a run over its 3 points");
   CHECK(found.notes ==
         Names{"There are no blocks: each solve starts where the solver's previous answer left the arm."});
-  CHECK(found.flaw.empty());
+  CHECK(found.flaws.empty());
   CHECK(!blocked_observations(study, metric_of_errors, Estimand::mean));
-  CHECK(why_not_blocked(study) == found.notes.front());
+  CHECK(words_of(why_not_blocked(study)) == found.notes.front());
 }
 
 TEST_CASE("points as observations have a flaw, and the report says which", "[design]") {
   const Observations found = observations(by_point(study_of({})), metric_of_errors);
   CHECK(found.groups[0].values == Values{101, 102, 103, 201, 202, 203});
-  CHECK(found.flaw == "points of one run depend on each other; used as observations because --force was given");
+  CHECK(words_of(found.flaws) ==
+        "Points of one run depend on each other; used as observations because --force was given.");
   CHECK(observations(by_point(study_of({.path = "random"})), metric_of_errors).blocks.empty());
 }
 
@@ -166,7 +167,7 @@ TEST_CASE("targets of a path that are solved from the same configuration are blo
   CHECK(observations(study, metric_of_errors).groups[0].values == found.groups[0].values);
   std::vector<SolveRecord> solves = solves_of({.points = 1});  // nothing is chained to
   for (SolveRecord& solve : solves) solve.start_rad = {0};
-  CHECK(why_not_blocked(study_of({.points = 1}, solves)) ==
+  CHECK(words_of(why_not_blocked(study_of({.points = 1}, solves))) ==
         "There are no blocks to compare, because there is only one.");
 }
 
@@ -210,7 +211,7 @@ TEST_CASE("an import takes no run from several other solvers, whichever it lacks
 }
 
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
-  CHECK(why_not_blocked(study_of({.path = "random", .runs = 1})) ==
+  CHECK(words_of(why_not_blocked(study_of({.path = "random", .runs = 1}))) ==
         "There are no blocks to compare, because there is only one.");
   const Observations alone = observations(study_of({.path = "random", .runs = 1}), metric_of_errors);
   CHECK(alone.groups[0].values == Values{102});
@@ -218,18 +219,18 @@ TEST_CASE("with fewer than two blocks there is no blocked design, and why is sai
   CHECK(observations(by_point(study_of({.path = "random", .runs = 1})), metric_of_errors).notes.empty());
   std::vector<SolveRecord> solves = solves_of({.path = "random", .runs = 1});
   solves.pop_back();
-  CHECK(why_not_blocked(study_of({.path = "random", .runs = 1}, solves)) ==
+  CHECK(words_of(why_not_blocked(study_of({.path = "random", .runs = 1}, solves))) ==
         "There are no blocks: no run is complete for all solvers.");
   CHECK(!why_not_blocked(study_of({.path = "random"}, {})).empty());
   CHECK(observations(study_of({.path = "random"}, {}), metric_of_errors).groups.size() == 2);
-  CHECK(why_not_blocked(make_study("a CSV", solves_of({}))) ==
+  CHECK(words_of(why_not_blocked(make_study("a CSV", solves_of({})))) ==
         "There are no blocks: the study does not state its path.");
 }
 
 TEST_CASE("a store that claims the same targets for all, and has others, has no blocks", "[design]") {
   std::vector<SolveRecord> solves = solves_of({.path = "random"});
   solves.back().target_position_m[2] = 1e-9;
-  CHECK(why_not_blocked(study_of({.path = "random"}, solves)) ==
+  CHECK(words_of(why_not_blocked(study_of({.path = "random"}, solves))) ==
         "There are no blocks: the solvers did not have the same targets.");
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
@@ -247,7 +248,7 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
   CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});
   const Observations times = observations(study, Metric::seconds);
   CHECK(times.name == "time");
-  CHECK((times.flaw.starts_with("Times are not comparable: of 12 solves, 1 ran in parallel")));
+  CHECK((words_of(times.flaws).starts_with("Times are not comparable: of 12 solves, 1 ran in parallel")));
 }
 
 TEST_CASE("every measure is read as a name with its unit, and has a name of its own for files", "[design]") {

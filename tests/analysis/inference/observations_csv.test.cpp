@@ -69,7 +69,7 @@ TEST_CASE("pandas' to_csv with its index column is one observation a row", "[csv
   CHECK(seen.quantity == "error");
   CHECK(seen.blocks.empty());
   CHECK(seen.notes.empty());
-  CHECK(seen.flaw.empty());
+  CHECK(seen.flaws.empty());
 }
 
 TEST_CASE("R's write.csv with quoted texts and row names reads the same", "[csv]") {
@@ -140,12 +140,12 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   CHECK(means.replicate == "the mean of a run over its 2 rows of file.csv");
   CHECK(means.notes == Texts{"Each observation is the mean over the 2 rows of a run (column 'run').",
                              "Left out because rows are missing: 1 of 2 runs of B."});
-  CHECK(means.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
+  CHECK(words_of(means.flaws) == "Incomplete: 1 of 2 runs of B; a group that failed there looks better than it is.");
 
   CsvRequest forced = by_solver;
   forced.replicates = Replicates::as_given;
   CHECK(read(text, forced).groups[0].values == Values{1, 3, 5, 7});
-  CHECK(says(read(text, forced).flaw, {"2 rows share run 1 of A", "anyway"}));
+  CHECK(says(words_of(read(text, forced).flaws), {"2 rows share run 1 of A", "anyway"}));
 }
 
 TEST_CASE("where a column tells the rows of a run apart, the advice is to take it for blocks", "[csv]") {
@@ -208,7 +208,7 @@ TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
   CHECK(seen.notes.back() == "Left out because rows are missing: 1 of 3 runs of A.");
-  CHECK(seen.flaw == "incomplete: 1 of 3 runs of A; a group that failed there looks better than it is");
+  CHECK(words_of(seen.flaws) == "Incomplete: 1 of 3 runs of A; a group that failed there looks better than it is.");
   CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
              {"row 1 below the header, column 'run': '', expected a name or a number"}));
 }
@@ -223,7 +223,7 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
     CHECK(seen.groups[0].values == Values{5, 5});
     CHECK(seen.groups[1].values == Values{5});  // not 1, which is the easier row alone
     CHECK(seen.replicate == "the mean of a run over its 2 rows of file.csv");
-    CHECK(seen.flaw == "incomplete: 1 of 2 runs of B; a group that failed there looks better than it is");
+    CHECK(words_of(seen.flaws) == "Incomplete: 1 of 2 runs of B; a group that failed there looks better than it is.");
   }
   CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run is complete"}));
   CsvRequest forced = by_run;
@@ -231,7 +231,7 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,9\nB,1,1\n", forced);
   CHECK(seen.groups[1].values == Values{1});
   CHECK(seen.replicate == "the mean of a run over its 1 to 2 rows of file.csv");
-  CHECK(says(seen.flaw, {"incomplete: 1 of 1 runs of B"}));
+  CHECK(says(words_of(seen.flaws), {"Incomplete: 1 of 1 runs of B"}));
 }
 
 TEST_CASE("a run that is absent as a whole counts as one that the group lacks", "[csv]") {
@@ -243,30 +243,30 @@ TEST_CASE("a run that is absent as a whole counts as one that the group lacks", 
     return text;
   };
   const auto flaw = [](const std::string& text) {
-    return read(text, {.value = "error", .group = "solver", .run = "run"}).flaw;
+    return words_of(read(text, {.value = "error", .group = "solver", .run = "run"}).flaws);
   };
-  const std::string why = "; a group that failed there looks better than it is";
+  const std::string why = "; a group that failed there looks better than it is.";
   std::vector<int> runs;
   for (int run = 1; run <= 15; ++run) runs.push_back(run);
-  CHECK(flaw(text_with(runs)) == "incomplete: 5 of 20 runs of B" + why);
-  CHECK(flaw(text_with({7})) == "incomplete: 19 of 20 runs of B" + why);
+  CHECK(flaw(text_with(runs)) == "Incomplete: 5 of 20 runs of B" + why);
+  CHECK(flaw(text_with({7})) == "Incomplete: 19 of 20 runs of B" + why);
   CHECK(flaw(text_with(runs) + "C,1,1\nC,1,1\nC,99,1\nC,99,1\n") ==  // nothing says that C was given the runs of A
-        "incomplete: 5 of 20 runs of B" + why);
+        "Incomplete: 5 of 20 runs of B" + why);
   runs.push_back(21);  // which A lacks
-  CHECK(flaw(text_with(runs)) == "incomplete: 1 of 21 runs of A, 5 of 21 of B" + why);
+  CHECK(flaw(text_with(runs)) == "Incomplete: 1 of 21 runs of A, 5 of 21 of B" + why);
   CHECK(flaw(text_with({21, 22, 23})).empty());      // seeds of its own
   CHECK(flaw(text_with({19, 20, 21, 22})).empty());  // of which two are the other's by chance
 
   CsvRequest forced{.value = "error", .group = "solver", .run = "run", .replicates = Replicates::as_given};
-  CHECK(read(text_with({1, 2}), forced).flaw == "incomplete: 18 of 20 runs of B" + why);
+  CHECK(words_of(read(text_with({1, 2}), forced).flaws) == "Incomplete: 18 of 20 runs of B" + why);
 }
 
 TEST_CASE("a row that is absent counts as missing where a column numbers the runs", "[csv]") {
   const Observations seen = read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,1,1\nB,3,2\n");
   CHECK(seen.groups[1].values == Values{1, 2});
-  CHECK(seen.flaw == "missing: 1 of 3 values of B; a group that failed there looks better than it is");
+  CHECK(words_of(seen.flaws) == "Missing: 1 of 3 values of B; a group that failed there looks better than it is.");
   CHECK(seen.notes == Texts{"Missing and left out: 1 of 3 values of B." + as_failure});
-  CHECK(read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,4,1\nB,5,2\n").flaw.empty());
+  CHECK(read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,4,1\nB,5,2\n").flaws.empty());
 }
 
 TEST_CASE("a row that is there twice is refused, and takes nothing from the other runs", "[csv]") {
@@ -275,20 +275,20 @@ TEST_CASE("a row that is there twice is refused, and takes nothing from the othe
     for (int run = 1; run <= 10; ++run) text += fmt::format("{0},{1},1\n{0},{1},2\n{0},{1},3\n", solver, run);
   }
   CsvRequest request{.value = "error", .group = "solver", .run = "run"};
-  CHECK(read(text, request).flaw.empty());
+  CHECK(read(text, request).flaws.empty());
   CHECK(refusal(text + "A,1,6\n", request) ==
         "a/folder/file.csv: run 1 of A has 4 rows where other runs have 3; a row may be duplicated, or the other runs "
         "may lack rows; --force averages them as they are");
   request.replicates = Replicates::as_given;
   const Observations seen = read(text + "A,1,6\n", request);
   CHECK(seen.groups[0].values == Values{3, 2, 2, 2, 2, 2, 2, 2, 2, 2});
-  CHECK(seen.flaw == "run 1 of A has 4 rows where other runs have 3; averaged anyway");
+  CHECK(words_of(seen.flaws) == "run 1 of A has 4 rows where other runs have 3; averaged anyway.");
 }
 
 TEST_CASE("a missing value without blocks is a flaw, because a group that failed there looks better", "[csv]") {
-  CHECK(read("solver,error\nA,1\nA,NA\nB,2\n").flaw ==
-        "missing: 1 of 2 values of A; a group that failed there looks better than it is");
-  CHECK(read("solver,error\nA,1\nA,Inf\nB,2\n").flaw.empty());  // written as a failure, which ranks last
+  CHECK(words_of(read("solver,error\nA,1\nA,NA\nB,2\n").flaws) ==
+        "Missing: 1 of 2 values of A; a group that failed there looks better than it is.");
+  CHECK(read("solver,error\nA,1\nA,Inf\nB,2\n").flaws.empty());  // written as a failure, which ranks last
 }
 
 TEST_CASE("the mean of huge values does not overflow", "[csv]") {
@@ -341,20 +341,20 @@ TEST_CASE("a group with fewer runs than another in a block has no value there", 
     CHECK(seen.groups[1].values == Values{7, 4});
     CHECK(seen.notes.back() == "Left out because incomplete: 1 of 3 blocks ('p' has 2 of 3 runs of 'B').");
     CHECK(seen.replicate == "the mean over the 2 to 3 runs of a block in file.csv");
-    CHECK(seen.flaw ==
-          "values are missing in 1 of 3 blocks of B; these blocks are left out for all groups; a group that failed "
-          "there looks better than it is");
+    CHECK(words_of(seen.flaws) ==
+          "Values are missing in 1 of 3 blocks of B; these blocks are left out for all groups; a group that failed "
+          "there looks better than it is.");
   }
   CHECK(read(text + "B,p,3,Inf\n", request).groups[1].values == Values{HUGE_VAL, 7, 4});
-  CHECK(read(text + "B,p,3,Inf\n", request).flaw.empty());
+  CHECK(read(text + "B,p,3,Inf\n", request).flaws.empty());
 
   CsvRequest forced = request;
   forced.replicates = Replicates::as_given;
   const Observations seen = read(text, forced);
   CHECK(seen.groups[1].values == Values{1, 7, 4});
-  CHECK(seen.flaw ==
-        "values are missing in 1 of 3 blocks of B; the remaining values of these blocks are averaged; a group that "
-        "failed there looks better than it is");
+  CHECK(words_of(seen.flaws) ==
+        "Values are missing in 1 of 3 blocks of B; the remaining values of these blocks are averaged; a group that "
+        "failed there looks better than it is.");
 }
 
 TEST_CASE("a group that has fewer runs in every block is refused with the way to insist", "[csv]") {

@@ -19,7 +19,7 @@ std::string note_of(double ratio, int slow_run, const std::string& only = "") {
   for (SolveRecord& solve : solves) {
     if (solve.run >= slow_run && (only.empty() || solve.solver == only)) solve.seconds *= ratio;
   }
-  return speeds_note(make_study("s", std::move(solves)));
+  return words_of(speed_doubts(make_study("s", std::move(solves))));
 }
 
 }  // namespace
@@ -44,5 +44,5 @@ TEST_CASE("solves that end early are slower for each evaluation, and are no spee
     solve.evaluations /= 10;
     solve.seconds /= 5;
   }
-  CHECK(speeds_note(make_study("s", std::move(solves))).empty());
+  CHECK(speed_doubts(make_study("s", std::move(solves))).empty());
 }

@@ -68,8 +68,8 @@ TEST_CASE("a range that is too wide has no end", "[text]") {
   CHECK(range_words(31, 122) == "31 to 122");
   CHECK(range_words(7, 7) == "7");
   CHECK(range_words(5, 500) == "5 to 500");
-  CHECK(range_words(5, 5823119) == "5 or more");
-  CHECK(range_words(5, HUGE_VAL) == "5 or more");
+  CHECK(range_words(5, 5823119) == "at least 5");
+  CHECK(range_words(5, HUGE_VAL) == "at least 5");
 }
 
 TEST_CASE("shares are said in percent with three digits", "[text]") {

@@ -36,13 +36,14 @@ StudyResults timed_study(std::vector<SolveRecord> solves, const char* stolen = "
 }  // namespace
 
 TEST_CASE("a repeat that was interrupted is named, with what the machine did", "[times]") {
-  CHECK(outliers_note(timed_study(solves())) ==
-        "1 of 100 solves took more than 3 times as long as usual in one of their repeats. The worst is A, run 1, point "
-        "2: 50 ms instead of 1 ms. The system interrupted the solves 2 times. Meanwhile the host kept 0.25 s of "
-        "processor time from this machine. For the verdict such a solve counts as usual, so it decides nothing.");
+  CHECK(
+      words_of(outlier_doubts(timed_study(solves()))) ==
+      "1 of 100 solves took more than 3 times as long as usual. The worst is A, run 1, point 2, in one of its repeats: "
+      "50 ms instead of 1 ms. For the verdict such a solve counts as usual, so it decides nothing. The system "
+      "interrupted the solves 2 times. The host kept 0.25 s of processor time from this machine.");
   std::vector<SolveRecord> quiet = solves();
   quiet[1].largest_seconds = 0.003;
-  CHECK(outliers_note(timed_study(quiet)).empty());
+  CHECK(outlier_doubts(timed_study(quiet)).empty());
 }
 
 TEST_CASE("of a store that knows no repeats, a time stands out by its solver's speed", "[times]") {
@@ -53,19 +54,20 @@ TEST_CASE("of a store that knows no repeats, a time stands out by its solver's s
   }
   all[70].seconds = 0.004;
   all[70].evaluations *= 4;  // so much more was to be done
-  CHECK(outliers_note(timed_study(all, "nonsense")).empty());
+  CHECK(outlier_doubts(timed_study(all, "nonsense")).empty());
   all[70].evaluations /= 4;
-  CHECK(outliers_note(timed_study(all, "nonsense")) ==
+  CHECK(words_of(outlier_doubts(timed_study(all, "nonsense"))) ==
         "1 of 100 solves took more than 3 times as long as usual. The worst is B, run 1, point 21: 4 ms instead of 1 "
         "ms. For the verdict such a solve counts as usual, so it decides nothing.");
 }
 
 TEST_CASE("a machine is loaded where more than a twentieth of the solves stand out, and never by one", "[times]") {
   std::vector<SolveRecord> all = solves();
-  CHECK(load_warning(timed_study(all)).empty());
-  CHECK(load_warning(timed_study({all[0], all[1]})).empty());
+  CHECK(load_doubts(timed_study(all)).empty());
+  CHECK(load_doubts(timed_study({all[0], all[1]})).empty());
   for (std::size_t i = 0; i < 6; ++i) all[10 * i].largest_seconds = 0.01;
-  CHECK(load_warning(timed_study(all)).starts_with("The machine was loaded. 7 of 100 solves took more than 3 times"));
+  CHECK(words_of(load_doubts(timed_study(all)))
+            .starts_with("The machine was loaded. 7 of 100 solves took more than 3 times"));
 }
 
 TEST_CASE("at the median speed a solve takes what its evaluations take", "[times]") {

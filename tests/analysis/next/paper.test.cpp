@@ -145,7 +145,7 @@ TEST_CASE("a collection's other studies begin with the name of its own, which is
 TEST_CASE("a tally counts the claims that hold, hold in part, fail and are undecided", "[report]") {
   const auto of = [](std::vector<Verdict> verdicts) {
     std::vector<Claim> claims;
-    for (const Verdict verdict : verdicts) claims.push_back({"s", verdict, "e", ""});
+    for (const Verdict verdict : verdicts) claims.push_back({"s", verdict, {"e"}, ""});
     return tally(claims);
   };
   using enum Verdict;

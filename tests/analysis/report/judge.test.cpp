@@ -160,7 +160,7 @@ TEST_CASE("a study finds its evidence once for each metric, and of times that ar
   CHECK(error.contrasts.size() == 1);
   CHECK(time.groups.size() == 2);
   CHECK(time.contrasts.empty());
-  CHECK(judge(time, "A", "B").undefined == timing_note(study));
+  CHECK(judge(time, "A", "B").undefined == words_of(timing_doubts(study)));
 }
 
 TEST_CASE("the one rule: found before small, small before open", "[judge]") {
@@ -172,7 +172,7 @@ TEST_CASE("the one rule: found before small, small before open", "[judge]") {
 }
 
 TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]") {
-  Observations observed{.name = "error", .quantity = "error [cm]"};
+  Observations observed{.name = "error", .quantity = "error [cm]", .unit = "cm"};
   for (const auto& [name, mean] : {std::pair("one", 10.0), std::pair("other", 12.0)}) {
     Group group{.name = name};
     for (int run = 1; run <= 20; ++run) group.values.push_back(value_in(run, mean));
@@ -187,10 +187,10 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   CHECK(back.difference.low == -found.difference.high);
   CHECK(found.test == "studentized bootstrap");
 
-  observed.flaw = "made up";
+  observed.flaws = {{.kind = DoubtKind::said_elsewhere, .what = "made up"}};
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::undefined);
   CHECK(judge(evidence(observed, {}), "one", "other").undefined == "made up");
-  observed.flaw.clear();
+  observed.flaws.clear();
   for (double& value : observed.groups[1].values) value = statistics::not_defined;
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);
   CHECK(judge(evidence(observed, {}), "one", "none").undefined == "none is left out of the comparison");

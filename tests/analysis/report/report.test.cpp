@@ -171,7 +171,7 @@ TEST_CASE("of the paper's claims a study is judged by those that it has the solv
   Store store(folder.path / "store.db", Store::Mode::write);
   save(store, {.name = "mine",
                .definition = R"({"robot": "iiwa", "path": {"kind": "helix", "points": 20}, "runs": 5,
-                                 "published": "slim2023", "departures": ["runs", "no DE", "no PSO", "no MO-PSO"]})",
+                                 "published": "slim2023", "departures": ["runs"], "missing_solvers": ["DE", "PSO", "MO-PSO"]})",
                .shape = {.solvers = {"IK-BA", "BA", "mine"}, .runs = 5}});
   const Report report =
       written_report(store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}});
@@ -283,8 +283,8 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
       report_where("all_joints", R"({"points": 3, "farthest_point": 7, "farthest_cm": 1012.345, "reach_cm": 82})");
   REQUIRE(!three.warnings.empty());
   CHECK(three.warnings[0] ==
-        "3 of the 20 targets of a run are out of the arm's reach (the farthest is point 7: it is 1012 cm from the "
-        "shoulder; the reach is 82 cm). No solver can reach them, so those errors say nothing about the solvers.");
+        "3 of the 20 targets of a run cannot be reached. The farthest is point 7: it is 1012 cm from the shoulder; the "
+        "reach is 82 cm. No solver can solve these, so their errors say nothing about the solvers.");
   const std::string text = text_of_file(three.file), page = text_of_file(three.page);
   CHECK(text.find("3 of the 20 targets") < text.find("## Summary"));
   CHECK(page.find("3 of the 20 targets") < page.find(">Summary<"));
@@ -292,9 +292,10 @@ TEST_CASE("targets that no configuration reaches are told first", "[report]") {
   const Report wrist =
       report_where("wrist", R"({"points": 1, "farthest_point": 7, "farthest_cm": 100, "reach_cm": 82})");
   REQUIRE(!wrist.warnings.empty());
-  CHECK(wrist.warnings[0] ==
-        "1 of the 20 targets of a run is out of the arm's reach (point 7: the wrist's centre would be 100 cm from the "
-        "shoulder; the reach is 82 cm). No solver can reach it, so those errors say nothing about the solvers.");
+  CHECK(
+      wrist.warnings[0] ==
+      "1 of the 20 targets of a run cannot be reached. The farthest is point 7: the wrist's centre would be 100 cm from "
+      "the shoulder; the reach is 82 cm. No solver can solve these, so their errors say nothing about the solvers.");
 }
 
 TEST_CASE("what is said of times follows one state of them, in every part of a report", "[report]") {

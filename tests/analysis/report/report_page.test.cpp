@@ -89,8 +89,8 @@ TEST_CASE("pieces come in the order of their sections, and none is lost", "[repo
 TEST_CASE("a page has both verdicts of a claim, or the one that there is", "[report]") {
   ReportContent content{.study = "s", .title = "t"};
   content.claims = {
-      {.statement = "<a>", .verdict = Verdict::holds, .evidence = "e", .table = "", .printed = Verdict::undecided},
-      {.statement = "b", .verdict = Verdict::fails, .evidence = "e", .table = ""}};
+      {.statement = "<a>", .verdict = Verdict::holds, .evidence = {"e"}, .table = "", .printed = Verdict::undecided},
+      {.statement = "b", .verdict = Verdict::fails, .evidence = {"e"}, .table = ""}};
   const std::string page = to_html(content, {});
   CHECK(contains(
       page,
@@ -104,8 +104,8 @@ TEST_CASE("a page has both verdicts of a claim, or the one that there is", "[rep
 TEST_CASE("a page tells the number of a claim, and what we asked besides apart", "[report]") {
   ReportContent content{.study = "s", .title = "t"};
   content.claims = {
-      {.statement = "ours", .verdict = Verdict::holds, .evidence = "e", .table = "", .by = By::us},
-      {.statement = "theirs", .verdict = Verdict::depends, .evidence = "e", .table = "", .section = "Fig. <6>"}};
+      {.statement = "ours", .verdict = Verdict::holds, .evidence = {"e"}, .table = "", .by = By::us},
+      {.statement = "theirs", .verdict = Verdict::depends, .evidence = {"e"}, .table = "", .section = "Fig. <6>"}};
   content.claims.back().number = "11 of 20";
   content.claims.back().depends_on = {"who <obeys>"};
   const std::string page = to_html(content, {});

@@ -106,7 +106,7 @@ TEST_CASE("where everybody counts no solver is left out", "[uncounted]") {
   const StudyResults compared = compared_in(study, Metric::evaluations);
   CHECK(compared.solvers == study.solvers);
   CHECK(compared.solves.size() == study.solves.size());
-  CHECK(left_out(study, Metric::evaluations).note.empty());
+  CHECK(left_out(study, Metric::evaluations).doubts.empty());
 }
 
 TEST_CASE("a solve without an answer reaches no tolerance, and is a column of its own", "[uncounted]") {
@@ -146,7 +146,7 @@ TEST_CASE("a solver without answers wins by nothing but the error of the arm tha
     const Evidence& found = study.evidence(metric, Estimand::mean);
     CHECK(judge(found, "program", "IK-BA").relation == Relation::worse);
     CHECK(judge(found, "BA", "program").relation == Relation::better);
-    CHECK(leader_sentence(study, metric, Estimand::mean).find("program (") == std::string::npos);
+    CHECK(words_of(leader_sentence(study, metric, Estimand::mean)).find("program (") == std::string::npos);
   }
   const Table times = times_table(study);
   CHECK_FALSE(std::isfinite(std::get<double>(times.rows.back()[1])));
@@ -159,13 +159,13 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   StudyResults study = study_without_counts(0.05, 0.16);
   CHECK(times_were_disturbed(study, "program"));
   CHECK(times_are_comparable(study));  // of the others
-  const std::string note = times_note(study);
+  const std::string note = words_of(times_doubts(study));
   CHECK(
       note ==
       "Times are left out: those of program, because 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
       "processor for more than a tenth of it, so other programs were running.");
   study.facts = facts_of(R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})");
-  CHECK(times_note(study) == note + " Solves end by their wall time, so that errors depend on that too.");
+  CHECK(words_of(times_doubts(study)) == note + " Solves end by their wall time, so that errors depend on that too.");
 }
 
 TEST_CASE("times of a program are ranked with those of built-in solvers only where the plan says so", "[uncounted]") {
@@ -175,7 +175,7 @@ TEST_CASE("times of a program are ranked with those of built-in solvers only whe
   study.plan.program_times = ProgramTimes::apart;
   CHECK(left_out(study, Metric::seconds).solvers == std::set<std::string, std::less<>>{"program"});
   CHECK(
-      times_note(study) ==
+      words_of(times_doubts(study)) ==
       "Times are left out: those of program, because they have messages and another process in them. analysis.program_times = "
       "\"compared\" compares them all the same.");
   CHECK(observations(study, Metric::seconds).groups.size() == 2);
@@ -183,7 +183,8 @@ TEST_CASE("times of a program are ranked with those of built-in solvers only whe
   CHECK(samples(study, Metric::seconds)[2].values.size() == 12);  // tables show them
   CHECK(ranking_sentence(study, Metric::seconds).find("; not compared: program.") != std::string::npos);
   const auto is_other = [](std::string_view solver) { return solver != "BA"; };
-  CHECK(timing_note(of_solvers(study, is_other)).starts_with("Times are not comparable: those of program have"));
+  CHECK(words_of(timing_doubts(of_solvers(study, is_other)))
+            .starts_with("Times are not comparable: those of program have"));
   CHECK(times_are_comparable(of_solvers(study, [](std::string_view solver) { return solver == "program"; })));
 }
 
@@ -216,7 +217,7 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
   const JudgedStudy study(make_study("synthetic", solves));
   CHECK(times_are_comparable(study));
   CHECK(
-      times_note(study) ==
+      words_of(times_doubts(study)) ==
       "Times are left out: those of PSO, because 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
       "were running.");
   CHECK(study.evidence(Metric::seconds).groups.size() == 5);
@@ -230,9 +231,11 @@ TEST_CASE("a second reason why times are not comparable begins with a capital", 
   for (Solve& solve : study.solves.to_change()) {
     if (study.gathered->labels[solve.solver] == "BA") solve.timing = Timing::imported;
   }
-  const std::string note = timing_note(study);
+  const std::string note = words_of(timing_doubts(study));
   CAPTURE(note);
-  CHECK(note.find("taken elsewhere. Those of program have messages and another process in them.") != std::string::npos);
+  CHECK(note.find(
+            "taken elsewhere. Times are not comparable: those of program have messages and another process in them.") !=
+        std::string::npos);
 }
 
 TEST_CASE("imported solves take no times from several others", "[uncounted]") {
@@ -242,8 +245,9 @@ TEST_CASE("imported solves take no times from several others", "[uncounted]") {
   }
   const StudyResults study = make_study("synthetic", std::move(solves));
   CHECK(times_are_comparable(study));
-  CHECK(times_note(study) ==
-        "Times are left out: those of theirs, because its solves were imported, so their times were taken elsewhere.");
+  CHECK(
+      words_of(times_doubts(study)) ==
+      "Times are left out: those of theirs, because 24 of 72 solves were imported, so their times were taken elsewhere.");
 }
 
 TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {
@@ -254,7 +258,7 @@ TEST_CASE("times of imported solves are judged with no others, also where the fi
     solve.seconds = statistics::not_defined;
   }
   const JudgedStudy study(make_study("synthetic", std::move(solves)));
-  CHECK(timing_note(study) ==
+  CHECK(words_of(timing_doubts(study)) ==
         "Times are not comparable: 24 of 48 solves were imported, so their times were taken elsewhere.");
   CHECK_FALSE(is_comparable(study, Metric::seconds));
 }
@@ -273,21 +277,21 @@ TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") 
   StudyResults study = make_study(entry, solves, sessions);
   CHECK(study.external == std::vector<std::string>{"BA", "mine", "so"});
   CHECK(
-      evaluation_note(study) ==
+      words_of(evaluation_doubts(study)) ==
       "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
       "mine, so (library, program or shared object) may evaluate one by one.");
   study = make_study(entry, solves);
   CHECK(study.external == std::vector<std::string>{"mine", "so"});
   study.external.clear();
-  CHECK(evaluation_note(study).empty());
+  CHECK(evaluation_doubts(study).empty());
   for (SolveRecord& solve : solves) solve.timing = Timing::parallel;
-  CHECK(evaluation_note(make_study(entry, std::move(solves), sessions)).empty());
+  CHECK(evaluation_doubts(make_study(entry, std::move(solves), sessions)).empty());
 }
 
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
   const StudyResults study = study_without_counts();
-  CHECK(transport_note(study) ==
+  CHECK(words_of(transport_doubts(study)) ==
         "At least half of the time of program is transport: messages to the program and back.");
   CHECK(times_are_comparable(study));
-  CHECK(transport_note(study_without_counts(0.3)).empty());
+  CHECK(transport_doubts(study_without_counts(0.3)).empty());
 }

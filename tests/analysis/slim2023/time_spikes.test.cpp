@@ -27,8 +27,9 @@ constexpr double spike = 50;
 // Everything that is concluded from the times of a study, without the numbers that it rests on.
 std::vector<std::string> verdicts(StudyResults of) {
   const JudgedStudy study(std::move(of));
-  std::vector<std::string> all{timing_note(study), load_warning(study), ranking_sentence(study, Metric::seconds)};
-  const std::string leaders = leaders_sentence(study, Metric::seconds);
+  std::vector<std::string> all{words_of(timing_doubts(study)), words_of(load_doubts(study)),
+                               ranking_sentence(study, Metric::seconds)};
+  const std::string leaders = paragraph_of(leader_sentences(study, Metric::seconds));
   all.push_back(leaders.substr(0, leaders.find('(')));
   const Evidence& found = study.evidence(Metric::seconds);
   for (const std::string& first : study.solvers) {
@@ -41,7 +42,7 @@ std::vector<std::string> verdicts(StudyResults of) {
     all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
   }
   for (const Comparison& row : compare(study)) {
-    if (row.metric == Metric::seconds) all.push_back(row.remark);
+    if (row.metric == Metric::seconds) all.push_back(row.remark.words);
   }
   return all;
 }
@@ -99,7 +100,8 @@ TEST_CASE("one solve that takes 50 times as long changes no verdict on the times
     met.seconds *= spike;
     CAPTURE(met.solver, met.run, met.point);
     CHECK(verdicts(helix(solves)) == before);
-    CHECK(outliers_note(helix(solves)).starts_with("1 of 2400 solves took more than 3 times as long as usual."));
+    CHECK(words_of(outlier_doubts(helix(solves)))
+              .starts_with("1 of 2400 solves took more than 3 times as long as usual."));
   }
 }
 

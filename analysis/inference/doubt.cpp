@@ -1,0 +1,164 @@
+#include "analysis/inference/doubt.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "analysis/inference/text.hpp"
+
+namespace ikbench::inference {
+
+namespace {
+
+struct Words {
+  DoubtKind kind;
+  std::string_view title;
+  std::string_view text;  // a template (fmt) with the fields of a doubt as named arguments
+};
+
+constexpr std::string_view times = "Times are not comparable";
+#define SLOW_SOLVES                                                                                            \
+  "{count} of {of} solves took more than {other} times as long as usual. The worst is {what}: {value:.3g} ms " \
+  "instead of {limit:.3g} ms. For the verdict such a solve counts as usual, so it decides nothing."
+
+using K = DoubtKind;
+constexpr std::array all_words{
+    // Of times the reason alone; who it is of stands in front.
+    Words{K::solved_in_parallel, times,
+          "of {of} solves, {count} ran in parallel with others and {other} in a debug build."},
+    Words{K::several_machines, times, "they come from different machines ({who})."},
+    Words{K::unknown_machine, times, "the stores do not name the CPU."},
+    Words{
+        K::separate_sessions, times,
+        "A and B were solved in separate sessions, and a machine that is slower in one of them slows all its runs. Run "
+        "both as labels of one study."},
+    Words{K::times_imported, times, "{count} of {of} solves were imported, so their times were taken elsewhere."},
+    Words{K::times_disturbed, times,
+          "{count} of {of} solves took more than 1.1 times their CPU time{waited}, so other programs were running."},
+    Words{
+        K::times_of_programs, times,
+        "{whose} have messages and another process in them. analysis.program_times = \"compared\" compares them all the "
+        "same."},
+    Words{K::evaluations_uncounted, "Evaluations were not counted", "Nobody counted the evaluations of {who}."},
+    Words{K::evaluations_claimed, "Evaluations are claimed",
+          "Evaluations of {who} are not compared: they are its own word, and the others' were counted."},
+    Words{
+        K::two_speeds, "The machine had two speeds",
+        "The machine had two speeds: the solves of every solver are in two groups, and an evaluation of the slow ones "
+        "took {value:.2g} times as long. Slow solves: {who}. Measure times again on a machine whose clock is fixed."},
+    Words{K::machine_loaded, "The machine was loaded", "The machine was loaded. " SLOW_SOLVES},
+    Words{K::slow_solves, "Some solves were slow", SLOW_SOLVES},
+    Words{K::interruptions, "The system interrupted the solves", "The system interrupted the solves {count} times."},
+    Words{K::stolen_time, "The host took processor time",
+          "The host kept {value:.3g} s of processor time from this machine."},
+    Words{
+        K::other_repeats, "Repeats differ",
+        "{count} of {of} solves were timed by another definition of the study: {what} repeats each instead of {value}."},
+    Words{K::mostly_transport, "Times are mostly transport",
+          "At least half of the time of {who} is transport: messages to the program and back."},
+    Words{K::evaluated_one_by_one, "Evaluations cost differently",
+          "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; "
+          "{who} (library, program or shared object) may evaluate one by one."},
+    Words{K::points_as_observations, "Points are no replicates",
+          "Points of one run depend on each other; used as observations because --force was given."},
+    Words{K::rows_share_a_run, "Rows are no replicates",
+          "{what}; points of one run depend on each other and are not replicates; used as observations anyway."},
+    Words{K::uneven_runs, "Runs differ in length", "{what}; averaged anyway."},
+    Words{K::blocks_averaged, "Values are missing",
+          "Values are missing in {what}; the remaining values of these blocks are averaged; {flattered}."},
+    Words{K::blocks_left_out, "Values are missing",
+          "Values are missing in {what}; these blocks are left out for all groups; {flattered}."},
+    Words{K::values_missing, "Values are missing", "Missing: {what}; {flattered}."},
+    Words{K::runs_incomplete, "Runs are incomplete", "Incomplete: {what}; {flattered}."},
+    Words{K::no_path_for_blocks, "There are no blocks", "There are no blocks: the study does not state its path."},
+    Words{K::chained_solves, "There are no blocks",
+          "There are no blocks: each solve starts where the solver's previous answer left the arm."},
+    Words{K::other_targets, "There are no blocks", "There are no blocks: the solvers did not have the same targets."},
+    Words{K::no_common_run, "There are no blocks", "There are no blocks: no run is complete for all solvers."},
+    Words{K::single_block, "There is one block", "There are no blocks to compare, because there is only one."},
+    Words{
+        K::other_test, "Another test decides",
+        "The plan asks for the {what} test, which needs blocks. The studentized bootstrap of the means decides instead."},
+    Words{K::plan_changed, "The analysis plan was changed",
+          "The analysis plan was changed after {count} of {of} solves were made: {what}."},
+    Words{
+        K::solvers_dropped, "The study had more solvers",
+        "The study had more solvers when its solves were made: {who}. The correction for several comparisons counts only "
+        "those that are left."},
+    Words{K::plan_unreadable, "The analysis plan is invalid",
+          "The study's analysis plan has invalid values ({who}); the defaults replace them."},
+    Words{K::plan_not_recorded, "The analysis plan was not recorded",
+          "{count} of {of} solves come from a version that did not store the analysis plan."},
+    Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
+    Words{
+        K::looked_before, "The study was looked at before",
+        "This is look {count} at this study: {what} were after {who} runs, and now there are {of}. Whoever adds runs until "
+        "p is small finds differences that are none. So take for a difference only p below {value:.3g} here: then all "
+        "looks after the first together find one that is none in at most {limit:.3g} % of studies. Or plan the looks: "
+        "ikbench compare --sequential."},
+    Words{K::wrong_claims, "Wrong claims", "Wrong claims: in {count} of {of} solves the error is not what {who} said."},
+    Words{
+        K::out_of_reach, "Targets are out of reach",
+        "{count} of the {of} targets of a run cannot be reached. The farthest is point {other}: {what} {value:.4g} cm from "
+        "the shoulder; the reach is {limit:.4g} cm. No solver can solve these, so their errors say nothing about the "
+        "solvers."},
+    Words{K::unknown_paper, "The paper is not known", "no published tables of '{what}'; known papers: {who}"},
+    Words{K::solves_missing, "Solves are missing", "{who}: only {count} of {of} solves are stored"},
+    Words{K::imported_verified, "Solves were imported",
+          "{who} was imported from {what}: its answers are verified, its counts and times are not."},
+    Words{
+        K::imported_unverified, "Solves were imported",
+        "{who} was imported from {what}: its errors are not verified, because the file has no answers; none of its solves "
+        "counts as solved."},
+    Words{K::figures_edited, "Scripts of figures were edited",
+          "edited scripts of figures stay and are drawn with: {who}; delete one to have it written anew"},
+    Words{K::figure_not_drawn, "Figures were not drawn", "{who} not drawn: {what}"},
+    Words{K::said_elsewhere, "The data are doubtful", "{what}"},
+};
+
+constexpr const Words& words_for(DoubtKind kind) { return *std::ranges::find(all_words, kind, &Words::kind); }
+static_assert(std::ranges::is_sorted(all_words, {}, &Words::kind));
+static_assert(all_words.size() == static_cast<std::size_t>(K::said_elsewhere) + 1);
+
+bool is_of_times(DoubtKind kind) { return kind <= K::times_of_programs; }
+
+}  // namespace
+
+std::string_view title_of(DoubtKind kind) { return words_for(kind).title; }
+
+std::string words_of(const Doubt& doubt) {
+  const std::string who = one_line(fmt::format("{}", fmt::join(doubt.who, ", ")));
+  std::string text = fmt::format(
+      fmt::runtime(words_for(doubt.kind).text), fmt::arg("who", who), fmt::arg("count", doubt.count),
+      fmt::arg("of", doubt.of), fmt::arg("other", doubt.other), fmt::arg("value", doubt.value),
+      fmt::arg("limit", doubt.limit), fmt::arg("what", doubt.what),
+      fmt::arg("flattered", "a group that failed there looks better than it is"),
+      fmt::arg("whose", doubt.is_of_all ? "those of " + who : "they"),
+      fmt::arg("waited", doubt.has_programs ? ", or waited for a processor for more than a tenth of it" : ""));
+  if (is_of_times(doubt.kind)) {
+    text = doubt.is_of_all ? fmt::format("{}: {}", times, text)
+                           : fmt::format("Times are left out: those of {}, because {}", who, text);
+  }
+  if (doubt.errors_too) text += " Solves end by their wall time, so that errors depend on that too.";
+  if (!doubt.studies.empty()) text += fmt::format(" So it is in {}.", fmt::join(doubt.studies, ", "));
+  return text;
+}
+
+std::vector<std::string> list_of(const Doubts& doubts) {
+  std::vector<std::string> all;
+  for (const Doubt& doubt : doubts) all.push_back(words_of(doubt));
+  return all;
+}
+
+std::string words_of(const Doubts& doubts) { return fmt::format("{}", fmt::join(list_of(doubts), " ")); }
+
+Doubts operator+(Doubts doubts, Doubts others) {
+  std::ranges::move(others, std::back_inserter(doubts));
+  return doubts;
+}
+
+}  // namespace ikbench::inference

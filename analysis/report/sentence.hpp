@@ -1,0 +1,48 @@
+// A sentence of a report, and what it is about.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ikbench::report {
+
+struct Sentence {
+  std::string topic = {};  // "Assumptions", which a page sets apart; may be empty
+  std::string text;
+};
+
+// "mean 1 vs 2, by 0.9 to 1.1 (margin 5 %; p = 0.03)"
+struct Clause {
+  std::string text;
+  std::vector<std::string> remarks = {};
+};
+
+inline std::string words_of(const Clause& clause) {
+  if (clause.remarks.empty()) return clause.text;
+  return fmt::format("{}{}({})", clause.text, clause.text.empty() ? "" : " ", fmt::join(clause.remarks, "; "));
+}
+
+inline std::string words_of(const Sentence& sentence) {
+  return sentence.topic.empty() || sentence.text.empty() ? sentence.text : sentence.topic + ": " + sentence.text;
+}
+
+inline std::vector<std::string> words_of(const std::vector<Sentence>& sentences) {
+  std::vector<std::string> all;
+  for (const Sentence& sentence : sentences) all.push_back(words_of(sentence));
+  return all;
+}
+
+inline std::string paragraph_of(const std::vector<Sentence>& sentences) {
+  return fmt::format("{}", fmt::join(words_of(sentences), " "));
+}
+
+// Keeps what says something.
+inline void add(std::vector<Sentence>& sentences, Sentence sentence) {
+  if (!sentence.text.empty()) sentences.push_back(std::move(sentence));
+}
+
+}  // namespace ikbench::report

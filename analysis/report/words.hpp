@@ -1,0 +1,108 @@
+// The sentences of reports, `ikbench stats` and `ikbench compare`, as templates with named arguments (fmt). Who
+// improves the English opens this file; what is wrong with data is said in inference/doubt.cpp.
+#pragma once
+
+#include <string_view>
+
+namespace ikbench::report::words {
+
+using Template = std::string_view;
+
+// Who is better: the answer of an assessment.
+inline constexpr Template decided = "{first} is {better}{by} than {others}";
+inline constexpr Template same = "{first} and {others} are the same within {margin}";
+inline constexpr Template undecided = "{first} against {others} is undecided";
+inline constexpr Template not_judged = "{first} cannot be judged against {others}";
+inline constexpr Template none_better =
+    "{first} has the best {average}, but is not shown to be better than another group";
+inline constexpr Template control_not_better = "{first} is not shown to be better than another group";
+inline constexpr Template nearest = "Against {other}, the best of these: {effect}";
+inline constexpr Template single_values = "nothing can be judged, because no group has more than one observation";
+inline constexpr Template all_equal = "all observations are equal, but there are too few to call the groups the same";
+inline constexpr Template decided_by = "Decided by: {tests}";
+
+// How much better.
+inline constexpr Template has_mean = "{name} has the mean {mean}";
+inline constexpr Template has_no_mean = "{name} has no mean";
+inline constexpr Template mean_not_finite = "{name} has no mean: {lost} of {n} values not finite";
+inline constexpr Template not_by_ranks = "{kind} {means}, which ranks do not compare";
+inline constexpr Template ahead = "ahead in {share} of {of}";
+inline constexpr Template interval = "{what} between {low} and {high}{unit}";
+inline constexpr Template excludes_none =
+    "which excludes {none} by another method ({method}) than the test that decides";
+inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
+inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
+
+// Pairs.
+inline constexpr Template pairs_differ = "{differ} of the {pairs} {of} {verb}";
+inline constexpr Template pairs_not_of_best = "None of them includes {best}: {pairs}";
+inline constexpr Template others_differ = "Of the {pairs} other pairs {differ} {verb} (the better first): {list}";
+inline constexpr Template others_do_not_differ = "None of the {pairs} other pairs is shown to differ";
+inline constexpr Template others_not_judged = "{count} of them cannot be judged";
+inline constexpr Template another_test =
+    "In a new study another test would judge {what} (ikbench run: --set analysis.test={test}; ikbench stats: --test {test})";
+
+// Who leads, in a line.
+inline constexpr Template leader = "{first} ({value}; next {second} {of_second}, {p}{remarks})";
+inline constexpr Template leader_not_tested = "{first} ({value}; not tested)";
+inline constexpr Template none_tested = "no solver is tested ({values})";
+inline constexpr Template each_worse = "no solver, because the tests find each worse than another";
+inline constexpr Template shared_by_many = "{first} or one of {others} others ({value}; {finding}{remarks})";
+inline constexpr Template shared = "{all} ({values}; {finding}{remarks})";
+inline constexpr Template exploratory =
+    "the study is judged by the quantity above. The {count} below are not corrected for being several.";
+inline constexpr Template against_control = "{better} {are} better than the control {control} ({value})";
+
+// Where numbers beside the test do not go with it, and what would change the answer.
+inline constexpr Template interval_excludes = "{interval} excludes {none}";
+inline constexpr Template interval_includes = "{interval} includes {none}";
+inline constexpr Template favour_other = "{measures} {favour} the other";
+inline constexpr Template sound_observations = "observations without the flaw";
+inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
+inline constexpr Template more_than_two = "more observations than two";
+inline constexpr Template another_measure =
+    "another measure, because the mean, the median or ranks favour another group";
+inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
+inline constexpr Template other_conditions = "other targets, arms, budgets or settings";
+inline constexpr Template undecided_is_not_equal = "undecided does not mean equal: {why}";
+inline constexpr Template flawed_p = "with flawed observations the p-values are no evidence";
+inline constexpr Template only_summaries = "summaries do not show distributions: no ranks, no medians, no normality";
+inline constexpr Template only_these_conditions =
+    "the results hold for these conditions only, not for other targets, arms, budgets or settings; each quantity is judged "
+    "separately";
+
+// What was compared, and how.
+inline constexpr Template data = "{quantity}, {better} is better; {count} {groups} ({names}) with {sizes} each";
+inline constexpr Template known_summaries = "; only means, standard deviations and sizes are known.";
+inline constexpr Template observation = "One observation is {what}.";
+inline constexpr Template logarithms =
+    "Tests compare logarithms. So a mean is a geometric mean, and a difference is a ratio.";
+inline constexpr Template blocks = "All groups share {count} blocks. A block is {what}.";
+inline constexpr Template method = "{test} decides, at {level}{family}; differences below {margin} do not matter.";
+inline constexpr Template method_of_shares =
+    "every observation is 0 or 1, so shares are compared. {method} Intervals: Wilson's of a share; of a difference "
+    "{interval}.";
+inline constexpr Template sensitivity =
+    "With {n} {of} a t-test finds differences of at least {least} standard deviations{of_differences} with {power} power; "
+    "other tests need more.";
+inline constexpr Template too_few =
+    "no pair can differ by this test. It takes at least {fewest} {of}, and here are {most}.";
+inline constexpr Template decades =
+    "the single values of {names} span more than two decades (in brackets: nine tenths of them), so the largest few decide "
+    "the mean, and a test of means compares the worst cases. Geometric means, A12 and rank tests compare typical values.";
+inline constexpr Template described_only =
+    "the observations are described, but the groups are not ranked, tested or compared. The note below the table says why.";
+inline constexpr Template constants =
+    "All values within a group are equal. p comes from {test}. If a quantity is fixed by design, such as a budget of "
+    "evaluations, its difference is a fact and needs no test.";
+
+// `ikbench compare`.
+inline constexpr Template regression = "Regression beyond {margin}: {list}. {rest}";
+inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
+inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
+inline constexpr Template by_less = "{word} by less than {margin}";
+inline constexpr Template by_more = "{word} by more than {margin}";
+inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
+inline constexpr Template by_unknown = "{word}, by how much is not known";
+
+}  // namespace ikbench::report::words

@@ -1,0 +1,34 @@
+// Doubts: kinds with their numbers, and the words that one file has for each.
+#include "analysis/inference/doubt.hpp"
+
+#include <set>
+#include <string>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::inference;
+
+TEST_CASE("every kind of doubt has a title, and words that its fields fill", "[doubt]") {
+  std::set<std::string> texts;
+  for (int i = 0; i <= static_cast<int>(DoubtKind::said_elsewhere); ++i) {
+    const Doubt doubt{.kind = static_cast<DoubtKind>(i), .who = {"A", "B"}, .count = 3, .of = 20, .what = "this"};
+    const std::string text = words_of(doubt);
+    CAPTURE(i, text);
+    CHECK_FALSE(title_of(doubt.kind).empty());
+    CHECK(text.find_first_of("{}") == std::string::npos);
+    CHECK(texts.insert(text).second);
+  }
+}
+
+TEST_CASE("times that are left out say whose, and other studies in which it is so", "[doubt]") {
+  Doubt doubt{.kind = DoubtKind::times_imported, .who = {"A"}, .count = 3, .of = 20};
+  CHECK(words_of(doubt) ==
+        "Times are left out: those of A, because 3 of 20 solves were imported, so their times were taken elsewhere.");
+  doubt.is_of_all = true;
+  doubt.studies = {"s", "t"};
+  CHECK(
+      words_of(Doubts{doubt, {.kind = DoubtKind::no_plan}}) ==
+      "Times are not comparable: 3 of 20 solves were imported, so their times were taken elsewhere. So it is in s, t. The "
+      "study has no analysis plan; this is the default plan.");
+}
