@@ -95,7 +95,7 @@ class AskedStudy {
 
  private:
   static Robot arm_in(const StudyEntry& entry) {
-    if (std::optional<Robot> arm = stored_arm(entry)) return std::move(*arm);
+    if (std::optional<Robot> arm = stored_arm(entry.definition)) return std::move(*arm);
     throw std::invalid_argument(fmt::format("study '{}': its arm cannot be read from the store", entry.name));
   }
 

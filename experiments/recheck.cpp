@@ -20,25 +20,6 @@ using namespace numerics;
 using namespace robots;
 using namespace results;
 
-// A store is not trusted: keys and texts are quoted, and the depth is bounded.
-std::string toml_of(const nlohmann::json& json, int levels) {
-  if (levels == 0) throw std::invalid_argument("an arm that is nested too deeply");
-  std::string text;
-  if (json.is_array()) {
-    for (const nlohmann::json& element : json) text += toml_of(element, levels - 1) + ", ";
-    return fmt::format("[{}]", text);
-  }
-  if (json.is_object()) {
-    for (const auto& [key, value] : json.items()) {
-      if (key != "name")
-        text +=
-            fmt::format("{}{} = {}", text.empty() ? "" : ", ", nlohmann::json(key).dump(), toml_of(value, levels - 1));
-    }
-    return fmt::format("{{{}}}", text);
-  }
-  return json.dump();
-}
-
 // Not in the unnamed namespace, since Recheck::Looking has it as a member.
 class Findings {
  public:
@@ -198,25 +179,8 @@ Requirement requirement_of(const StudyEntry& entry) {
           .budget = {number("/stop/seconds"), number("/stop/evaluations")}};
 }
 
-std::optional<Robot> stored_arm(const StudyEntry& entry) {
-  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
-  if (!definition.is_object()) return std::nullopt;
-  try {
-    if (!definition.contains("arm")) return robot(definition.value("robot", ""));  // the first stores name it
-    std::string text;
-    for (const char* part : {"links", "base", "tool"}) {
-      if (definition["arm"].contains(part)) text += fmt::format("{} = {}\n", part, toml_of(definition["arm"][part]));
-    }
-    return parse_robot(text, "stored.toml");
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  }
-}
-
 struct Recheck::Looking {
-  explicit Looking(const StudyEntry& entry) : arm(stored_arm(entry)), requirement(requirement_of(entry)) {
+  explicit Looking(const StudyEntry& entry) : arm(stored_arm(entry.definition)), requirement(requirement_of(entry)) {
     const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
     is_from_urdf = definition.is_object() && definition.contains("urdf");
     if (arm) checked.emplace(*arm, requirement);

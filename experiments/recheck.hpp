@@ -2,23 +2,14 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/verifier.hpp"
 #include "results/store.hpp"
-#include "robots/robot.hpp"
+#include "robots/chain.hpp"
 
 namespace ikbench::experiments {
-
-// The arm in the definition of a stored study, to the rounding of its degrees; empty if none can be read.
-std::optional<robots::Robot> stored_arm(const results::StudyEntry& entry);
-
-// A value of a definition as one line of TOML, without names; std::invalid_argument if it is nested deeper than
-// `levels`.
-std::string toml_of(const nlohmann::json& json, int levels = 4);
 
 // What the study requires of every answer. The store has the claimed position error, but not the claimed pose error.
 Requirement requirement_of(const results::StudyEntry& entry);

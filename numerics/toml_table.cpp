@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -64,6 +65,24 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
         fmt::format("{}:{}:{}: not TOML: {}", source, begin.line, begin.column, error.description()));
   }
   return table;
+}
+
+std::string toml_of(const nlohmann::json& json, int levels) {
+  if (levels == 0) throw std::invalid_argument("a value that is nested too deeply");
+  std::string text;
+  if (json.is_array()) {
+    for (const nlohmann::json& element : json) text += toml_of(element, levels - 1) + ", ";
+    return fmt::format("[{}]", text);
+  }
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      if (key != "name")
+        text +=
+            fmt::format("{}{} = {}", text.empty() ? "" : ", ", nlohmann::json(key).dump(), toml_of(value, levels - 1));
+    }
+    return fmt::format("{{{}}}", text);
+  }
+  return json.dump();
 }
 
 void TomlReader::text(std::string_view key, std::string& field, std::string_view) {

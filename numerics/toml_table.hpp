@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,10 @@ toml::table parse_toml(std::string_view text, std::string_view source);
 // Refuses keys such as a.a.a.a, tables nested in tables. toml++ bounds the depth of brackets, not of these, and a
 // hundred thousand of them exhaust the stack.
 void refuse_deep_keys(std::string_view text, std::string_view source);
+
+// A value of a stored definition as one line of TOML, without names. A store is not trusted: keys and texts are quoted,
+// and std::invalid_argument refuses a value that is nested deeper than `levels`.
+std::string toml_of(const nlohmann::json& json, int levels = 4);
 
 // Reads one table, and remembers which keys were read.
 class TomlReader {

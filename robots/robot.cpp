@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "numerics/embedded_file.hpp"
@@ -147,6 +148,19 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
   constexpr std::uintmax_t largest_urdf = 16'000'000;
   if (is_urdf_file(file.string())) return parse_urdf(text_of_file(file, largest_urdf), file, choice);
   return parse_robot(text_of_file(file), file);
+}
+
+std::optional<Robot> stored_arm(std::string_view definition) {
+  try {
+    const auto arm = nlohmann::json::parse(definition).at("arm");
+    std::string text;
+    for (const char* part : {"links", "base", "tool"}) text += fmt::format("{} = {}\n", part, toml_of(arm.at(part)));
+    return parse_robot(text, "stored.toml");
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace ikbench::robots

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,5 +55,8 @@ Robot parse_robot(std::string_view text, const std::filesystem::path& file);
 struct UrdfChoice;
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
 Robot load_robot(const std::filesystem::path& file);
+
+// The arm in the definition of a stored study (JSON), to the rounding of its degrees; empty if none can be read.
+std::optional<Robot> stored_arm(std::string_view definition);
 
 }  // namespace ikbench::robots

@@ -41,8 +41,9 @@ std::map<std::string, Names> folders_and_papers() {
       {"experiments", {"numerics", "robots", "solvers", "results"}},
       {"analysis/statistics", {}},
       {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
-      {"analysis/figures", {"numerics", "results", "analysis/statistics", "analysis/inference"}},
-      {"analysis/report", {"numerics", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
+      {"analysis/figures", {"numerics", "robots", "results", "analysis/statistics", "analysis/inference"}},
+      {"analysis/report",
+       {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
       {"analysis/claims",
        {"numerics", "results", "analysis/statistics", "analysis/inference", "analysis/figures", "analysis/report"}},
       // the registry of the collections, which alone knows the folders of papers
@@ -56,7 +57,7 @@ std::map<std::string, Names> folders_and_papers() {
   for (const std::string& paper : papers()) {
     table["analysis"].insert("analysis/" + paper);
     table["analysis/" + paper] = table.at("analysis/claims");
-    table["analysis/" + paper].insert("analysis/claims");
+    table["analysis/" + paper].insert({"robots", "analysis/claims"});
   }
   return table;
 }

@@ -20,10 +20,12 @@
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "numerics/number.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::figures {
 
 using namespace numerics;
+using namespace robots;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -222,12 +224,13 @@ constexpr std::size_t most_panels = 12;
 // that turn, and only where the definition has an arm of so many joints.
 std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const StudyFacts& facts, std::size_t joints) {
   std::map<std::pair<double, double>, std::vector<std::size_t>> limits;
-  const std::optional<Arm> arm = arm_of(facts);
-  if (!arm || arm->links.size() != joints) return limits;
+  const std::optional<Robot> arm = stored_arm(facts.json);
+  if (!arm || arm->chain.links().size() != joints) return limits;
   for (std::size_t joint = 0; joint < joints; ++joint) {
-    const ArmLink& link = arm->links[joint];
-    if (link.joint == ArmLink::Joint::slides || !std::isfinite(link.lower + link.upper)) continue;
-    limits[{link.lower * 180 / std::numbers::pi, link.upper * 180 / std::numbers::pi}].push_back(joint + 1);
+    const auto j = static_cast<Eigen::Index>(joint);
+    const double lower = arm->limits.lower[j], upper = arm->limits.upper[j];
+    if (arm->chain.links()[joint].joint == Joint::slides || is_endless(lower, upper)) continue;
+    limits[{lower * 180 / std::numbers::pi, upper * 180 / std::numbers::pi}].push_back(joint + 1);
   }
   return limits;
 }

@@ -7,11 +7,11 @@
 #include <map>
 #include <numbers>
 
-#include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "results/files.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::report {
 
@@ -35,15 +35,15 @@ Json rounded(const std::vector<double>& values) {
 
 // The joints of an answer that are outside their limits, and by how much. That any is has been recorded; up to 1e-9 is
 // rounding, as it is to the verifier (experiments/verifier.cpp). Decided here, since the page has rounded angles.
-Json joints_outside(const SolveRecord& solve, const Arm& arm) {
+Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   constexpr double degree = std::numbers::pi / 180, rounding = 1e-9;
   Json list = Json::array();
   if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
-    const ArmLink& link = arm.links[joint];
-    const double outside = std::max(link.lower - solve.answer_rad[joint], solve.answer_rad[joint] - link.upper);
+    const auto j = static_cast<Eigen::Index>(joint);
+    const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
     if (!(outside > rounding)) continue;
-    const bool slides = link.joint == ArmLink::Joint::slides;
+    const bool slides = arm.chain.links()[joint].joint == robots::Joint::slides;
     list.push_back(
         {{"joint", joint}, {"by", slides ? outside * 100 : outside / degree}, {"unit", slides ? " cm" : "\u00b0"}});
   }
@@ -51,7 +51,7 @@ Json joints_outside(const SolveRecord& solve, const Arm& arm) {
 }
 
 // The first run of a solver, point by point; a start only where it is not the answer before.
-Json first_run(const StudyResults& study, const std::string& solver, const Arm& arm) {
+Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::map<int, const SolveRecord*> solves = figures::first_run(study, solver);
   if (solves.empty()) return nullptr;
   Json steps = Json::array();
@@ -71,19 +71,22 @@ Json first_run(const StudyResults& study, const std::string& solver, const Arm& 
   return {{"name", one_line(solver)}, {"run", before->run}, {"steps", std::move(steps)}};
 }
 
-Json drawn(const ArmFrame& frame) { return {{"position_m", frame.position_m}, {"rpy_rad", frame.rpy_rad}}; }
+Json drawn(const robots::Frame& frame) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"position_m", numbers(frame.position)}, {"rpy_rad", numbers(frame.rpy)}};
+}
 
-Json drawn(const Arm& arm) {
+Json drawn(const robots::Chain& chain) {
   constexpr std::array joints{"turns", "slides", "coupled"};
   Json links = Json::array();
-  for (const ArmLink& link : arm.links) {
+  for (const robots::DhLink& link : chain.links()) {
     links.push_back({{"joint", joints[static_cast<std::size_t>(link.joint)]},
-                     {"offset_rad", link.offset_rad},
-                     {"d_m", link.d_m},
-                     {"a_m", link.a_m},
-                     {"alpha_rad", link.alpha_rad}});
+                     {"offset_rad", link.offset},
+                     {"d_m", link.d},
+                     {"a_m", link.a},
+                     {"alpha_rad", link.alpha}});
   }
-  return {{"links", std::move(links)}, {"base", drawn(arm.base)}, {"tool", drawn(arm.tool)}};
+  return {{"links", std::move(links)}, {"base", drawn(chain.base())}, {"tool", drawn(chain.tool())}};
 }
 
 bool can_be_drawn(const StudyResults& study, std::size_t joints) {
@@ -99,11 +102,8 @@ bool can_be_drawn(const StudyResults& study, std::size_t joints) {
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResults& study) {
-  const std::optional<Arm> arm = arm_of(facts_of(entry.definition));
-  const auto has_limits = [](const ArmLink& link) { return !std::isnan(link.lower) && !std::isnan(link.upper); };
-  if (!arm || !std::ranges::all_of(arm->links, has_limits) || !can_be_drawn(study, arm->links.size())) {
-    return std::nullopt;
-  }
+  const std::optional<robots::Robot> arm = robots::stored_arm(entry.definition);
+  if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
   Json solvers = Json::array();
   for (const std::string& solver : study.solvers) {
     if (solvers.size() == most_solvers) break;
@@ -111,7 +111,7 @@ std::optional<std::string> moving_arm(const StudyEntry& entry, const StudyResult
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;
-  return json_in_page({{"arm", drawn(*arm)}, {"solvers", std::move(solvers)}});
+  return json_in_page({{"arm", drawn(arm->chain)}, {"solvers", std::move(solvers)}});
 }
 
 std::optional<std::string> drawing_library() {

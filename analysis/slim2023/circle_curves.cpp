@@ -8,10 +8,8 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
 
 #include "analysis/claims/rules_of_solves.hpp"
-#include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/convergence.hpp"
@@ -21,6 +19,7 @@
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -87,11 +86,11 @@ Figure circle_joints_figure(const StudyResults& study) {
   const std::string& solver = solver_of(study, study.solves.front());
   const auto solves = first_run(study, solver);
   std::vector<double> lower, upper;  // [deg]
-  if (const std::optional<Arm> arm = arm_of(study.facts)) {
-    for (const ArmLink& link : arm->links) {
-      if (!std::isfinite(link.lower) || !std::isfinite(link.upper)) break;
-      lower.push_back(link.lower * 180 / std::numbers::pi);
-      upper.push_back(link.upper * 180 / std::numbers::pi);
+  if (const auto arm = robots::stored_arm(study.facts.json)) {
+    for (Eigen::Index j = 0; j < arm->joints() && !robots::is_endless(arm->limits.lower[j], arm->limits.upper[j]);
+         ++j) {
+      lower.push_back(arm->limits.lower[j] * 180 / std::numbers::pi);
+      upper.push_back(arm->limits.upper[j] * 180 / std::numbers::pi);
     }
   }
   const std::vector<PrintedPosture> printed = printed_table_8(study.facts.published);

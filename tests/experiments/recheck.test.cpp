@@ -166,7 +166,7 @@ TEST_CASE("an arm that cannot be read is said, and nothing else is made of it", 
         R"({"arm": {"links": [{"a = 1\n[links]\nb": 2}]}})"}) {
     INFO(definition);
     const StudyEntry entry{.name = "small", .definition = definition, .series = {}};
-    CHECK_FALSE(stored_arm(entry).has_value());
+    CHECK_FALSE(stored_arm(definition).has_value());
     const std::vector<std::string> said = damages(entry, solves);
     REQUIRE(said.size() == 1);
     CHECK_THAT(said[0], ContainsSubstring("cannot be read"));

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -78,15 +77,12 @@ TEST_CASE("slides, coupled links, base and tool are where the solves had them", 
   // By hand: the base turns x to y, the slide's offset to -x; the coupled link points down, and its twist turns y up.
   check(arm_points(arm, {0.25, quarter}),
         {{0, 0, 0}, {1, 0, 0}, {1, 0, 0.75}, {0.8, 0, 0.75}, {0.8, 0, 0.45}, {0.8, 0, 0.575}});
-  REQUIRE(arm_of(arm));
-  CHECK(arm_of(arm)->links[0].upper == 0.25);  // [m]
-  CHECK(arm_of(arm)->links[1].upper == Approx(quarter));
 }
 
 TEST_CASE("an arm that is not known, or angles that are not its own, draw nothing", "[arm]") {
   for (const char* definition :
        {"", "no JSON", "7", "[]", R"({"arm": "dobot_magician"})", R"({"arm": {}})", R"({"arm": {"links": 5}})",
-        R"({"arm": {"links": []}})", R"({"arm": {"links": [{}, {}, {}], "base": {}, "tool": {}}})"}) {
+        R"({"arm": {"links": []}})", R"({"arm": {"links": [{"d_m": "?"}, {}, {}], "base": {}, "tool": {}}})"}) {
     CAPTURE(definition);
     CHECK(arm_points(facts_of(definition), {0, 0, 0}).empty());
   }
