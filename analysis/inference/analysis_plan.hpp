@@ -1,5 +1,5 @@
-// How a study said that it would be judged, and whether it had said so before its solves were made. Stores may be old
-// or anybody's: what is missing in them, or is nonsense, is as by default.
+// Reads a study's analysis plan, and tells whether the plan was fixed before the solves were made. Stores may be old or
+// foreign: a missing or invalid field takes its default.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace ikbench::inference {
 
-// As the study's definition has it; a control that is no label of the study is none.
+// Returns the plan in the study's definition. Ignores a control that is no label of the study.
 results::AnalysisPlan plan_of(const results::StudyEntry& entry);
 
 struct PlanValue {
@@ -21,17 +21,17 @@ struct PlanValue {
 };
 std::vector<PlanValue> values_of(results::AnalysisPlan plan);
 
-// How many solves each session made.
+// Number of solves by session id.
 using SolvesOfSessions = std::map<std::int64_t, std::int64_t>;
 
-// "significance 0.05 -> 0.01, unit run -> point"; empty where the plans are the same.
+// Lists the changes: "significance 0.05 -> 0.01, unit run -> point"; empty if the plans are the same.
 std::string changes_between(const results::AnalysisPlan& before, const results::AnalysisPlan& after);
 
-// One for each other plan that solves were made under, as their sessions recorded it: it was changed with their
-// numbers known.
+// Returns one doubt per other plan that sessions recorded for their solves: the plan was changed after numbers were
+// known.
 Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                     const SolvesOfSessions& solves);
-// Those, or that nothing was changed; and how many solves have a session that recorded no plan.
+// Words plan_changes(), or says that nothing was changed; and counts the solves whose session recorded no plan.
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);
 

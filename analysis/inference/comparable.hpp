@@ -1,5 +1,4 @@
-// What may be held against each other: which metrics of a study, and which of its solvers. All that is said of times
-// and evaluations follows it.
+// Decides which metrics and solvers of a study may be compared. Every statement on times and evaluations follows it.
 #pragma once
 
 #include <set>
@@ -11,37 +10,37 @@
 
 namespace ikbench::inference {
 
-// The solvers whose values of a metric are held against no others', and why; the others are compared
-// without them. Of evaluations: those that nobody counted, and beside solvers that the suite counted those that a
-// program claims. Of times: those of imported solves, those of which many were disturbed by other programs, and, unless
-// the plan says otherwise, those of programs beside solvers that run here.
+// Solvers whose values of a metric are not compared with others, and why. Evaluations: solvers that nobody counted, and
+// programs' claims beside counts of the suite. Times: imported solves, solvers that other programs disturbed often,
+// and, unless the plan says otherwise, programs beside solvers that run here.
 struct LeftOut {
   std::set<std::string, std::less<>> solvers = {};
   Doubts doubts = {};
 };
 LeftOut left_out(const StudyResults& study, Metric metric);
-// What is said of a metric is said of this study: without these.
+// Returns the study without left_out(); every statement on the metric uses it.
 StudyResults compared_in(StudyResults study, Metric metric);
 
-// Why no times of a study can be compared: all of them, or all but one solver's, are left out. None where some can.
+// Reasons why no times of a study can be compared, because all or all but one solver's are left out. Empty if some can.
 Doubts timing_doubts(const StudyResults& study);
 bool times_are_comparable(const StudyResults& study);
-bool is_comparable(const StudyResults& study, Metric metric);  // all metrics are but times
-// Why the times of one solver are held against no others', or those of the whole study; none where they are.
+bool is_comparable(const StudyResults& study,
+                   Metric metric);  // times_are_comparable() for times; true for all other metrics
+// Reasons not to compare the times of one solver, or of the whole study; empty if they are compared.
 Doubts timing_doubts(const StudyResults& study, std::string_view solver);
-// Beside times: timing_doubts(), or else which solvers are left out of their comparison.
+// Doubts to show beside times: timing_doubts(), or else the solvers left out of the comparison.
 Doubts times_doubts(const StudyResults& study);
 
-// Whether other programs were at work while a solver's solves ran that are recorded as clean or as those of a program:
-// whether many of these took longer than their CPU time, or waited as long for a processor. One does not matter.
+// Returns whether other programs disturbed a solver's solves that are recorded as clean or as a program's: many of them
+// took much longer than their CPU time, or waited long for a processor. A single one does not count.
 bool times_were_disturbed(const StudyResults& study, std::string_view solver);
-// Whether the solver is a process of its own, whose times have its messages in them.
+// Returns whether the solver is a separate process, whose times include its messages.
 bool is_program(const StudyResults& study, std::string_view solver);
-// Times of several CPUs cannot be compared; none where there are not several.
+// Doubts that times of several CPUs cannot be compared; empty for one CPU.
 Doubts cpu_doubts(const std::set<std::string>& cpus);
-// Of the programs whose time is for the most part that of their messages.
+// Doubts of programs whose time is mostly that of their messages.
 Doubts transport_doubts(const StudyResults& study);
-// Whose candidates are evaluated in another way than those of built-in solvers, where there are both.
+// Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
 Doubts evaluation_doubts(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";
 

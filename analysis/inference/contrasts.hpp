@@ -1,4 +1,4 @@
-// The pairs of groups of an Evidence: how large the difference is, and what each method says of it.
+// The pairs of groups of an Evidence: size of the difference and result of each method.
 #pragma once
 
 #include <span>
@@ -10,15 +10,15 @@
 
 namespace ikbench::inference {
 
-// Fills contrasts, pairs and reference, and of each contrast what the method that decides and the other numbers say.
+// Fills contrasts, pairs and reference of the evidence.
 void add_contrasts(Evidence& evidence, const Groups& groups);
 
-// By the one rule (judge.hpp), with the p of whichever is ahead.
+// The verdict by judge.hpp's rule, where p is for the group that is ahead.
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p);
 
-// Whether both groups have one value each, so that Fisher's exact test (within blocks the sign test) judges them.
+// Returns whether each group has one value only, so that Fisher's exact test (within blocks the sign test) judges them.
 bool are_constants(const Evidence& evidence, const Contrast& contrast);
-// So many observations a group, or blocks, does it take before values can say the same often enough.
+// Fewest observations per group (or blocks) at which the test can find a difference at all.
 int fewest_to_differ(const Evidence& evidence);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,4 @@
-// A user's CSV as observations before anything is averaged or refused, from either layout.
+// Reads a user's CSV of either layout into observations, before any are averaged or refused.
 #pragma once
 
 #include <cstddef>
@@ -30,26 +30,26 @@ class Names {
   std::vector<std::string> all_;
 };
 
-// What a column says of each row, as numbers; `no_label` where the cell is missing.
+// A column's texts as numbers, one per row; `no_label` if the cell is missing.
 struct Labels {
   Names names;
   std::vector<std::size_t> of_row;
 };
 
 Labels labels_of(const CsvFile& file, std::size_t column);
-// Nothing where there are more different ones.
+// nullopt if there are more than `most` different labels.
 std::optional<Labels> labels_of(const CsvFile& file, std::size_t column, std::size_t most);
-// No label may be missing.
+// Refuses a missing label.
 Labels expect_labels(const CsvFile& file, std::size_t column);
 
 struct Observation {
   std::size_t group = 0;
-  std::size_t row = 0;    // the first, below the header
-  std::size_t block = 0;  // 0 for all where there are none; so the run
+  std::size_t row = 0;    // first row of it, counted below the header
+  std::size_t block = 0;  // 0 if there are no blocks; likewise `run`
   std::size_t run = 0;
-  std::size_t count = 1;             // of how many values it is the mean
-  std::size_t whole = 1;             // of how many it should be
-  std::optional<double> value = {};  // nothing where missing
+  std::size_t count = 1;             // number of averaged values
+  std::size_t whole = 1;             // number of values that a whole one has
+  std::optional<double> value = {};  // nullopt if missing
 };
 
 struct Contents {
@@ -60,11 +60,11 @@ struct Contents {
 
 Contents read_long(const CsvFile& file, const CsvRequest& request);
 Contents read_wide(const CsvFile& file, const CsvRequest& request);
-// Of values, which have to be positive.
+// Replaces values by their logarithms to base 10; refuses values that are not positive.
 void take_logarithms(const CsvFile& file, Contents& contents);
 
-// Whether a column's name says that it numbers repetitions. Folds are not among them: folds of two data sets have
-// nothing but their number in common.
+// Returns whether a column's name says that it numbers repetitions. "fold" does not count: folds of two data sets share
+// nothing but their number.
 bool names_replicates(std::string_view title);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,4 @@
-// Which rows of a user's CSV are replicates: its runs, and rows that share one.
+// Finds the runs in a user's CSV, and rows that share a run and so are no replicates.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace ikbench::inference {
 
-// Whether the column numbers repetitions, and was not given as anything else.
+// Returns whether the column numbers repetitions and the request gives it no other role.
 bool numbers_runs(const std::string& title, const CsvRequest& request);
 
 using GroupRun = std::pair<std::size_t, std::size_t>;
@@ -26,10 +26,10 @@ std::vector<GroupRun> group_runs(const Contents& contents, const RunOf& run_of) 
   return keys;
 }
 
-// How often a sorted key is there.
+// Number of rows with this key; `keys` are sorted.
 std::size_t rows_of(const std::vector<GroupRun>& keys, const GroupRun& key);
 
-// Refuses rows that are no replicates, or says why they are none.
+// Refuses rows that are no replicates. If they are taken as given, says why they are none; empty if all are replicates.
 std::string rows_share_a_run(const CsvFile& file, const Contents& contents, const CsvRequest& request);
 
 }  // namespace ikbench::inference

@@ -1,5 +1,5 @@
-// What of a study are observations: which solves make one, which of them were given the same problem, and what a reader
-// must know of them.
+// Turns a study into observations: which solves make one observation, which observations share a problem, and notes on
+// them.
 #pragma once
 
 #include <optional>
@@ -14,39 +14,39 @@
 
 namespace ikbench::inference {
 
-// What all solvers are given alike; where solves are chained, where one starts is the solver's own doing.
+// The problems that all solvers share. In chained solves the start depends on the solver.
 enum class Blocks { none, runs, drawn_targets, path_targets };
 
-// As the study's definition has it: none where it does not say what its path is.
+// Reads the blocks from the study's definition; none if it does not describe its path.
 Blocks blocks_of(const StudyResults& study);
 
 using Place = std::pair<int, int>;  // run and point, from 1
 
-// Of solves of one solver, in the order of a study; null where they have none there.
+// The solve at a place among one solver's solves, in the order of a study; null if there is none.
 const Solve* solve_at(std::span<const Solve> solves, const Place& place);
 
-// The solves that make one value.
+// The places whose solves make one value.
 struct Block {
   std::string name;  // "run 2, point 1"
   std::vector<Place> places;
 };
 
-// Of the runs that all solvers of the study have complete; none for Blocks::none.
+// The blocks of the runs that are complete for all solvers; empty for Blocks::none.
 std::vector<Block> layout(const StudyResults& study, Blocks blocks);
 
-// What the statistics are made of, by the unit of the plan: of runs, blocked_observations() where there are some; else
-// the values of samples(), a group for every solver, of runs with a note that says why there are no blocks.
+// The observations that statistics use, by the plan's unit. For runs: blocked_observations() if the study has them,
+// else samples(), one group per solver, with a note on why there are no blocks. For points: samples().
 Observations observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 Observations observations(const StudyResults& study, Metric metric);  // by its average (average_estimand)
 
-// The design in which all solvers are given the same problems, where the study has one:
-// - targets drawn in every run, and chained: a block is a run, a value its mean;
-// - targets drawn in every run, each from the initial configuration: a block is a target, a value its only solve;
-// - a path, each of its targets from the initial configuration: a block is a target, a value the mean over the runs.
-// An import that would take runs from several other solvers is left out, and a note says so.
+// The observations in blocks, if all solvers share problems:
+// - targets drawn in every run, chained: a block is a run, a value its mean;
+// - targets drawn in every run, each from its own start: a block is a target, a value its only solve;
+// - targets on a path, each from its own start: a block is a target, a value the mean over the runs.
+// An import that would cost several other solvers runs is left out, and a note says so.
 std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 
-// Why there is none; empty where there is one.
+// Reasons why blocked_observations() returns nullopt; empty if it returns some.
 Doubts why_not_blocked(const StudyResults& study);
 
 }  // namespace ikbench::inference

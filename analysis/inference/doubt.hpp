@@ -1,5 +1,5 @@
-// What makes numbers doubtful, as a value: what it is, of whom, and how much. doubt.cpp has the words of each. Code
-// decides by the value, and nothing reads the words.
+// Reasons to doubt numbers, as values: kind, solvers and sizes. doubt.cpp has the words of each doubt kind. Code
+// decides by the value and never reads the words.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace ikbench::inference {
 
-// The fields that each has are those that its words name (doubt.cpp).
+// Each kind uses the fields that its words name (doubt.cpp).
 enum class DoubtKind {
-  // the times of all solvers, or those of `who`, are compared with no others
+  // times of all solvers, or of `who`, are not compared with others
   solved_in_parallel,
   several_machines,
   unknown_machine,
@@ -21,10 +21,10 @@ enum class DoubtKind {
   times_imported,
   times_disturbed,
   times_of_programs,
-  // the evaluations of `who` are compared with no others
+  // evaluations of `who` are not compared with others
   evaluations_uncounted,
   evaluations_claimed,
-  // what is in times
+  // disturbances of times
   two_speeds,
   machine_loaded,
   slow_solves,
@@ -63,7 +63,7 @@ enum class DoubtKind {
   imported_unverified,
   figures_edited,
   figure_not_drawn,
-  said_elsewhere,  // `what`: by who read the store or the file
+  said_elsewhere,  // `what` holds the words of the reader of the store or file
 };
 
 struct Doubt {
@@ -72,14 +72,14 @@ struct Doubt {
   double count = 0, of = 0;           // 3 of 20 solves
   double other = 0, value = statistics::not_defined, limit = statistics::not_defined;
   std::string what = {};                  // a file, a change, a place
-  bool is_of_all = false;                 // of times: none can be compared; else those of `who` are left out
-  bool has_programs = false;              // among `who`
-  bool errors_too = false;                // solves end by their wall time, so errors depend on what times do
-  std::vector<std::string> studies = {};  // other studies of which it is so
+  bool is_of_all = false;                 // for times: none can be compared; false: those of `who` are left out
+  bool has_programs = false;              // some of `who` are programs
+  bool errors_too = false;                // errors are affected too, because solves end by wall time
+  std::vector<std::string> studies = {};  // other studies with the same doubt
 };
 using Doubts = std::vector<Doubt>;
 
-std::string_view title_of(DoubtKind kind);  // in a few words: "Times are not comparable"
+std::string_view title_of(DoubtKind kind);  // short title: "Times are not comparable"
 std::string words_of(const Doubt& doubt);   // sentences
 std::string words_of(const Doubts& doubts);
 std::vector<std::string> list_of(const Doubts& doubts);  // the words of each

@@ -1,5 +1,5 @@
-// A metric as one of its estimands has it: what of a solve goes into an observation, and how the observation is read.
-// A mean of values over decades is that of its worst cases; the typical value and the share within a distance are not.
+// A metric by one of its estimands: the value of a solve that goes into an observation, and how to read it. The largest
+// values decide a mean over decades, but neither the typical value nor the share within a distance.
 #pragma once
 
 #include <string>
@@ -16,54 +16,51 @@ constexpr double penalty = 10;
 constexpr std::string_view penalty_words = "failures: 10 times the limit";
 
 struct Quantity {
-  std::string name;  // of files and anchors: "error", "error-typical", "error-reliability"
+  std::string name;  // for files and anchors: "error", "error-typical", "error-reliability"
   std::string text;  // with its unit in brackets: "typical position error [cm]"
   std::string unit = {};
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
-  std::string average = "mean";         // what an observation is of its solves, in words
-  OfRun value = {};                     // and as a function
-  std::vector<std::string> notes = {};  // what counts as what
+  std::string average = "mean";         // average of an observation's solves, in words
+  OfRun value = {};                     // the value of a run
+  std::vector<std::string> notes = {};  // say how failures and small values count
 };
 
-// The estimand that averages a metric: of times the typical value, because one interruption of a solve would decide a
-// mean; of all others the mean.
+// The estimand that averages a metric: the typical value for times, because one interruption would decide a mean; else
+// the mean.
 results::Estimand average_estimand(Metric metric);
 
-// Those of the study's plan that a metric has. The position error has all, the other metrics their average alone; the
-// computing time the reliability too where the study has a deadline.
+// The plan's estimands of a metric. The position error has all, other metrics only their average; computing time also
+// has the reliability if the study has a deadline.
 std::vector<results::Estimand> estimands_of(const StudyResults& study, Metric metric);
 
-// By which the study says who is better: the share of solves within the tolerance, where it has one and its plan asks
-// for that, else the first estimand of its plan. The others are exploratory.
+// The estimand that decides who is better: the share of solves within the tolerance, if the study has one and its plan
+// asks for it, else the plan's first estimand. The others are exploratory.
 results::Estimand primary_estimand(const StudyResults& study);
 
-// Up to which errors of the metric are all alike, in its unit; not defined where the study has no such tolerance.
+// Errors up to this size count as equal, in the metric's unit; not defined if the study has no such tolerance.
 double tolerance_of(const StudyResults& study, Metric metric);
 
-// What of a solve counts: a time that stands out counts as usual (undisturbed_seconds), an error up to the study's
-// tolerance counts as the tolerance, or without one, up to rounding as that. Any other value is what it is. `study`
-// outlives the result.
+// The value of a solve that counts. An outlying time counts as usual (undisturbed_seconds). An error below the study's
+// tolerance, or without one below rounding, counts as that. Other values stay. `study` must outlive the result.
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
-// Whether a cost of a solve that is not ok counts `penalty` times a limit (PAR10): in studies with a tolerance.
+// Returns whether a solve that is not ok costs `penalty` times the limit (PAR10): costs in studies with a tolerance.
 bool is_penalised(const StudyResults& study, Metric metric);
-// What a solve may cost at most: the study's limit, or without one what its dearest solve cost.
+// The most that a solve may cost: the study's limit, or else the largest cost of its solves.
 double limit_of(const StudyResults& study, Metric metric);
-// The counted value; penalised where it is a cost in a study with a tolerance.
+// The counted value; penalised if is_penalised().
 ValueOf counted_value(const StudyResults& study, Metric metric, double limit);
 
-// `study` outlives the result. mean: the average of the counted value (average_of), or what a run has as a whole. In a
-// study with a tolerance a cost of a solve that is not ok counts `penalty` times the study's limit (PAR10), or without
-// a limit the largest that any solve has; what a run costs as a whole is not defined where none of its solves is ok.
-// typical: its logarithm to base 10, where a value up to the metric's rounding counts as that, and a cost is
-// penalised likewise. reliability: 1 within
-// the distance, else 0; where the study has a tolerance only with status ok, else also 0 where there is no new answer
-// or it is not finite.
+// `study` must outlive the result. mean: the average of the counted value (average_of), or the value of the whole run.
+// In a study with a tolerance a solve that is not ok costs `penalty` times limit_of() (PAR10); the cost of a whole run
+// is not defined if none of its solves is ok. typical: its logarithm to base 10; values below the metric's rounding
+// count as that, and costs are penalised likewise. reliability: 1 within the distance, else 0; with a tolerance only
+// status ok counts, without one a missing or infinite answer counts 0.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;
-// of times the study's deadline, not defined where it has none.
+// of times the study's deadline, not defined if it has none.
 double distance_of(const StudyResults& study, Metric metric);
 
 // "within 0.01 cm", of poses without a tolerance "within 0.01 cm, however turned"; with a tolerance "within 0.01 cm and

@@ -1,4 +1,4 @@
-// What was found of two: a row of plain data, whatever was compared and whichever method did.
+// The result of one comparison of two, as plain data, for every quantity and method.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace ikbench::inference {
 
-// A number with its interval; the interval may be not defined where the number is.
+// A number with its interval, which may be not defined.
 struct Estimate {
   double value = statistics::not_defined;
   double low = statistics::not_defined;
@@ -20,18 +20,18 @@ struct Estimate {
 struct Finding {
   std::string quantity;
   std::string first, second;
-  bool is_ratio = false;               // the estimate is first / second, else first - second
+  bool is_ratio = false;               // true: the estimate is first / second; false: first - second
   Estimate estimate = {};              // its interval holds for all pairs of the family together
   double p = statistics::not_defined;  // corrected for the family; not defined where the interval decides
   std::string method = {};
   Relation relation = Relation::undefined;
-  std::string why = {};  // what the relation follows from where it is not the interval; empty where it is
+  std::string why = {};  // the reason for the relation if not the interval; else empty
 };
 
-// The same of the second to the first.
+// Returns the same finding with first and second swapped.
 Finding reversed(Finding finding);
 
-// The row of a quantity and two, in this order. std::out_of_range where there is none.
+// The finding on a quantity and two names, in this order. Throws std::out_of_range if there is none.
 Finding finding_of(std::span<const Finding> findings, std::string_view quantity, std::string_view first,
                    std::string_view second);
 

@@ -1,5 +1,5 @@
-// What the analysis knows of a study's solves beside their numbers (solve.hpp): what it takes from angles, targets,
-// traces and repeats while the records are read one after another. A record is forgotten then, unless it is drawn.
+// Facts taken from the angles, targets, traces and repeats of a study's solves while their records are read one by one.
+// Afterwards a record is forgotten unless it is drawn. solve.hpp has the numbers of each solve.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +20,20 @@
 
 namespace ikbench::inference {
 
-// What a solve was asked for. A start that is the answer to the point before is not kept, where the study lets each
-// solve start there.
+// The task of a solve. In a chained study, a start that equals the previous answer is not kept.
 struct Problem {
   std::span<const double> target_position_m, target_rotation, start_rad;
   double unavoidable_error_cm = 0;
   bool has_start = true;
 };
 bool same_target(const Problem& a, const Problem& b);
-bool same_start(const Problem& a, const Problem& b);  // of which both are kept
+bool same_start(const Problem& a, const Problem& b);  // needs both starts
 
-// Problems, each once, numbered from 0 in the order in which they are met.
+// Distinct problems, numbered from 0 in the order of their first solve.
 class Problems {
  public:
   std::uint32_t number_of(const results::SolveRecord& solve, bool has_start);
-  void forget_index();  // after the last
+  void forget_index();  // call after the last number_of()
 
   std::size_t size() const { return ends_.size(); }
   Problem operator[](std::size_t number) const;
@@ -42,20 +41,20 @@ class Problems {
  private:
   std::span<const double> list(std::size_t number) const;
 
-  std::vector<double> numbers_, asked_;  // one list after another, and the one that is looked for
+  std::vector<double> numbers_, asked_;  // all lists joined, and the list that number_of() looks up
   std::vector<std::size_t> ends_;
   std::unordered_multimap<std::size_t, std::uint32_t> index_;  // by a hash of the bits
 };
 
-// Answers in which a joint is nearly straight: within near_deg of a multiple of 180 degrees.
+// Counts answers in which a joint is nearly straight: within near_deg of a multiple of 180 degrees.
 struct Straight {
   static constexpr double near_deg = 5;
   int answers = 0, near = 0;
   double nearest_deg = std::numeric_limits<double>::infinity();
 };
 
-// The longest that a solve took in one of its repeats, and its shortest; outlying where that is more than `outlying`
-// times as long.
+// A solve's longest and shortest repeat [s]. It is outlying if the longest takes more than `outlying` times the
+// shortest.
 constexpr double outlying = 3;
 struct Outlier {
   std::uint16_t solver = 0;
@@ -65,18 +64,18 @@ struct Outlier {
 };
 
 struct SolverFacts {
-  double worst_outside_deg = 0;               // of the worst joint
-  std::vector<double> transport_shares = {};  // of the times of a program
+  double worst_outside_deg = 0;               // excess beyond the limit, worst joint
+  std::vector<double> transport_shares = {};  // message share of each time of a program
   std::vector<Straight> joints = {};
   int outlying_repeats = 0;
 };
 
-// How the angles of a run go.
+// Smoothness of the joint angles of a run.
 struct RunShape {
   std::uint16_t solver = 0;
   int run = 0, points = 0;
   double second_difference_deg = statistics::not_defined;  // mean norm over the joints that turn
-  double return_deg = statistics::not_defined;             // where the last target is the first one again
+  double return_deg = statistics::not_defined;             // defined if the last target equals the first
   double mean_bend_deg = statistics::not_defined;          // mean absolute second difference of all joints
 };
 
@@ -86,22 +85,22 @@ struct Gathered {
   std::string robot = {};
   Problems problems = {};
   std::deque<Extras> extras = {};
-  std::vector<SolverFacts> of_solver = {};   // as labels
+  std::vector<SolverFacts> of_solver = {};   // one per label
   std::vector<RunShape> shapes = {};         // by solver and run
-  std::set<std::size_t> joints = {};         // how many angles starts and answers have
-  std::map<int, std::int64_t> repeats = {};  // how often, of the solves that are timed clean
-  std::optional<double> interruptions = {};  // of all solves, where it is known of any
+  std::set<std::size_t> joints = {};         // numbers of angles in starts and answers
+  std::map<int, std::int64_t> repeats = {};  // number of solves by repeat count, among cleanly timed solves
+  std::optional<double> interruptions = {};  // sum over all solves; nullopt if no solve has it
   std::optional<Outlier> worst_repeat = {};
-  // Of the first run of each solver, without traces.
+  // Records of the first run of each solver, without traces.
   std::vector<results::SolveRecord> drawn = {};
 };
 
-// Gathers from the solves of a study that are passed on by solver, run and point.
+// Gathers facts from solves that arrive ordered by solver, run and point.
 class Gatherer {
  public:
   Gatherer(std::set<std::size_t> slides, bool starts_anew) : slides_(std::move(slides)), starts_anew_(starts_anew) {}
 
-  // `solver`: its place among the labels, which the caller keeps.
+  // `solver`: its index among the caller's labels.
   Solve add(const results::SolveRecord& record, std::uint16_t solver);
   Gathered finish(std::vector<std::string> labels);
 
@@ -122,7 +121,7 @@ class Gatherer {
   std::set<std::size_t> slides_;
   bool starts_anew_;
   Gathered gathered_;
-  // The run that is passed on.
+  // State of the current run.
   std::uint16_t solver_ = 0;
   int run_ = 0, point_ = 0;
   std::vector<std::vector<double>> answers_;

@@ -1,5 +1,4 @@
-// A study with what its plan finds of it: claims, summary and tables of one report ask it, and each answer is computed
-// once.
+// A study with its evidence. Claims, summary and tables of a report share it; each evidence is computed once.
 #pragma once
 
 #include <functional>
@@ -16,10 +15,10 @@ class JudgedStudy : public StudyResults {
  public:
   explicit JudgedStudy(StudyResults study);
 
-  // Of one metric by one estimand, without the bootstrap's intervals; of times that are not comparable, a description
-  // alone.
+  // Evidence of a metric by an estimand, without the bootstrap's intervals. Times that are not comparable are only
+  // described.
   const Evidence& evidence(Metric metric, results::Estimand estimand) const;
-  const Evidence& evidence(Metric metric) const;  // by its average (average_estimand)
+  const Evidence& evidence(Metric metric) const;  // by average_estimand(metric)
 
  private:
   mutable std::map<std::pair<Metric, results::Estimand>, Evidence> evidence_ = {};

@@ -1,4 +1,4 @@
-// What a look at more runs than an earlier one had is worth.
+// Corrects significance when a study is judged again with more runs.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace ikbench::inference {
 
-// How many runs of a study are complete for some solver: what a look is at.
+// Number of runs that are complete for at least one solver: the size of a look.
 int runs_looked_at(const StudyResults& study);
 
-// None where no look was at fewer runs. Look k has the level significance / (k (k - 1)), so that all looks after the
-// first together have the level significance (by Bonferroni: the sum over k from 2 is significance).
+// Empty if no earlier look had fewer runs. Look k has the level significance / (k (k - 1)): over all k from 2 these sum
+// to significance, so all looks after the first together keep it (Bonferroni).
 Doubts look_doubts(const std::vector<results::Look>& looks, int runs, double significance);
 
 }  // namespace ikbench::inference

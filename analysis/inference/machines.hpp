@@ -1,4 +1,4 @@
-// Which machines solved a study: times of one are not those of another.
+// Finds the machines that solved a study. Times of different machines cannot be compared.
 #pragma once
 
 #include <set>
@@ -9,10 +9,9 @@
 
 namespace ikbench::inference {
 
-// The CPUs of sessions, as far as these say, and with them the hosts where these are several machines: where neither
-// the host is the same (a machine may have started anew) nor the start of the system (containers have names of their
-// own). So machines with one host name, as of one image of a cloud, are taken for one, and a session that does not say
-// its start counts as another start.
+// Returns the recorded CPUs, with host names if there are several machines. Two sessions ran on different machines if
+// both host name (a machine may reboot) and system start (containers have their own names) differ. So cloud machines
+// with one host name count as one, and an unrecorded system start counts as another one.
 std::set<std::string> machines_of(std::span<const results::Session> sessions);
 
 }  // namespace ikbench::inference

@@ -1,10 +1,9 @@
-// The margin of a plan: a difference of two means that is within it does not matter.
+// The margin of a plan: a difference of two means within it does not matter.
 //
-// It is relative, a share of the smaller of the two means, and for what is measured in cm, or as the user says, also
-// absolute. A difference is within the margin if it is within either: near 0 a share means nothing, and far from 0 a
-// length that an arm cannot resolve is nothing beside the share. So the larger of the two is what counts. Of outcomes,
-// whose means are shares themselves, it is the difference of two shares. Of logarithms the margin is relative: a ratio
-// up to 1 + margin.
+// The margin is relative, a share of the smaller mean; for quantities in cm, or if the user says so, it is also
+// absolute. The larger of the two counts: near 0 a share means nothing, and far from 0 a length that an arm cannot
+// resolve is tiny beside the share. For outcomes the margin is a difference of shares. For logarithms it is a ratio up
+// to 1 + margin.
 #pragma once
 
 #include <string>
@@ -16,17 +15,17 @@ namespace ikbench::inference {
 
 bool has_absolute_margin(const Evidence& evidence);
 
-// "5 %", "5 % or 0.01 cm", "0.01 cm"; 0: there is no absolute one.
+// "5 %", "5 % or 0.01 cm", "0.01 cm"; a margin of 0 is left out.
 std::string margin_words(double margin, double absolute_margin, std::string_view unit = " cm");
 
-// A relative margin of what has negative values, so that a mean may be 0, is std::invalid_argument.
+// Throws std::invalid_argument for a relative margin if values are negative, since a mean may be 0 then.
 void check_margin(const Observations& observations, const results::AnalysisPlan& plan);
 void check_margin(const Summaries& summaries, const results::AnalysisPlan& plan);
 
-// As a difference of the two means of a pair; NaN where one of these is.
+// The margin as a difference of a pair's means; NaN if a mean is NaN.
 double margin_of(const Evidence& evidence, const Contrast& contrast);
 
-// Of the contrast's interval, for the one that is ahead.
+// Extent of the contrast's interval, seen from the group that is ahead.
 Extent extent_of(const Evidence& evidence, const Contrast& contrast);
 
 }  // namespace ikbench::inference

@@ -1,5 +1,5 @@
-// The methods that decide which of two groups is better, as a table: one row for each (methods/), which says what the
-// method compares, how, and after whom. The plan and the design choose the row, never the data.
+// The table of methods that decide which of two groups is better: one row per method (methods/), with what it compares,
+// how, and its source. The plan and the design choose the row, never the data.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@
 
 namespace ikbench::inference {
 
-// The groups that are compared. Where only their summaries are known there are no values.
+// The compared groups. `values` and `ranked` are empty if only summaries are known.
 struct Groups {
   std::span<const statistics::GroupSummary> summaries;
-  std::span<const std::vector<double>> values;  // what is not a number ranks last; with blocks in their order
-  std::span<const std::vector<double>> ranked;  // the same, the smaller the better
+  std::span<const std::vector<double>> values;  // NaN ranks last; with blocks, in their order
+  std::span<const std::vector<double>> ranked;  // values turned so that smaller is better
 };
 
-// What a method says of one pair.
+// The result of a method for one pair.
 struct PairResult {
   double p = statistics::not_defined;        // corrected for the whole family
   double p_alone = statistics::not_defined;  // of this pair alone
-  int ahead = 0;                             // 1 where the first is ahead, -1 where the second is
+  int ahead = 0;                             // 1: the first is ahead; -1: the second is
   Estimate difference = {};                  // of means or shares, first - second
   std::string undefined = {};                // why there is no p
 };
@@ -35,49 +35,49 @@ struct PairResult {
 enum class Compares { means, ranks, shares };
 
 struct Method {
-  std::string_view name;      // as a plan names it; a plan cannot name the two methods of shares
-  std::string_view title;     // of the test of all groups with that of its pairs
+  std::string_view name;      // name in a plan; a plan cannot name the two methods of shares
+  std::string_view title;     // names the test of all groups and that of its pairs
   std::string_view of_pair;   // "Tukey's test"
-  std::string_view of_two;    // the same where there are two groups: "Student's test"
-  std::string_view interval;  // by which method a difference has its interval
+  std::string_view of_two;    // name if there are only two groups: "Student's test"
+  std::string_view interval;  // method of a difference's interval
   std::string_view source;
   Compares compares = Compares::means;
-  bool within_blocks = false;       // it looks at the differences within blocks
-  bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, also where there is a control
-  // It draws resamples, which a few equal values do not have: an exact test of order then takes its place.
+  bool within_blocks = false;       // compares differences within blocks
+  bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, even with a control
+  // Draws resamples. With few or equal values an exact test of order replaces it.
   bool resamples = false;
-  // In the order of Evidence::contrasts, whose groups are those to compare.
+  // Returns one result per Evidence::contrasts, in that order.
   std::vector<PairResult> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
-  // The test of all groups; none where the method has none.
+  // The test of all groups; null if the method has none.
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;
 };
 
-// Every row: those that a plan can name, in the order of results/deciding_tests.inc, then the variants of the bootstrap
-// within blocks, then those of shares.
+// All rows: first those that a plan can name, in the order of results/deciding_tests.inc, then the bootstrap within
+// blocks, then those of shares.
 std::span<const Method* const> methods();
 
-// The row that decides, by the test of the plan and what the groups are: outcomes, in blocks, more values than a
-// bootstrap can draw again in a second, or summaries alone. std::invalid_argument where the plan's test needs what the
-// groups do not have.
+// Chooses the row that decides, by the plan's test and the kind of groups: outcomes, blocks, too many values for a
+// bootstrap within a second, or summaries only. Throws std::invalid_argument if the plan's test needs what the groups
+// lack.
 const Method& method_for(const Evidence& evidence);
-// What a plan's test compares; by_design: means.
+// What a plan's test compares: means, ranks or shares. by_design compares means.
 Compares compares(std::string_view test);
 
-// The test of ranks that is shown beside a test of means: within blocks if there are any.
+// The rank test shown beside a test of means: within blocks if there are any.
 const Method& rank_method(const Evidence& evidence);
 
-// The analysis of variance, which papers make.
+// The analysis of variance, the usual method of papers.
 const Method& paper_method();
 
 // Corrects p-values as planned. A pair of the family that is not among these, or has no p, counts as one that does not
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
-// The same of results that have p_alone: fills p.
+// Fills p of each result with the corrected p_alone.
 void correct(const Evidence& evidence, std::vector<PairResult>& pairs);
 
-// What the rows share.
+// Shared by several rows.
 std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
-// How many times the bootstrap can draw so many values; 0 where they are too many.
+// Number of bootstrap resamples that so many values allow; 0 if there are too many values.
 int resamples_of(const Evidence& evidence);
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);
 

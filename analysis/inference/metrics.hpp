@@ -1,4 +1,4 @@
-// What is judged of a solve, or of a run as a whole: the table of metrics.inc.
+// The quantities that are judged, of a solve or of a whole run: the table of metrics.inc.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace ikbench::inference {
 
-// A row of the table, by its place. Those that some code says something particular of have a name.
+// Index of a row of the table. Only rows that code refers to have a name.
 enum class Metric : std::size_t {
   position_error_cm,
   variation_deg,
@@ -25,49 +25,49 @@ enum class Metric : std::size_t {
   excess_error_cm
 };
 
-// count: how often a solver does something. time: compared only where times are
-// comparable. share: of what can fail, so that never having failed is no proof.
+// count: how often a solver does something. time: compared only if times are comparable. share: of things that can
+// fail; no failure so far proves nothing.
 enum class Kind { number, count, time, share };
 
-// everywhere: in every report and comparison. in_comparisons: by `ikbench compare` alone. The others in reports of
-// studies without a paper, where they differ from run to run (analysis/inference/shown_metrics.hpp), and in comparisons
-// that name them: where_it_tells like those shown everywhere, in_tables as numbers alone.
+// everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. The other two appear in
+// reports of studies without a paper if they differ between runs (shown_metrics.hpp), and in comparisons that name
+// them: where_it_tells in tables, figures and statistics, in_tables as numbers only.
 enum class Shown { everywhere, in_comparisons, where_it_tells, in_tables };
 
 struct StudyResults;
-// The solves of a run, or of what else is one observation, in the order of their points.
+// The solves of one observation, a run or a target, in the order of their points.
 using Run = std::span<const Solve* const>;
 
 struct MetricInfo {
-  std::string_view column;  // its name in the record, in tables and on the command line
-  std::string_view slug;    // of files and anchors, and where it is clear what it is of
-  std::string_view name;    // as it is read
-  std::string_view unit;    // empty where there is none
+  std::string_view column;  // name in records, in tables and on the command line
+  std::string_view slug;    // short name for files and anchors
+  std::string_view name;    // name in text
+  std::string_view unit;    // empty if there is none
   Better better;
   Kind kind;
-  double rounding;  // up to here a value is none
+  double rounding;  // values up to this size count as zero
   Shown shown;
-  double (*value)(const Solve& solve, const StudyResults& study);  // null: it is of a run alone
-  double (*of_run)(Run run, const StudyResults& study);            // null: a run has the average of its solves' values
+  double (*value)(const Solve& solve, const StudyResults& study);  // null: only a run has a value
+  double (*of_run)(Run run, const StudyResults& study);            // null: a run's value is the average over its solves
 };
 
-// std::out_of_range for what is no row.
+// Throws std::out_of_range for an invalid index.
 const MetricInfo& info_of(Metric metric);
 std::string_view name_of(Metric metric);  // the column's name
 NameWithUnit with_unit(Metric metric);
 std::string quantity(Metric metric);  // "position error [cm]"
-bool is_of_run(Metric metric);        // alone: a single solve has no value
-bool is_error(Metric metric);         // how far an answer is from its target
-bool is_cost(Metric metric);          // what an answer takes: a solver that does nothing has the least
-// Of a solve, and of what is one observation. Not defined where the metric has no meaning in the study.
+bool is_of_run(Metric metric);        // true: a single solve has no value
+bool is_error(Metric metric);         // true: a distance of an answer from its target
+bool is_cost(Metric metric);          // true: the effort for an answer; a solver that does nothing has the least
+// The metric's value of a solve, or of one observation. Not defined if the metric has no meaning in the study.
 double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);
 
-// In the order of the table.
+// All rows, in the order of the table.
 std::vector<Metric> all_metrics();
-// Of every report, whatever the study.
+// Metrics of every report.
 std::vector<Metric> reported_metrics();
-// Of `ikbench compare` where none is named: first what every machine gives alike, then times, then shares.
+// Default metrics of `ikbench compare`: first those that do not depend on the machine, then times, then shares.
 std::vector<Metric> compared_metrics();
 
 }  // namespace ikbench::inference

@@ -1,6 +1,6 @@
-// Claims between solvers judged in every universe: every combination of a choice for the study with one of each
-// solver's own (Steegen et al., Perspectives on Psychological Science 11 (2016) 702). Given the study's choice the
-// solvers are independent, so that universes are counted by products, exactly, and never listed.
+// Judges claims between solvers in every universe: each combination of a choice for the study with one choice of each
+// solver (Steegen et al., Perspectives on Psychological Science 11 (2016) 702). Given the study's choice the solvers
+// are independent, so products count the universes exactly, without listing them.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Multiverse {
   using Alternative = results::Alternative;
   using Dimension = results::Dimension;
   using Choice = results::Choice;
-  // One solver as one of its choices has it: by seed, a value a run.
+  // A solver's results under one of its choices: by seed, one value per run.
   struct Own {
     std::vector<Choice> chosen;
     std::vector<std::vector<double>> error_cm, variation_deg;
@@ -41,17 +41,17 @@ struct Multiverse {
   double universes() const;
 };
 
-// Position error and variation.
+// Returns whether the metric is judged in universes: position error or variation.
 bool is_of_universes(Metric metric);
-// One of these, by seed.
+// Values of the metric by seed.
 const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
 
-// What of the runs decides: their mean or, typical, their geometric mean. Either way by Games and Howell's test,
-// Welch's t against the studentized range of all solvers: it takes the values of two solvers only, so that pairs can be
-// counted by themselves. The level and the control are those of the study's plan.
+// The average of the runs that is tested: mean, or geometric mean (typical). Both use Games and Howell's test: Welch's
+// t against the studentized range of all solvers. It needs the values of two solvers only, so pairs can be counted
+// alone. Level and control come from the study's plan.
 enum class JudgedBy { mean, typical };
 
-// A claim about one solver: better than a rival or, where none is named, than every other.
+// A claim about one solver: better than a rival or, if none is named, than every other solver.
 struct MultiverseClaim {
   std::string id;     // "most_accurate"
   std::string words;  // "IK-BA is the most accurate"
@@ -59,13 +59,13 @@ struct MultiverseClaim {
   std::string rival = {};
   Metric metric = Metric::position_error_cm;
   JudgedBy by = JudgedBy::mean;
-  // Instead: that the solver is better with this dimension's default than with another alternative of it, all else the
-  // same. It fails where these give the same bits. Universes with the default are not counted.
+  // If set, the claim is instead: the solver is better with this dimension's default than with another alternative, all
+  // else equal. It fails if both give the same bits. Universes with the default are not counted.
   std::string effect_of = {};
 };
 
 // Weights of the universes in which a claim holds (the solver is found better than each rival), fails (a rival is found
-// better) and is undecided. Each seed is a study of its own, and counts as such.
+// better) and is undecided. Each seed counts as a study of its own.
 struct UniverseCounts {
   double holds = 0, fails = 0, undecided = 0;
   void operator+=(const UniverseCounts& more);
@@ -76,16 +76,15 @@ struct ClaimCounts {
   MultiverseClaim claim;
   UniverseCounts all;
   std::vector<UniverseCounts> seeds;
-  // By dimension, by alternative; universes in which a dimension has no choice are in none of its counts.
+  // By dimension and alternative; a dimension does not count universes that make no choice in it.
   std::vector<std::vector<UniverseCounts>> alternatives;
 
-  // The dimension between whose alternatives the share that holds differs most; the number of dimensions where it
-  // differs between none.
+  // The dimension whose alternatives change the share that holds most; the number of dimensions if none changes it.
   std::size_t deciding() const;
   double difference(std::size_t dimension) const;
 };
 
-// A claim whose solver, rival or dimension is not there has counts of 0.
+// Counts the universes of each claim; 0 if its solver, rival or dimension is missing.
 std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<MultiverseClaim>& claims,
                                  const results::AnalysisPlan& plan);
 

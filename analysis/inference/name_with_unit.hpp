@@ -1,4 +1,4 @@
-// What is measured, and in which unit.
+// A quantity's name and its unit.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 namespace ikbench::inference {
 
 struct NameWithUnit {
-  std::string name, unit;  // no unit: empty
+  std::string name, unit;  // unit is empty if there is none
 };
 
-// Of a column or a quantity as a user names it: "error_cm", "error [cm]".
+// Splits a user's name of a column or quantity: "error_cm", "error [cm]".
 NameWithUnit split_unit(std::string_view name);
 std::string text_of(const NameWithUnit& quantity);  // "error [cm]"
 

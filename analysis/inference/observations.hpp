@@ -1,5 +1,5 @@
-// What the statistics are asked about: observations of one quantity in groups, whoever made them - a store, a user's
-// CSV - or what was published of them.
+// The input of the statistics: observations of one quantity in groups, from a store or a user's CSV, or published
+// summaries of them.
 #pragma once
 
 #include <cstddef>
@@ -13,36 +13,35 @@ namespace ikbench::inference {
 
 enum class Better { smaller, larger };
 
-// log10: values are logarithms, their means are told as geometric means and differences of means as ratios.
+// log10: values are logarithms; reports show their means as geometric means, and differences of means as ratios.
 enum class ValueScale { plain, log10 };
 
 struct Group {
   std::string name;
   std::vector<double> values = {};
-  // What the single values span of which these are means (statistics::decades); not defined where these are single
-  // themselves.
+  // Decades that the averaged single values span (statistics::decades); not defined if `values` are single values.
   double decades = statistics::not_defined;
-  // The number of runs that all gave this one value, because the solver repeats its answers; 0 where values vary. Such
-  // a value is known without chance.
+  // Number of runs that all gave this one value, because the solver repeats its answers; 0 if values vary. Such a value
+  // is known exactly.
   int copies = 0;
 };
 
 struct Observations {
   std::string name;       // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
   std::string quantity;   // with its unit in brackets: "position error [cm]"
-  std::string unit = {};  // of the values; empty where there is none, or nobody says
+  std::string unit = {};  // unit of the values; empty if none or unknown
   Better better = Better::smaller;
   ValueScale scale = ValueScale::plain;
-  std::vector<Group> groups = {};  // values may be infinite, and NaN where a solver diverged
-  // Names of the blocks (targets, problems) where every group was given the same: values[i] of each group is of
-  // blocks[i]. Empty where groups are independent samples.
+  std::vector<Group> groups = {};  // values may be infinite, or NaN if a solver diverged
+  // Names of the blocks (targets, problems) that all groups share: values[i] of each group belongs to blocks[i]. Empty
+  // if groups are independent samples.
   std::vector<std::string> blocks = {};
-  std::string replicate = {};           // what one observation is, in words: "a run's mean over its 20 points"
-  std::string block = {};               // what one block is, in words; empty where there are none
-  std::string block_noun = "blocks";    // as they are called in sentences: "targets"
+  std::string replicate = {};           // one observation in words: "a run's mean over its 20 points"
+  std::string block = {};               // one block in words; empty if there are none
+  std::string block_noun = "blocks";    // plural for sentences: "targets"
   std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
-  double margin = 0;                    // absolute, in the unit of the values; 0: none but the plan's
-  Doubts flaws = {};  // why not to take them at their word: no replicates, values missing, times that are not clean
+  double margin = 0;                    // absolute, in the unit of the values; 0: the plan's margin only
+  Doubts flaws = {};  // reasons to doubt them: no replicates, missing values, times that are not clean
 };
 
 struct SummaryGroup {
@@ -57,7 +56,7 @@ struct Summaries {
   Better better = Better::smaller;
   std::vector<SummaryGroup> groups = {};
   std::vector<std::string> notes = {};
-  double margin = 0;  // as of Observations
+  double margin = 0;  // as in Observations
 };
 
 }  // namespace ikbench::inference

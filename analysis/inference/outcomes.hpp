@@ -13,20 +13,20 @@
 
 namespace ikbench::inference {
 
-// Whether every value is 0 or 1, and both occur. What the quantity is decides, and no test.
+// Returns whether every value is 0 or 1, and both occur.
 bool are_outcomes(const Observations& observations);
 
-// The share of the solves of a solver that have status ok, with Wilson's interval, which is for independent solves,
-// such as one a run.
+// Share of a solver's solves with status ok, with Wilson's interval. The interval assumes independent solves, such as
+// one per run.
 statistics::Proportion solve_rate(const StudyResults& study, std::string_view solver, double level);
 
 statistics::Successes successes_of(const std::vector<double>& values);
 statistics::PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second);
 
-// Shares with Wilson's intervals in place of means.
+// Replaces means by shares with Wilson's intervals.
 void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values);
 
-// What a difference of shares of the margin takes (Contrast::runs_to_decide).
+// Observations needed to find a difference of shares as large as the margin (Contrast::runs_to_decide).
 Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
                                std::span<const std::vector<double>> values);
 

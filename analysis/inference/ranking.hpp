@@ -1,4 +1,4 @@
-// Solvers in the order of their means. Means that are equal to the bit share a place, and a tie counts for nobody.
+// Ranks solvers by their means. Means that are equal bit for bit share a place, and a tie counts for nobody.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Standing {
   double mean;  // one that is not finite ranks as the worst
 };
 
-// The smallest first; ties in the order given.
+// Sorts by mean, smallest first; ties keep their order.
 std::vector<Standing> ranked(std::vector<Standing> standings);
 
 // 1 is the place of the smallest mean.
@@ -21,17 +21,17 @@ struct Placing {
 };
 Placing placing_of(const Standing& standing, const std::vector<Standing>& all);
 
-// "A, B = C", of a ranking. No sign says that a difference was tested.
+// Writes a ranking as "A, B = C". No sign claims a tested difference.
 std::string order_words(const std::vector<Standing>& ranking);
 
-// Those that share the first place of a ranking that is not empty: one, where there is a first.
+// Solvers that share the first place of a ranking, which must not be empty.
 std::vector<std::string> first_of(const std::vector<Standing>& ranking);
 
 // "A", or "A and B, which share the place".
 std::string first_words(const std::vector<Standing>& ranking);
 
-// Of the pairs of solvers that one ranking puts into an order: how many the other puts into the same, and how many it
-// ties. The solvers of `of` are all in `other`.
+// Counts the pairs that ranking `of` orders, those that `other` orders the same way, and those that it ties. `other`
+// has all solvers of `of`.
 struct PairOrder {
   int pairs = 0;
   int same = 0;
@@ -39,7 +39,7 @@ struct PairOrder {
 };
 PairOrder compare_pairs(const std::vector<Standing>& of, const std::vector<Standing>& other);
 
-// "14 of 15 pairs stand in the printed order", and how many are tied.
+// "14 of 15 pairs stand in the printed order", and the number of ties.
 std::string printed_order_words(const PairOrder& pairs);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,4 @@
-// Which metrics the report of a study shows.
+// Chooses the metrics that a study's report shows.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@ namespace ikbench::inference {
 
 struct ShownMetrics {
   std::vector<Metric> judged;  // in tables, figures and statistics
-  std::vector<Metric> listed;  // as numbers alone
-  std::string left_out;        // what says nothing about this study, in a sentence; empty where all do
+  std::vector<Metric> listed;  // as numbers only
+  std::string left_out;        // a sentence on metrics that say nothing about this study; empty if all do
 };
 
-// Of a study with a paper those of every report. Of another also each metric that differs between its runs; one
-// that is the same in all of them, up to the metric's rounding, or not defined in any is left out by name.
+// A study with a paper shows the metrics of every report. Any other study also shows each metric that differs between
+// its runs. A metric that is equal in all runs, up to its rounding, or never defined is left out by name.
 ShownMetrics shown_metrics(const StudyResults& study);
 
 }  // namespace ikbench::inference

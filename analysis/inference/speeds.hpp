@@ -1,4 +1,4 @@
-// Whether the machine went at two speeds while it solved a study.
+// Detects that the machine ran at two speeds while it solved a study.
 #pragma once
 
 #include "analysis/inference/doubt.hpp"
@@ -6,9 +6,9 @@
 
 namespace ikbench::inference {
 
-// Two speeds show as two groups of seconds per evaluation in every solver, with next to nothing between them. Looked at
-// are clean times of solves with at least half as many evaluations as is usual: of fewer, more of the time is no
-// evaluation. None where there are fewer than two solvers to look at.
+// Two speeds show in every solver as two groups of seconds per evaluation with almost nothing between. Takes clean
+// times of solves with at least half the usual evaluations; in shorter ones overhead counts too much. Empty with fewer
+// than two such solvers.
 Doubts speed_doubts(const StudyResults& study);
 
 }  // namespace ikbench::inference

@@ -1,6 +1,5 @@
-// A study as the analysis sees it: the solves, who took part, and what was to be solved. Points of one run depend on
-// each other; the unit of analysis is therefore the run, one observation being the mean over its points, of times the
-// median.
+// A study for analysis: its solves, solvers and task. Points of one run depend on each other, so the unit of analysis
+// is the run: one observation is the mean over its points, or for times the median.
 #pragma once
 
 #include <cstddef>
@@ -27,83 +26,83 @@ namespace ikbench::inference {
 
 struct StudyResults {
   std::string name;
-  std::vector<std::string> solvers = {};            // labels, in the order of the study
-  int runs = 0;                                     // as defined, per solver
-  int points = 0;                                   // as defined, per run
-  std::string departed_from = {};                   // paper that it names, but of whose arm or task it is not
-  results::AnalysisPlan plan = {};                  // how it is judged
-  std::set<std::string> cpus = {};                  // of the sessions in which it was solved, as far as these say
-  double stolen_seconds = statistics::not_defined;  // processor time that its sessions' hosts kept from their machines
-  StudyFacts facts = {};                            // of its definition
-  std::vector<std::string> external = {};  // of the solvers, those that are programs, shared objects or of libraries
+  std::vector<std::string> solvers = {};  // labels, in the order of the study
+  int runs = 0;                           // per solver, as defined
+  int points = 0;                         // per run, as defined
+  std::string departed_from = {};         // the paper that it names but whose arm or task it does not have
+  results::AnalysisPlan plan = {};        // decides how it is judged
+  std::set<std::string> cpus = {};        // CPUs of its sessions, as far as recorded
+  double stolen_seconds =
+      statistics::not_defined;             // processor time that the hosts took from its sessions' virtual machines
+  StudyFacts facts = {};                   // from its definition
+  std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
   SolveList solves = {};
   std::shared_ptr<const Gathered> gathered = std::make_shared<const Gathered>();
-  std::vector<double> seconds_per_evaluation = {};  // that count instead of those measured (times.hpp), as labels
+  std::vector<double> seconds_per_evaluation = {};  // one per solver; replace measured ones (times.hpp)
 };
 
-// Who solved it: a label.
+// The label of its solver.
 const std::string& solver_of(const StudyResults& study, const Solve& solve);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
-// Of somebody else, read from a file.
+// Returns whether the solver's solves were imported from a file.
 bool is_imported(const StudyResults& study, std::string_view solver);
 const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver);
 Problem problem_of(const StudyResults& study, const Solve& solve);
-// Of each place, which is a point of a run, the first solve that the study has of it; ordered by place.
+// The first solve of each place (run and point), ordered by place.
 std::vector<const Solve*> places_of(const StudyResults& study);
 SolvesOfSessions solves_of_sessions(const StudyResults& study);
-// The wall time of a solve; with seconds_per_evaluation, what it takes at its solver's.
+// The wall time of a solve [s], or with seconds_per_evaluation its evaluations times its solver's pace.
 double seconds_of(const StudyResults& study, const Solve& solve);
-// With an answer, evaluations that somebody counted, and a time.
+// Returns whether a solve has an answer, counted evaluations and a time.
 bool has_pace(const StudyResults& study, const Solve& solve);
 
-// Whether a solver of the paper's study is missing, or the arm or the task is another.
+// Returns whether a solver of the paper's study is missing, or arm or task differ.
 bool departs_from_paper(const StudyResults& study);
 bool enforces_limits(const StudyResults& study);
-// The position error at which a solve ends; not defined where the study has none.
+// The position error at which a solve ends [cm]; not defined if the study has none.
 double tolerance_cm(const StudyResults& study);
-// By which a solve is in time: the study's deadline_ms, or else the wall time at which it ends; not defined without.
+// Time limit of a solve [s]: the study's deadline_ms, or else the wall time at which solves end; not defined without
+// either.
 double deadline_seconds(const StudyResults& study);
 
-// The observations of one solver, by the unit of the plan. A run of which points are missing gives no run mean; it is
-// counted instead.
+// The observations of one solver, by the plan's unit. A run with missing points gives no value; it is counted instead.
 struct Sample {
   std::string solver;
   std::vector<double> values = {};
   int incomplete_runs = 0;
-  int equal_runs = 0;  // that the values are of, where these repeat each other; else 0
+  int equal_runs = 0;  // number of runs merged into one value because they repeat each other; else 0
 };
 
-// Whether its complete runs, of which there are several, were given the same targets and answered them alike to the
-// last bit: such runs are copies, so that all of them together say what one does.
+// Returns whether the solver has several complete runs with the same targets and the same answers bit for bit. Such
+// runs are copies: together they count as one.
 bool repeats_itself(const StudyResults& study, std::string_view solver);
 
-// Where a solver repeats itself, equal runs are one.
+// Samples of a metric. If a solver repeats itself, equal runs count as one.
 std::vector<Sample> samples(const StudyResults& study, Metric metric);
-// The same of anything else that solves have.
+// Samples of any other value of a run.
 using OfRun = std::function<double(Run)>;
 std::vector<Sample> samples(const StudyResults& study, const OfRun& value_of);
 using ValueOf = std::function<double(const Solve&)>;
 using Average = double (*)(std::span<const double>);
-// The average of a value of the solves.
+// Averages a value over the solves of a run.
 OfRun averaged(ValueOf value_of, Average average = statistics::mean);
-// What stands for several values of a metric: their mean; of times their median, which one interruption of the program
-// hardly changes.
+// The average of a metric: the mean, or for times the median, which one interruption hardly changes.
 Average average_of(Metric metric);
 std::string_view average_name(Metric metric);  // "mean", "median"
 double average_in(const statistics::Description& of, Metric metric);
 
-// Sums of what became of the solves of one solver.
+// Counts of one solver's solves by outcome.
 struct SolverCounts {
   std::string solver;
   int solves = 0;
   std::int64_t expected = 0;
   int complete_runs = 0;
-  int incomplete_runs = 0;  // begun, and with points missing
+  int incomplete_runs = 0;  // begun, with missing points
   std::vector<int> by_status = std::vector<int>(results::status_names.size());
   std::vector<int> by_timing = std::vector<int>(results::timing_names.size());
   int outside_limits = 0;
-  double worst_outside_deg = 0;  // of the worst joint
+  double worst_outside_deg = 0;  // excess of the worst joint beyond its limit
 
   int of(results::Status status) const { return by_status[static_cast<std::size_t>(status)]; }
   int of(results::Timing timing) const { return by_timing[static_cast<std::size_t>(timing)]; }
@@ -111,13 +110,13 @@ struct SolverCounts {
 
 std::vector<SolverCounts> counts(const StudyResults& study);
 
-// Those that tables have: the ones of programs outside only where they occurred.
+// Statuses that tables show; those of external programs only if they occurred.
 std::vector<results::Status> shown_statuses(const StudyResults& study);
 
-// The study of some of its solvers.
+// Returns the study with only the solvers that `is_kept` accepts.
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept);
 
-// The counts as sentences, to stand beside every table and figure: statuses, what is missing.
+// Sentences on statuses and missing solves, for notes of tables and figures.
 std::vector<std::string> status_notes(const StudyResults& study);
 
 }  // namespace ikbench::inference

@@ -1,5 +1,5 @@
-// What the definition of a study (JSON, as the store has it) says of its task, read once. A text is empty, and a number
-// not defined, where the definition says nothing or something else.
+// The task of a study, read once from its definition (JSON in the store). A text is empty and a number not defined if
+// the definition lacks it or has another type.
 #pragma once
 
 #include <cstddef>
@@ -27,13 +27,13 @@ struct StudyFacts {
   struct Path {
     std::string kind = {};
     std::string phase = {};
-    std::vector<double> centre_cm = {};  // none where not all of them are numbers
+    std::vector<double> centre_cm = {};  // empty if any is not a number
     double radius_cm = not_defined;
     double length_cm = not_defined;
     double turns = not_defined;
     double start_deg = not_defined;
   };
-  // As the program found it before it solved the study.
+  // Targets out of reach, as the program found before it solved the study.
   struct OutOfReach {
     double points = not_defined;
     double farthest_point = not_defined;
@@ -41,35 +41,35 @@ struct StudyFacts {
     double reach_cm = not_defined;
   };
 
-  std::string json = {};  // the whole definition; empty where there is none
+  std::string json = {};  // the whole definition; empty if there is none
   std::string title = {};
-  std::string published = {};  // paper whose printed tables it is held against (results/published), or empty
+  std::string published = {};  // paper whose printed tables it is compared with (results/published), or empty
   std::string robot = {};
   std::string start = {};
-  std::vector<std::string> departures = {};       // what of the published study's definition was changed
-  std::vector<std::string> missing_solvers = {};  // of the published study
+  std::vector<std::string> departures = {};       // changes to the published study's definition
+  std::vector<std::string> missing_solvers = {};  // solvers of the published study that are missing
   bool enforces_limits = false;
-  bool draws_targets = false;         // anew for every run; else the targets of a run follow each other
-  bool orientation = true;            // is searched for, and not the position alone
-  bool pose = false;                  // is searched for with all joints
-  bool wrist = false;                 // its centre is searched for
-  std::set<std::size_t> slides = {};  // the joints that slide, from 0
+  bool draws_targets = false;         // targets are drawn anew for every run; else they form a path
+  bool orientation = true;            // the solver searches for orientation too
+  bool pose = false;                  // the solver searches for the pose with all joints
+  bool wrist = false;                 // the solver searches for the wrist's centre
+  std::set<std::size_t> slides = {};  // indices of prismatic joints, from 0
   double seed = not_defined;
   double repeats = not_defined;
   double deadline_ms = not_defined;
   Stop stop = {};
   Path path = {};
   OutOfReach out_of_reach = {};
-  nlohmann::json arm = {};  // null where there is none
+  nlohmann::json arm = {};  // null if there is none
 
-  // Each solve has a start of its own, the same for all solvers, and not the answer before it.
+  // Returns whether each solve has its own start, the same for all solvers, rather than the previous answer.
   bool starts_anew() const { return !start.empty() && start != "previous"; }
 };
 
 StudyFacts facts_of(std::string json);
-StudyFacts facts_of(const nlohmann::json& parsed, std::string json);  // where it was parsed before
+StudyFacts facts_of(const nlohmann::json& parsed, std::string json);  // for JSON that is already parsed
 
-// An option of a series (JSON) that is a text; empty where there is none.
+// A text option of a series (JSON); empty if there is none.
 std::string text_option(std::string_view options, const std::string& name);
 
 }  // namespace ikbench::inference

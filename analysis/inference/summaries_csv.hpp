@@ -1,5 +1,5 @@
-// Published means and standard deviations from a user's CSV. Every mistake in a file is std::invalid_argument: one
-// sentence with the file, the row and what was expected.
+// Reads published means and standard deviations from a user's CSV. Every mistake in a file throws
+// std::invalid_argument: one sentence with the file, the row and what was expected.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace ikbench::inference {
 
-// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and where several
-// quantities are in the file, metric (or quantity, variable). One for each of them, in the order of their first row.
+// Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and for several
+// quantities metric (or quantity, variable). Returns one Summaries per quantity, in the order of first rows.
 std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,4 @@
-// Any text (labels and titles come from a study file) as harmless text in Markdown, LaTeX and gnuplot, and numbers as
+// Escapes any text (labels and titles come from study files) for Markdown, LaTeX and gnuplot, and writes numbers as
 // text.
 #pragma once
 
@@ -8,26 +8,24 @@
 
 namespace ikbench::inference {
 
-// One line of valid UTF-8: control characters become spaces, invalid bytes U+FFFD.
+// Returns one line of valid UTF-8: control characters become spaces, invalid bytes U+FFFD.
 std::string one_line(std::string_view text);
-// At most `length` characters of one line; what is cut is shown by an ellipsis.
+// Cuts one_line(text) to `length` characters; an ellipsis marks the cut.
 std::string shortened(std::string_view text, std::size_t length);
-// A label of at most `length` characters, cut in its middle: variants of one solver differ at the end of their names.
+// Cuts a label to `length` characters in its middle: variants of one solver differ at the end of their names.
 std::string row_label(std::string_view text, std::size_t length);
 std::string capitalised(std::string_view text);
 std::size_t character_count(std::string_view utf8);
 
 std::string markdown_text(std::string_view text);
 std::string latex_text(std::string_view text);
-// A string expression of gnuplot. Quotes, backticks, @, $, \, #, braces and the like never stand in the script
-// themselves (gnuplot 5.4 loses count of quotes when it looks for macros); they are elements of the array `character`
-// of style.gp.
+// Returns a gnuplot string expression. Quotes, backticks, @, $, \, #, braces and the like become elements of the array
+// `character` of style.gp, because gnuplot 5.4 loses count of quotes when it looks for macros.
 std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);  // 2430, not 2.4e+03: all digits before the point
 std::string short_number(double value);                            // three digits, or "not defined"
-// "31 to 122", "31"; "at least 31" where the range has no end, or says nothing, because it is of more than a factor of
-// 100.
+// "31 to 122", "31"; "at least 31" if the range has no end or spans more than a factor of 100.
 std::string range_words(double low, double high);
 std::string percent(double share);  // "5 %", three digits
 

@@ -1,4 +1,4 @@
-// Times as they are judged: what another program adds to one of them must decide nothing, and is told.
+// Prepares times for judgement: interruptions by other programs decide nothing, and are reported.
 #pragma once
 
 #include <string>
@@ -9,28 +9,28 @@
 
 namespace ikbench::inference {
 
-// The study with the time of every solve as its evaluations take at the median speed (seconds per evaluation) of its
-// solver. Sums of such times, shares within a time and the longest of them are safe from interruptions too. A time
-// that is no positive number stays, and so do those of solves without an answer and of solvers that nobody counts.
+// Replaces each time by the solve's evaluations times its solver's median seconds per evaluation, so that interruptions
+// change no sum, quantile or maximum. Keeps times that are no positive number, of solves without an answer, and of
+// solvers whose evaluations nobody counts.
 StudyResults at_median_speed(StudyResults study);
 
 constexpr std::string_view median_speed_words =
     "Times are those of the evaluations at the median speed of the solver, which an interruption does not change.";
-// These words, and of which solvers they are not true.
+// median_speed_words, and the solvers for which they are not true.
 std::string speed_note(const StudyResults& study);
 
-// The time of a solve; of one that took more than three times as long as usual, its usual time (outlier_doubts).
-// `study` outlives the result.
+// Returns a solve's time, or its usual time if it took more than three times as long (outlier_doubts). `study` must
+// outlive the result.
 ValueOf undisturbed_seconds(const StudyResults& study);
 
-// Which solves took more than three times as long as usual, and what the machine did meanwhile; none where none did.
-// Usual is the shortest repeat, or where there is one alone what at_median_speed() has.
+// Doubts of solves that took more than three times their usual time, and what the machine did meanwhile. The usual time
+// is the shortest repeat or, without repeats, the time of at_median_speed().
 Doubts outlier_doubts(const StudyResults& study);
 
-// Which solves were not made as often as the study's `repeats` now says.
+// Doubts of solves that were not repeated as often as the study's `repeats` now says.
 Doubts repeat_doubts(const StudyResults& study);
 
-// The same where so many of one solver's solves took long that the machine was loaded.
+// Doubts that the machine was loaded, because many of one solver's solves took long.
 Doubts load_doubts(const StudyResults& study);
 
 }  // namespace ikbench::inference

@@ -1,4 +1,4 @@
-// What so few observations cannot show: a failure that is rare enough not to be among them. Any mean may rest on it.
+// Words the limit of few observations: a rare failure may not be among them, although it would change any mean.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// In what a variant and its baseline differ beside their numbers, by what their stores say: settings, options, program
-// and machine; and whether that lets their times be compared.
+// Lists what differs between a variant and its baseline: settings, options, program and machine, as their stores record
+// them; and decides whether their times are comparable.
 #pragma once
 
 #include <string>
@@ -13,14 +13,15 @@ namespace ikbench::inference {
 struct Provenance {
   const results::StudyEntry& study;
   const results::Series& series;
-  const std::vector<results::Session>& sessions;  // those that solved it
+  const std::vector<results::Session>& sessions;  // sessions that solved the study
 };
 
-// Why times of different sessions cannot be compared: they are of several CPUs or of unknown ones, or of separate
-// sessions, whose differences no number of runs shows; empty where they can.
+// Reasons not to compare times: several CPUs, unknown CPUs, or separate sessions, whose differences no number of runs
+// shows. Empty if times are comparable.
 Doubts why_times_differ(const std::vector<results::Session>& a, const std::vector<results::Session>& b);
 
-// "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or that the stores tell no difference.
+// "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or a sentence that the stores show no
+// difference.
 std::string differences(const Provenance& a, const Provenance& b);
 
 }  // namespace ikbench::inference

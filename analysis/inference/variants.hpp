@@ -1,5 +1,5 @@
-// A candidate B held against its baseline A: the solves of both make a study of two solvers, which is judged as a
-// report judges any study (judged_study.hpp).
+// Compares a candidate B with its baseline A. The solves of both make a study of two solvers, which is judged like any
+// study (judged_study.hpp).
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,12 @@ namespace ikbench::inference {
 struct Variant {
   results::StudyEntry study;
   results::Series series;
-  std::vector<results::Session> sessions = {};  // of its store
-  // Passes on the solves of the label by run and point.
+  std::vector<results::Session> sessions = {};  // sessions of the store that has the label
+  // Passes each solve of the label to `take`, ordered by run and point.
   std::function<void(const std::function<void(results::SolveRecord)>& take)> each_solve;
 };
 
-// One for each label of the study, in its order. `store` outlives them.
+// Returns one variant per label, in the order of the study. `store` must outlive them.
 std::vector<Variant> variants(const results::Store& store, const results::StudyEntry& study);
 
 struct VariantPair {
@@ -31,60 +31,59 @@ struct VariantPair {
   const Variant& b;
 };
 
-// The solves of both, by the solvers "A" and "B", and what decides whether their times can be compared.
+// The solves of both, as solvers "A" and "B", and the reasons not to compare their times.
 struct VariantStudy {
   std::string label;
   StudyResults study;
-  Doubts times_differ;      // why times cannot be compared; none where they can
-  std::string differences;  // between A and B, beside their numbers
+  Doubts times_differ;      // reasons not to compare times; empty if they are comparable
+  std::string differences;  // settings, program and machine that differ between A and B
 };
 
-// Everything of the study's definition and plan is A's, but for the plan's margins, significance and power, which are
-// those of `plan`. std::invalid_argument where one side has no complete run, or the two were not given the same to do:
-// another robot, other targets, another configuration to start from.
+// Takes the definition and plan of A, but margins, significance and power from `plan`. Throws std::invalid_argument if
+// one side has no complete run, or if robot, targets or start configurations differ.
 VariantStudy study_of_both(const VariantPair& pair, const results::AnalysisPlan& plan);
 
-// What is known of B against A by one metric.
+// The comparison of B with A by one metric.
 struct MetricComparison {
   Metric metric;
   results::Estimand estimand = results::Estimand::mean;
   int n_a = 0, n_b = 0;
   double mean_a = statistics::not_defined, mean_b = statistics::not_defined;
-  std::string_view observation = "run";    // what one value is of: "run" or "target"
-  Contrast contrast = {};                  // of A and B, in this order; its p is not corrected
-  double level = statistics::not_defined;  // that p is below where the two differ; the interval is of 1 - level
-  bool is_compared = true;                 // else `remark` says why not
-  bool is_by_ranks = false;                // its test compares no means
-  bool is_counted = true;  // false: evaluations that nobody counted, which is no failure of a comparison
+  std::string_view observation = "run";    // unit of one value: "run" or "target"
+  Contrast contrast = {};                  // A is first, B second; p is not corrected
+  double level = statistics::not_defined;  // the two differ if p is below it; the interval has the level 1 - level
+  bool is_compared = true;                 // if false, `remark` says why
+  bool is_by_ranks = false;                // the test compares ranks, not means
+  bool is_counted = true;                  // false: nobody counted the evaluations; the comparison does not fail for it
   std::string remark = {};
 };
 
-// B is shown to be worse by more than the margin.
+// Returns whether B is shown to be worse by more than the margin.
 bool is_regression(const MetricComparison& metric);
-// Neither shown to be worse by more than the margin, nor not to be.
+// Returns whether the data do not show either way if B is worse by more than the margin.
 bool is_open(const MetricComparison& metric);
 
 struct VariantComparison {
   std::string label;
-  std::string design;  // what an observation is, and whether observations are compared in pairs
+  std::string design;  // says what an observation is, and whether observations are paired
   std::vector<MetricComparison> metrics;
-  std::vector<std::string> notes;  // what is left out, and in what the two differ beside their numbers
+  std::vector<std::string> notes;  // say what is left out, and which settings differ
 };
 
-// Whether it holds for any metric of any label.
+// Returns whether `is` holds for any metric of any label.
 template <class Is>
 bool any_metric(std::span<const VariantComparison> comparisons, Is is) {
   return std::ranges::any_of(comparisons,
                              [&](const VariantComparison& each) { return std::ranges::any_of(each.metrics, is); });
 }
 
-// `level_of` turns a significance level into that of one look; the identity where there is one look alone.
+// Turns a significance level into the level of one look; the identity if there is only one look.
 using LevelOf = std::function<double(double)>;
 
-// The metrics named, or where none is those of compared_metrics(), and of poses the orientation error: the mean of
-// each, unless the plan has it by another estimand alone. The plan's test decides each, at the levels of Holm's
-// correction over all labels and metrics, so that any finding among those where A and B do not differ has the
-// probability `significance` at most. std::invalid_argument for an unknown metric.
+// Compares the named metrics. If none is named, compares compared_metrics() and, for poses, the orientation error.
+// Takes the mean of each metric, unless the plan asks for another estimand only. The plan's test decides each, at
+// Holm's levels over all labels and metrics: the probability of any false finding is at most `significance`. Throws
+// std::invalid_argument for an unknown metric.
 std::vector<VariantComparison> compare_variants(
     std::span<const VariantStudy> studies, std::span<const std::string> metrics,
     const LevelOf& level_of = [](double level) { return level; });
