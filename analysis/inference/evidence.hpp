@@ -114,8 +114,7 @@ struct Evidence {
   std::vector<Contrast> contrasts = {};
   std::optional<std::size_t> reference = {};
   std::size_t pairs = 0;  // number of pairs of all groups
-  int fewest =
-      0;  // fewest observations per group (or blocks) that can tell a pair apart; 0 if means decide: two are enough
+  int fewest = 0;         // fewest per group (or blocks) to tell a pair apart; 0 if means decide: two suffice
 
   const TestResult* test(std::string_view test_name) const;  // null if it was not made
   bool ranks_decide() const;

@@ -60,7 +60,7 @@ std::span<const Method* const> methods();
 // bootstrap within a second, or summaries only. Throws std::invalid_argument if the plan's test needs what the groups
 // lack.
 const Method& method_for(const Evidence& evidence);
-// What a plan's test compares: means, ranks or shares. by_design compares means.
+// Returns whether a plan's test compares means, ranks or shares. by_design compares means.
 Compares compares(std::string_view test);
 
 // The rank test shown beside a test of means: within blocks if there are any.

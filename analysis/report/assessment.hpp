@@ -1,6 +1,6 @@
-// What the statistics of one quantity say, and show: sentences, tables, figures and JSON, in the order that
-// docs/reading-a-report.md explains: what was compared, assumptions, the paper's analysis, the robust one, who differs
-// from whom, where methods disagree, and what this does not show.
+// The statistics of one quantity as sentences, tables, figures and JSON, in the order that docs/reading-a-report.md
+// explains: what was compared, assumptions, the paper's analysis, the robust one, who differs from whom, where methods
+// disagree, and what this does not show.
 #pragma once
 
 #include <span>
@@ -17,13 +17,13 @@
 namespace ikbench::report {
 
 struct Assessment {
-  std::string name;      // of Observations; tables and figures are "statistics-<name>-..."
+  std::string name;      // as in Observations; tables and figures are "statistics-<name>-..."
   std::string quantity;  // "position error [cm]"
   std::string unit = {};
   std::vector<Sentence> sentences;  // plain text
-  InShort in_short = {};            // what a summary takes of it
-  std::string rare_failures = {};   // that it does not exclude, in a sentence
-  inference::Doubts flaws = {};     // why it must not be taken at its word
+  InShort in_short = {};            // summary of it
+  std::string rare_failures = {};   // a sentence on failures that it does not exclude
+  inference::Doubts flaws = {};     // reasons to doubt it
   std::vector<Table> tables;
   std::vector<figures::Figure> figures;
   std::string json;  // one object with every number
@@ -31,12 +31,14 @@ struct Assessment {
 
 // "Statistics: position error [cm]"
 std::string heading_of(const Assessment& assessment);
-// What a summary takes: the answer of each, and then what so few observations do not exclude, once.
+// Sentences for a summary: the answer of each assessment, then once the failures that so few observations do not
+// exclude.
 std::vector<std::string> headlines_of(std::span<const Assessment> assessments);
 
 Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan);
-// Of a study, by what its plan finds. Times that are not comparable are shown, and not ranked, tested or compared.
+// Assesses a metric of a study by the study's plan. Times that are not comparable are shown, but not ranked, tested or
+// compared.
 Assessment assess(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 
 }  // namespace ikbench::report

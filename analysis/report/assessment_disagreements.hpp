@@ -1,4 +1,4 @@
-// Where the methods that an assessment shows come to another verdict than the one that decides.
+// Reports methods whose verdict differs from that of the deciding method.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace ikbench::report {
 
-// Empty where no two methods can be compared.
+// Empty if no two methods can be compared.
 Sentence disagreements(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

@@ -1,5 +1,5 @@
-// Where the numbers beside the deciding test of a pair do not go with it: an interval by another method, a mean, a
-// median or a share that is for the other.
+// Reports numbers that contradict the deciding test of a pair: an interval by another method, or a mean, median or
+// share that favours the other.
 #pragma once
 
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace ikbench::report {
 
-// Whether the interval of the difference is on both sides of no difference, or on one; both false where there is none.
+// Return whether the interval of the difference lies on both sides of no difference, or on one; both false if there is
+// no interval.
 bool includes_none(const inference::Evidence& evidence, const inference::Contrast& contrast);
 bool excludes_none(const inference::Evidence& evidence, const inference::Contrast& contrast);
 bool mean_favours_other(const inference::Evidence& evidence, const inference::Contrast& contrast);
 
-// "the interval of the difference between means includes zero and the median favours the other"; empty where all goes
-// with the test.
+// "the interval of the difference between means includes zero and the median favours the other"; empty if all numbers
+// agree with the test.
 std::string doubt_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 
-// "What would change it: a new study of about 57 observations per group; ...": which other choice or data the answer
-// hangs on. Empty where no pair is compared.
+// "What would change it: a new study of about 57 observations per group; ...": names the choices or data that could
+// change the answer. Empty if no pair is compared.
 Sentence change_words(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

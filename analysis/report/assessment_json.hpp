@@ -1,4 +1,4 @@
-// An assessment's numbers as JSON: every one of them, whatever the tables leave out.
+// Writes all numbers of an assessment as JSON, including those that tables leave out.
 #pragma once
 
 #include <string>

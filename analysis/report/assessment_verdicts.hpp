@@ -1,4 +1,4 @@
-// Who differs from whom: the words for the pairs of an assessment.
+// Words the verdicts on the pairs of an assessment: who differs from whom.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace ikbench::report {
 
-// Of the best group (or the control), who is worse, by how much, and how sure that is; who is the same, and who
-// undecided; which of the other pairs differ, and what decided. Empty where there is nothing to compare.
+// The answer in short: who is worse than the best group (or the control), by how much, and how sure; who is the same or
+// undecided; which other pairs differ; and which test decided. Empty if there is nothing to compare.
 struct InShort {
   std::vector<std::string> sentences = {};  // without their full stops; the first is the answer
 };

@@ -1,4 +1,4 @@
-// The audit of a paper: what its printed numbers say about each other. Nothing is solved.
+// The audit of a paper: checks its printed numbers against each other, without solving anything.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@
 
 namespace ikbench::report {
 
-// A printed thing, judged by others that are printed. It holds if what follows is what is printed to its last digit
-// (consistent), in part within the rounding of the printed digits. It fails where two printed things cannot both be
-// true (contradiction), or others show what was to be printed (misprint). It is undecided where the numbers do not show
-// it, or only with something that is not printed (not supported); it may still be true.
+// A printed statement, judged by other printed ones. It holds if they give the same to the last digit (consistent), and
+// in part within the rounding of the printed digits. It fails if two printed statements cannot both be true
+// (contradiction), or others show what should have been printed (misprint). It is undecided if the numbers do not show
+// it, or only with something unprinted (not supported); it may still be true.
 struct AuditItem {
   std::string id;  // of the item in the paper's notes, with a letter: "3.1a"
   std::string where;
   std::string printed;
   std::string follows;
   Verdict verdict;
-  bool is_misprint = false;  // of one that fails
+  bool is_misprint = false;  // one that fails is a misprint, not a contradiction
   std::string why = {};
 };
 
@@ -31,7 +31,7 @@ std::string_view words_of(const AuditItem& item);  // one of these
 
 // Named "audit".
 Table audit_table(const std::vector<AuditItem>& items);
-// "40 statements: contradiction 2, misprint 8, ...", of that table.
+// Counts the verdicts of audit_table(): "40 statements: contradiction 2, misprint 8, ...".
 std::string audit_sentence(const Table& audit);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// The verdict: a paper's claims one by one, whether each holds here, and by which numbers.
+// A paper's claims one by one: whether each holds here, and by which numbers.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace ikbench::report {
 
-// depends: on what the paper leaves open. untested: nothing here could decide it.
+// depends: the answer depends on what the paper leaves open. untested: nothing here could decide it.
 enum class Verdict { holds, in_part, undecided, fails, depends, untested };
 std::string_view name_of(Verdict verdict);
 
-enum class By { paper, us };  // who claims it: the paper, or we asked
+enum class By { paper, us };  // who made the claim: the paper, or we added it
 
 struct Claim {
   std::string statement;
   Verdict verdict;
   std::vector<std::string>
-      evidence;  // sentences with numbers, all of the store but those said to be printed; first the one that says most
-  std::string table;                    // the name of the table that has the numbers
-  std::optional<Verdict> printed = {};  // on the printed numbers alone; none where they cannot say
-  std::string id = {};                  // "most_accurate"; by it other results are joined
-  std::string section = {};             // of the paper
+      evidence;       // sentences with numbers from the store, unless said to be printed; the most telling first
+  std::string table;  // the name of the table that has the numbers
+  std::optional<Verdict> printed = {};  // verdict by the printed numbers only; nullopt if they cannot tell
+  std::string id = {};                  // "most_accurate"; joins other results to the claim
+  std::string section = {};             // section of the paper
   By by = By::paper;
-  std::string decides = {};                  // what would decide it, a sentence
-  std::string number = {};                   // the one that says most, short: "0.0017 against 0.21 cm"
-  std::vector<std::string> depends_on = {};  // where it depends: "who obeys limits", the first the most
+  std::string decides = {};                  // a sentence on what would decide it
+  std::string number = {};                   // the most telling number, short: "0.0017 against 0.21 cm"
+  std::vector<std::string> depends_on = {};  // what the verdict depends on, most important first: "who obeys limits"
 };
 
 // "depends on who obeys limits (+2)"
@@ -37,25 +37,26 @@ std::string evidence_text(const Claim& claim);  // all of it
 
 std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims);
 
-// How many of the paper's claims hold here, in a sentence; what we asked besides is not counted.
+// A sentence that counts how many of the paper's claims hold here; our own questions do not count.
 std::string tally(const std::vector<Claim>& claims);
 
-// Of all interpretations of what a paper leaves open, the shares in which a claim holds, fails and is undecided.
+// Shares of all interpretations of what a paper leaves open in which a claim holds, fails and is undecided.
 struct ClaimShares {
   std::string id;
   double holds = 0, fails = 0, undecided = 0;
-  std::vector<std::string> decided_by = {};  // what its answer depends on most: "who obeys limits"
+  std::vector<std::string> decided_by = {};  // dimensions that change the answer most: "who obeys limits"
   std::string sentence = {};                 // how
-  std::string of = {};                       // how many interpretations: "576"
+  std::string of = {};                       // number of interpretations: "576"
 };
 
-// The verdict on a claim that depends has not as much as that.
+// Smallest share of interpretations at which a claim keeps its verdict; below, it depends.
 constexpr double clear_share = 0.95;
 
-// "61 %"; "under 1 %" and "over 99 %" where it is neither none nor all.
+// "61 %"; "under 1 %" and "over 99 %" if the share is not exactly 0 or 1.
 std::string share_words(double share);
 
-// By id. A claim keeps its verdict where that has a clear share, and else depends. All say their shares.
+// Joins shares to claims by id. A claim keeps its verdict if that has a clear share; else it depends. Each states its
+// shares.
 void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// Bytes as a page has them within its text.
+// Encodes bytes for the text of a page.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace ikbench::report {
 
 std::string base64(std::string_view bytes);
 
-// As a Content-Security-Policy names the inline scripts and styles that may run.
+// The hash by which a Content-Security-Policy allows an inline script or style.
 std::string sha256_in_base64(std::string_view bytes);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// Tables, figures and claims as the page's template takes them.
+// Turns tables, figures and claims into data for the page's template.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +19,10 @@ using Data = kainjow::mustache::data;
 Data text_data(std::string_view plain);  // the template escapes
 Data list_data(const std::vector<std::string>& sentences);
 
-// A name as an id and part of a link; names are ours, but a table of another's making stays harmless.
+// Makes a name safe as an id and in a link, even if a foreign table brings it.
 std::string id_of(std::string_view name);
 
-// The paper's claims, and apart what we asked besides: a list of lists, those that have something.
+// The paper's claims and our own questions, as a list of the lists that are not empty.
 Data verdicts_data(const ReportContent& content);
 
 // The tables and figures of a page. Together the pictures stay below a limit; those beyond it are links.
@@ -32,10 +32,10 @@ class HtmlPieces {
       : content_(content), figures_(std::move(figures)) {}
 
   Data data(const Piece& piece);
-  // The figure's SVG in base64, in the colours of a dark ground too. As the source of an image it runs no script, and
-  // its ids are its own.
+  // The figure's SVG in base64, with colours for a dark background too. As an image source it runs no script, and its
+  // ids cannot clash.
   std::optional<std::string> picture(const figures::Figure& figure);
-  // By the id of a figure, what a reader who points at its series is told.
+  // Tooltips of the series, by figure id.
   const Json& told() const { return told_; }
   int left_out() const { return left_out_; }  // pictures beyond the limit so far
 

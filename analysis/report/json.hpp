@@ -1,4 +1,4 @@
-// JSON as reports write it: members in the order in which they are put in, and null for what is not a finite number.
+// JSON of reports: members keep their order of insertion, and null stands for a number that is not finite.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 inline Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-// As a data block of a page: no "<" leads out of its element.
+// Writes JSON for a data block of a page: escapes "<", so that none ends the element.
 inline std::string json_in_page(const Json& json) {
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))

@@ -1,5 +1,5 @@
-// A table as LaTeX that fits its page: the package adjustbox scales it into the line. A wide table is turned on its
-// side, and a long one is divided into pages. The first line says which packages it needs.
+// Writes a table as LaTeX that fits its page: the package adjustbox scales it to the line. A wide table is turned on
+// its side, and a long one is split over pages. The first line lists the packages it needs.
 #pragma once
 
 #include <string>

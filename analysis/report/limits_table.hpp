@@ -1,4 +1,4 @@
-// What is left of a study's findings where the joint limits are enforced: a study beside the one that enforces them.
+// Shows what remains of a study's findings if joint limits are enforced: compares it with the study that enforces them.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace ikbench::report {
 
-// Of studies with the same targets, the reported one first: it and the first other with which it makes a pair, one of
-// them with limits enforced and one without, that have a solver in common. Nothing where there is none.
+// `studies` have the same targets, the reported one first. Pairs it with the first other study that shares a solver and
+// treats limits the other way (enforced or not). nullopt if there is none.
 std::optional<Table> limits_table(const inference::JudgedStudies& studies);
 
 }  // namespace ikbench::report

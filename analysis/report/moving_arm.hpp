@@ -1,4 +1,4 @@
-// The arm on its way along the path, for the animated view of the report: what the page has to know, and three.js.
+// Data and three.js for the report's animated view of the arm on its path.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace ikbench::report {
 
-// JSON, harmless inside a script element: the arm as the definition has it, the targets, and of every solver the first
-// run's starts and answers with the joints that are outside their limits (at most 200 points of 24 solvers). Nothing
-// where the definition does not describe the arm or nothing is solved.
+// JSON, safe inside a script element: the arm's definition, the targets, and the starts and answers of each solver's
+// first run with the joints outside their limits (at most 200 points of 24 solvers). nullopt if the definition does not
+// describe the arm or nothing is solved.
 std::optional<std::string> moving_arm(const results::StudyEntry& entry, const inference::StudyResults& study);
 
-// three.js and its OrbitControls as they are installed; nothing where they are not.
+// The installed three.js and its OrbitControls; nullopt if they are not installed.
 std::optional<std::string> drawing_library();
 
 }  // namespace ikbench::report

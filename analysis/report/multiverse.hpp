@@ -1,4 +1,4 @@
-// What a paper makes of its multiverse: shares of its claims, tables and the specification curve.
+// A paper's report on its multiverse: shares of its claims, tables and the specification curve.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace ikbench::report {
 
 struct MultiverseReport {
   std::vector<ClaimShares> claims;
-  std::vector<std::string> sentences = {};    // what the printed numbers say of the universes
+  std::vector<std::string> sentences = {};    // compare the printed numbers with the universes
   std::vector<Table> tables = {};             // "multiverse", "multiverse-alternatives", "multiverse-printed", ...
   std::vector<figures::Figure> figures = {};  // "multiverse"
 };

@@ -1,5 +1,5 @@
-// What is reported together: a collection of built-in studies, and what a paper adds to their report. What it leaves
-// empty is as in the report of any study.
+// A collection of built-in studies that are reported together, and a paper's additions to their report. An empty field
+// means the report of any study.
 #pragma once
 
 #include <functional>
@@ -21,40 +21,39 @@
 
 namespace ikbench::report {
 
-// A study with its companions, the collection's other studies where the store has them. All are judged by the study's
-// plan.
+// A study with its companions: the collection's other studies that the store has. The study's plan judges all.
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
-  std::span<const RepeatedSolver> repetitions = {};  // the study's run means with other seeds; none where not solved
+  std::span<const RepeatedSolver> repetitions = {};  // run means of the study with other seeds; empty if not solved
 };
 
 struct Paper {
   std::string citation = {};        // a sentence with the DOI
   std::string not_reproduced = {};  // a sentence
-  int repetitions = 0;              // with so many seeds its first study is solved, for what a repetition would give
+  int repetitions = 0;              // number of seeds with which its first study is solved again
   std::function<std::vector<Claim>(const Reported&)> claims = {};
-  std::function<StudyPieces(const Reported&)> pieces = {};  // instead of study_pieces, which it may take and add to
-  ReportPlan sections = {};                                 // where these stand
-  std::function<std::vector<std::string>(const Reported&)> summary = {};  // of a study with solves
-  // What is printed and can be assessed by the same methods.
+  std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
+  ReportPlan sections = {};                                 // places the pieces
+  std::function<std::vector<std::string>(const Reported&)> summary = {};  // for a study with solves
+  // Printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
-  // Of the universes with at most one choice that is not the default.
+  // Table of the universes with at most one choice that is not the default.
   std::function<Table(const inference::Multiverse&, const results::AnalysisPlan&)> one_at_a_time = {};
 };
 
 // A built-in study that `ikbench reproduce` runs.
 struct CollectedStudy {
   std::string name;
-  bool takes_runs = false;  // of the command
+  bool takes_runs = false;  // takes the command's --runs
 };
 
 struct Collection {
-  std::string name;           // of a paper's: as a study's `published` and results/published have it
-  std::string in_short = {};  // what is solved, in a few words for --help
-  // The first is the collection's own; "first-part" is a companion of it, and "mine-part" of a study "mine".
+  std::string name;           // a paper's collection has the name in a study's `published` and in results/published
+  std::string in_short = {};  // short description for --help
+  // The first is the collection's own study; "first-part" is its companion, as "mine-part" is of a study "mine".
   std::vector<CollectedStudy> studies = {};
   RatesPlan rates = {};
   std::optional<Paper> paper = {};

@@ -1,5 +1,5 @@
-// What was run and where, as tables: the definition, every solver's options, the environment of the sessions; and how
-// the study stands beside others with the same targets.
+// Tables of what was run and where: definition, options of each solver, environment of the sessions; and a comparison
+// with other studies of the same targets.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ namespace ikbench::report {
 
 Table definition_table(const results::StudyEntry& entry);
 Table options_table(const results::StudyEntry& entry);
-// The plan that is used, value by value, with those notes; they say too where it is not the study's.
+// The plan in use, value by value, with `notes`. A note says so if it is not the study's own.
 Table plan_table(const results::StudyEntry& entry, const results::AnalysisPlan& used, std::vector<std::string> notes);
 // The sessions in which the study's solves were made.
 Table environment_table(const inference::StudyResults& study, const std::vector<results::Session>& sessions);
-// What was typed to make the last of the study's solves; empty where the store does not say.
+// The command line that made the study's last solves; empty if the store lacks it.
 std::string command_of(const inference::StudyResults& study, const std::vector<results::Session>& sessions);
 
-// Whether the two studies were given the same targets wherever both have the same run and point.
+// Returns whether two studies have the same targets at every run and point that both have.
 bool same_targets(const inference::StudyResults& a, const inference::StudyResults& b);
 Table baselines_table(const inference::JudgedStudies& studies);
 

@@ -14,27 +14,27 @@
 namespace ikbench::report {
 
 struct Publication {
-  ReportContent content;  // its sections are made here, of what follows
+  ReportContent content;  // publish() makes its sections from the fields below
   std::vector<Table> tables = {};
   std::vector<figures::Figure> figures = {};
-  std::vector<Assessment> assessments = {};  // a section each
+  std::vector<Assessment> assessments = {};  // one section per assessment
   std::optional<std::string> motion = {};    // moving_arm.hpp
 };
 
 struct Report {
   std::filesystem::path page;         // report.html
   std::filesystem::path file;         // report.md
-  Table results = {};                 // of a study, what was reached
-  std::vector<std::string> summary;   // what it says first, sentence by sentence
-  std::vector<std::string> warnings;  // figures that were not drawn, a study that is incomplete, ...
-  bool is_damaged = false;            // the store has numbers that cannot be
+  Table results = {};                 // a study's table of results
+  std::vector<std::string> summary;   // its first sentences
+  std::vector<std::string> warnings;  // figures not drawn, an incomplete study, ...
+  bool is_damaged = false;            // the store has impossible numbers
 };
 
-// Files of the same names are replaced. A folder that cannot be written to is std::invalid_argument. Tables are there
-// even where gnuplot is not.
+// Replaces files of the same names. Throws std::invalid_argument if the folder cannot be written. Writes tables even
+// without gnuplot.
 Report publish(Publication publication, const std::filesystem::path& folder, const figures::RenderOptions& options);
 
-// One table as NAME.md, NAME.csv and NAME.tex.
+// Writes one table as NAME.md, NAME.csv and NAME.tex.
 void write_table(const Table& table, const std::filesystem::path& folder);
 
 }  // namespace ikbench::report

@@ -6,7 +6,7 @@
 
 namespace ikbench::report {
 
-// One of its solvers: by seed, a value a run.
+// Results of one solver: by seed, one value per run.
 struct RepeatedSolver {
   std::string label;
   std::vector<std::vector<double>> error_cm;

@@ -18,31 +18,30 @@
 
 namespace ikbench::report {
 
-// Looks at solves one after another, and says in sentences what is wrong with them, the first warnings, and what cannot
-// be known of them.
+// Checks solves one by one. Reports in sentences what is wrong with them and what cannot be known.
 struct SolveCheck {
   std::function<void(const results::SolveRecord&)> look_at;
   std::function<std::vector<std::string>()> damages;
-  std::function<std::string()> unknown = {};  // empty where all is known
+  std::function<std::string()> unknown = {};  // empty if all is known
 };
 
 struct ReportRequest {
   std::string study;
-  std::filesystem::path folder;  // made where missing; files of the same names are replaced
+  std::filesystem::path folder;  // created if missing; files of the same names are replaced
   std::optional<results::AnalysisPlan> plan =
-      {};  // instead of the study's own, which the report says; for its companions too
+      {};  // replaces the study's own plan, and its companions'; the report says so
   figures::RenderOptions figures = {};
-  std::span<const Collection> collections = {};     // of which the study's, if it is there, has its say
+  std::span<const Collection> collections = {};     // the study's own collection, if among them, shapes the report
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
-  std::vector<RepeatedSolver> repetitions = {};     // of the study, with other seeds
-  std::vector<ClaimShares> shares = {};             // of the paper's claims over all interpretations
-  // Looks at the solves of a study of the store. May be empty.
+  std::vector<RepeatedSolver> repetitions = {};     // the study solved with other seeds
+  std::vector<ClaimShares> shares = {};             // shares of the paper's claims over all interpretations
+  // Makes a check of a study's solves. May be empty.
   std::function<SolveCheck(const results::StudyEntry&)> check = {};
 };
 
-// An unknown study, or a folder that cannot be written to, is std::invalid_argument. Tables are there even where
-// gnuplot is not.
+// Throws std::invalid_argument for an unknown study or a folder that cannot be written. Writes tables even without
+// gnuplot.
 Report write_report(const results::Store& store, const ReportRequest& request);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// What a report says, in its order, whatever it is written in.
+// The content of a report, in order, independent of its format.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ namespace ikbench::report {
 
 struct ReportFigure {
   figures::Figure figure;
-  bool drawn = false;  // else there are only its script and its data
+  bool drawn = false;  // false: only its script and data exist
 };
 std::string title_of(std::string name);  // figure-9-a is Figure 9 a
 
 using Piece = std::variant<Table, ReportFigure>;
 const std::string& name_of(const Piece& piece);
 
-// All texts are plain: the writers escape. The page shows the pieces, and folds the rest; a section without pieces is
-// folded whole, behind its heading.
+// All texts are plain: the writers escape. The page shows `pieces` and folds the rest; it folds a section without
+// pieces as a whole.
 struct Section {
   std::string heading;
   std::string paragraph;            // may be empty
@@ -34,8 +34,7 @@ struct Section {
   std::vector<Piece> folded = {};
 };
 
-// A section and the pieces that it asks for: names in order; one that ends in * stands for all that begin so, and of
-// "a|b" the first that is there.
+// A section and the names of its pieces, in order. "a*" means all names that begin with a, "a|b" the first that exists.
 struct SectionPlan {
   std::string heading;
   std::string paragraph;
@@ -43,44 +42,42 @@ struct SectionPlan {
   std::vector<std::string> folded = {};
 };
 
-// Where the pieces of a paper stand: the results of its study, and what else belongs to it.
+// Places a paper's pieces: the results of its study, and further sections.
 struct ReportPlan {
-  std::vector<SectionPlan> results = {};  // where empty, those of any study
+  std::vector<SectionPlan> results = {};  // if empty, the sections of any study
   std::vector<SectionPlan> further = {};
 };
 
 struct ReportContent {
   std::string study;
-  std::string kind = "Report of the study";  // what stands before its name
+  std::string kind = "Report of the study";  // the words before its name
   std::string title;
-  std::vector<Sentence> answer = {};      // its first sentences; may be none
-  std::vector<std::string> studied = {};  // whose paper, what was run, what was not: sentences
+  std::vector<Sentence> answer = {};      // its first sentences; may be empty
+  std::vector<std::string> studied = {};  // sentences: whose paper, what was run, what was not
   std::vector<std::string> solvers = {};  // in the order of their colours
   std::vector<Claim> claims;
   std::vector<std::string> summary;
   inference::Doubts warnings = {};
-  std::string command;                 // gives the numbers again; empty where nobody knows
-  std::vector<Section> circumstances;  // what was run, where, and what became of it
+  std::string command;                 // reproduces the numbers; empty if unknown
+  std::vector<Section> circumstances;  // what was run, where, and with which status
   std::vector<Section> results;
   ReportPlan plan = {};
-  std::string path = "path";  // the figure that stands where nothing moves
-  // By the name of a piece, or the heading of a section that is folded or has the verdict, what its reader sees there,
-  // in a sentence.
+  std::string path = "path";  // the figure that replaces the animated view
+  // A sentence on what a piece shows, by its name, or by the heading of a section that is folded or has the verdict.
   std::map<std::string, std::string> seen = {};
 };
 
-// The piece of that name among all sections, a table before its figure; null where there is none.
+// Finds a piece by name among all sections, a table before its figure; null if there is none.
 const Piece* piece_named(const ReportContent& content, std::string_view name);
 
-// What is seen in a piece of the content, of pieces of one name in the first; may be empty.
+// The sentence of `seen` for a piece; of pieces with one name only the first has it. May be empty.
 std::string seen_at(const Piece& piece, const ReportContent& content);
 
-// The verdict's first sentences: of claims, how many hold and what else is seen there; else the answer.
+// The verdict's first sentences: for claims, how many hold and the sentence of `seen`; else the answer.
 std::vector<std::string> answers_of(const ReportContent& content);
 
-// Puts every piece into the section that asks for it by name. A section of which nothing is there is left out; pieces
-// that no section asks for are in one at the end. Every assessment has a section of its own, folded where there is
-// anything else.
+// Puts every piece into the section that names it. Leaves out sections without pieces; collects unnamed pieces in a
+// last section. Each assessment gets its own section, folded if there is anything else.
 void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content);
 
 }  // namespace ikbench::report

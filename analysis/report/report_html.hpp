@@ -12,9 +12,9 @@ namespace ikbench::report {
 
 struct HtmlExtras {
   std::filesystem::path figures;                    // folder of the drawn SVG files
-  std::optional<std::string> motion = {};           // moving_arm(); without it there is no such view
-  std::optional<std::string> drawing_library = {};  // without it the view says what it misses
-  std::vector<std::string> downloads = {};          // files beside the page, which it links to
+  std::optional<std::string> motion = {};           // moving_arm(); without it the page has no animated view
+  std::optional<std::string> drawing_library = {};  // without it the view says what is missing
+  std::vector<std::string> downloads = {};          // files beside the page that it links to
 };
 
 std::string to_html(const ReportContent& content, const HtmlExtras& extras);

@@ -1,4 +1,4 @@
-// The report as Markdown: all of it, and what the page shows first.
+// Writes the report as Markdown: all of it, or what the page shows first.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 namespace ikbench::report {
 
 std::string to_markdown(const ReportContent& content);
-// The verdict, the claims with the first sentence of what decided each, and the shown tables and figures with what is
-// to be seen in them; pictures as SVG.
+// The verdict, each claim with the first sentence of its evidence, and the shown tables and figures with their
+// sentences; pictures as SVG.
 std::string verdict_markdown(const ReportContent& content);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// A sentence of a report, and what it is about.
+// A sentence of a report, with its topic.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace ikbench::report {
 
 struct Sentence {
-  std::string topic = {};  // "Assumptions", which a page sets apart; may be empty
+  std::string topic = {};  // "Assumptions"; a page sets it apart; may be empty
   std::string text;
 };
 
@@ -40,7 +40,7 @@ inline std::string paragraph_of(const std::vector<Sentence>& sentences) {
   return fmt::format("{}", fmt::join(words_of(sentences), " "));
 }
 
-// Keeps what says something.
+// Adds the sentence unless it is empty.
 inline void add(std::vector<Sentence>& sentences, Sentence sentence) {
   if (!sentence.text.empty()) sentences.push_back(std::move(sentence));
 }

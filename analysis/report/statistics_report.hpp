@@ -1,4 +1,4 @@
-// The report of assessments alone, of data from anywhere: report.html, report.md, statistics.json, tables/ and
+// The report of assessments only, for data from anywhere: report.html, report.md, statistics.json, tables/ and
 // figures/.
 #pragma once
 
@@ -13,8 +13,8 @@ namespace ikbench::report {
 
 struct StatisticsRequest {
   std::string title;
-  std::string source;   // whose data they are: the file's name
-  std::string command;  // gives the report again
+  std::string source;   // source of the data: the file's name
+  std::string command;  // reproduces the report
   std::filesystem::path folder;
   figures::RenderOptions figures = {};
 };

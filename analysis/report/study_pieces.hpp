@@ -1,4 +1,4 @@
-// The tables and figures of a study that no other is needed for.
+// The tables and figures of a single study.
 #pragma once
 
 #include <map>
@@ -15,13 +15,13 @@ struct StudyPieces {
   std::vector<Table> tables = {};
   std::vector<figures::Figure> figures = {};
   std::string results = "results";  // the table that a terminal shows
-  std::string path = "path";        // the figure that stands where nothing moves
-  // By the name of a piece, what its reader sees there, in a sentence; some may be empty.
+  std::string path = "path";        // the figure that replaces the animated view
+  // A sentence on what a piece shows, by its name; may be empty.
   std::map<std::string, std::string> seen = {};
 };
 
-// Of any study: the tables results, anova-METRIC and status; the figures overview, path, METRIC, METRIC-boxes and
-// joints. No figures where nothing was solved.
+// Pieces of any study: the tables results, anova-METRIC and status; the figures overview, path, METRIC, METRIC-boxes
+// and joints. No figures if nothing was solved.
 StudyPieces study_pieces(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// The tables of any study: what was reached, the one-way ANOVA of a metric, and the status of every solve.
+// Tables of any study: results, one-way ANOVA of a metric, times and statuses.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace ikbench::report {
 
-// Named "results": a row a metric and solver.
+// Named "results": one row per metric and solver.
 Table results_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics);
 
-// Named "further": a row a solver, a column a metric, with the average of its observations.
+// Named "further": one row per solver, one column per metric, with the average of its observations.
 Table further_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics);
 
-// The ANOVA over all solvers that have observations and only finite ones; the others are named.
+// The ANOVA over all solvers with observations that are all finite; names the others.
 struct StudyAnova {
   statistics::AnovaTable table;
   std::vector<std::string> left_out;  // a sentence each
@@ -31,9 +31,9 @@ Table anova_table(const inference::StudyResults& study, inference::Metric metric
 constexpr std::array<std::string_view, 3> anova_sources{"between", "within", "total"};
 std::array<std::vector<Cell>, 3> anova_cells(const statistics::AnovaTable& table);
 
-// Named "solved": how many solves have the status ok, with Wilson's interval of the solver's chance.
+// Named "solved": number of solves with status ok, with Wilson's interval of the share.
 Table solved_table(const inference::StudyResults& study);
-// Named "times", of all solves: median, quantiles, the longest, and the share over the deadline where there is one.
+// Named "times": median, quantiles and maximum over all solves, and the share over the deadline if there is one.
 Table times_table(const inference::StudyResults& study);
 // Named "status".
 Table status_table(const inference::StudyResults& study);

@@ -1,4 +1,4 @@
-// What a study says, in plain words.
+// Summarises a study in plain words.
 #pragma once
 
 #include <string>
@@ -10,23 +10,22 @@
 
 namespace ikbench::report {
 
-// Sentences, the most important first; plain text. What a paper says of a study stands between what every study says.
+// Sentences, the most important first; plain text. A paper's sentences stand among those of any study.
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);
 
-// Whose paper, what was run, and what of the paper was not: a sentence each.
+// One sentence each: whose paper, what was run, and what of the paper was not.
 std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
 
-// Of what a summary is made; empty where there is nothing to say.
-// The solvers that have a mean of the metric.
+// The parts of a summary follow; each is empty if there is nothing to say. The solvers that have a mean of the metric.
 std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric);
 std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric);
-// Who claimed an error that the verifier does not find, and how often.
+// Doubts of solvers that claimed an error which the verifier does not confirm, and how often.
 inference::Doubts wrong_claims(const inference::StudyResults& study);
 std::string limits_sentence(const inference::StudyResults& study);
-// Why times are not ranked.
+// Says why times are not ranked.
 std::string times_sentence(const inference::StudyResults& study);
 
-// How the solvers of another study with the same targets did, in a sentence.
+// A sentence on the solvers of another study with the same targets.
 std::string baselines_sentence(const inference::StudyResults& other);
 
 }  // namespace ikbench::report

@@ -1,4 +1,4 @@
-// What comparisons of variants say, as a table, in words and as JSON.
+// Writes comparisons of variants as a table, in words and as JSON.
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@
 
 namespace ikbench::report {
 
-// What a comparison is made by: margins and significance are those of `plan`.
+// Comparisons with the plan that gives margins and significance.
 struct VariantsReport {
   std::span<const inference::VariantComparison> comparisons;
   const results::AnalysisPlan& plan;
 };
 
-// One row a label and metric. a12: in pairs the share in which B is better, else P(an observation of B is better).
+// One row per label and metric. a12: for pairs the share in which B is better, else P(an observation of B is better).
 Table variants_table(const VariantsReport& of);
-// The designs and the notes, with their label; what holds for every label is said once, without.
+// Designs and notes with their label; one that holds for every label appears once, without label.
 std::vector<std::string> variants_notes(const VariantsReport& of);
-// Whether a regression beyond the margin is shown, by how much and how sure; then how many metrics there are of each
-// kind.
+// Says whether a regression beyond the margin is shown, by how much and how sure; then counts the metrics of each
+// verdict.
 std::string variants_verdict(const VariantsReport& of);
-// One object: verdict, significance, margin, notes and rows, each as in the table; null where nothing is defined.
+// One object: verdict, significance, margin, notes and the rows of the table; null for undefined numbers.
 std::string variants_json(const VariantsReport& of);
 
 }  // namespace ikbench::report

@@ -1,5 +1,5 @@
-// The sentences of reports, `ikbench stats` and `ikbench compare`, as templates with named arguments (fmt). Who
-// improves the English opens this file; what is wrong with data is said in inference/doubt.cpp.
+// The sentences of reports, `ikbench stats` and `ikbench compare`, as templates with named arguments (fmt). To improve
+// the English, edit this file; inference/doubt.cpp has the words on flawed data.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace ikbench::report::words {
 
 using Template = std::string_view;
 
-// Who is better: the answer of an assessment.
+// The answer of an assessment: who is better.
 inline constexpr Template decided = "{first} is {better}{by} than {others}";
 inline constexpr Template same = "{first} and {others} are the same within {margin}";
 inline constexpr Template undecided = "{first} against {others} is undecided";
@@ -21,7 +21,7 @@ inline constexpr Template single_values = "nothing can be judged, because no gro
 inline constexpr Template all_equal = "all observations are equal, but there are too few to call the groups the same";
 inline constexpr Template decided_by = "Decided by: {tests}";
 
-// How much better.
+// Size of a difference.
 inline constexpr Template has_mean = "{name} has the mean {mean}";
 inline constexpr Template has_no_mean = "{name} has no mean";
 inline constexpr Template mean_not_finite = "{name} has no mean: {lost} of {n} values not finite";
@@ -42,7 +42,7 @@ inline constexpr Template others_not_judged = "{count} of them cannot be judged"
 inline constexpr Template another_test =
     "In a new study another test would judge {what} (ikbench run: --set analysis.test={test}; ikbench stats: --test {test})";
 
-// Who leads, in a line.
+// The leader, in a line.
 inline constexpr Template leader = "{first} ({value}; next {second} {of_second}, {p}{remarks})";
 inline constexpr Template leader_not_tested = "{first} ({value}; not tested)";
 inline constexpr Template none_tested = "no solver is tested ({values})";
@@ -53,7 +53,7 @@ inline constexpr Template exploratory =
     "the study is judged by the quantity above. The {count} below are not corrected for being several.";
 inline constexpr Template against_control = "{better} {are} better than the control {control} ({value})";
 
-// Where numbers beside the test do not go with it, and what would change the answer.
+// Numbers that contradict the test, and what would change the answer.
 inline constexpr Template interval_excludes = "{interval} excludes {none}";
 inline constexpr Template interval_includes = "{interval} includes {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
@@ -71,7 +71,7 @@ inline constexpr Template only_these_conditions =
     "the results hold for these conditions only, not for other targets, arms, budgets or settings; each quantity is judged "
     "separately";
 
-// What was compared, and how.
+// The data and the method.
 inline constexpr Template data = "{quantity}, {better} is better; {count} {groups} ({names}) with {sizes} each";
 inline constexpr Template known_summaries = "; only means, standard deviations and sizes are known.";
 inline constexpr Template observation = "One observation is {what}.";
