@@ -42,6 +42,11 @@ std::string logarithmic_settings(const Drawn& of) {
 
 }  // namespace
 
+DrawnUnit drawn_unit(const std::string& unit, double largest) {
+  if (unit != "s" || !(largest > 0) || largest >= 0.1) return {.unit = unit};
+  return largest < 1e-4 ? DrawnUnit{.unit = "µs", .factor = 1e6} : DrawnUnit{.unit = "ms", .factor = 1e3};
+}
+
 Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least) {
   std::vector<double> finite;
   std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
@@ -52,13 +57,7 @@ Axis value_axis(std::span<const double> values, const inference::NameWithUnit& q
   Axis axis{.has_values = !finite.empty(), .least = least};
   const double largest = finite.empty() ? 1.0 : std::ranges::max(finite);
   const double smallest = finite.empty() ? 0.0 : std::ranges::min(finite);
-  double factor = 1;
-  std::string unit = quantity.unit;
-  if (unit == "s" && largest > 0 && largest < 0.1) {
-    const bool micro = largest < 1e-4;
-    factor = micro ? 1e6 : 1e3;
-    unit = micro ? "µs" : "ms";
-  }
+  const auto [unit, factor] = drawn_unit(quantity.unit, largest);
   axis.quantity = text_of({quantity.name, unit});
   if (!positive.empty() && scale != Scale::linear) {
     const double smallest_shown = std::ranges::min(positive);

@@ -10,6 +10,13 @@ namespace ikbench::figures {
 
 enum class Scale { linear, logarithmic, by_spread };  // by_spread: logarithmic if values differ by more than 30 times
 
+// The unit that values are drawn in: small seconds as [ms] or [µs].
+struct DrawnUnit {
+  std::string unit;
+  double factor = 1;  // drawn by given value
+};
+DrawnUnit drawn_unit(const std::string& unit, double largest);
+
 struct Axis {
   bool logarithmic = false;
   bool has_values = false;     // any finite ones

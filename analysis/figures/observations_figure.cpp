@@ -92,7 +92,7 @@ Figure observations_figure(const Observations& observations, QuantileType quarti
   }
   Figure figure{.name = name};
   add_rows(figure, labels, row_cm);
-  const RowAxis axis = row_axis(all, observations.quantity, Scale::by_spread);
+  const RowAxis axis = row_axis(all, {split_unit(observations.quantity).name, observations.unit}, Scale::by_spread);
   figure.settings += axis.settings;
 
   std::string boxes = "# row, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n";

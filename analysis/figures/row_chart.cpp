@@ -26,8 +26,33 @@ std::string logarithmic_rows(const RowAxis& axis) {
   const int decades_per_tick = 1 + (decades - 1) / 7;
   return fmt::format(
       "set logscale x\nset format x '10^{{%T}}'\nset xrange [{0}:{1}]\nset xtics 1e{2}\nset mxtics {3}\n"
-      "shown(x) = x > {0} ? x : (x <= {0} ? {0} : NaN)\n",
+      "place(x) = x > {0} ? x : (x <= {0} ? {0} : NaN)\n",
       text_of(axis.low), text_of(axis.high), decades_per_tick, decades_per_tick == 1 ? 10 : 1);
+}
+
+// Ratios to mark between two: powers of ten; 1, 2 and 5 times these; or round steps, by how far apart they are.
+std::vector<double> ratio_ticks(double low, double high) {
+  std::vector<double> ticks;
+  const double decades = std::log10(high / low);
+  if (decades < 0.7) {
+    const double rough = (high - low) / 5, decade = std::pow(10, std::floor(std::log10(rough)));
+    const double step = decade * (rough > 5 * decade ? 10 : rough > 2 * decade ? 5 : 2);
+    for (double tick = std::ceil(low / step); tick * step <= high; ++tick) ticks.push_back(tick * step);
+    return ticks;
+  }
+  const int every = 1 + static_cast<int>(decades / 7);
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high; ++exponent) {
+    if (exponent % every != 0) continue;
+    for (const double multiple : {1.0, 2.0, 5.0}) {
+      const double tick = multiple * std::pow(10, exponent);
+      if (tick >= low && tick <= high && (multiple == 1 || decades <= 3)) ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+std::string labelled(std::string settings, const std::string& quantity) {
+  return std::move(settings) + fmt::format("set xlabel {} noenhanced\n", gnuplot_string(shortened(quantity, 60)));
 }
 
 // A round step, and as many digits as tell its multiples apart.
@@ -38,7 +63,7 @@ std::string linear_settings(const RowAxis& axis) {
   const double decade = std::pow(10, std::floor(std::log10(rough)));
   const double ratio = rough / decade;
   const double step = decade * (ratio > 7 ? 10 : ratio > 3.5 ? 5 : ratio > 1.5 ? 2 : 1);
-  return fmt::format("set format x '%.{}g'\n{}set xrange [{}:{}]\nset xtics {}\nshown(x) = x\n", digits,
+  return fmt::format("set format x '%.{}g'\n{}set xrange [{}:{}]\nset xtics {}\nplace(x) = x\n", digits,
                      digits > 6 ? "set rmargin 8\n" : "", text_of(axis.low), text_of(axis.high), text_of(step));
 }
 
@@ -80,12 +105,14 @@ void add_rows(Figure& figure, std::span<const std::string> labels, double row_cm
   if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }
 
-RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scale scale) {
+RowAxis row_axis(std::span<const double> values, const NameWithUnit& quantity, Scale scale) {
   std::vector<double> drawable;
   std::ranges::copy_if(values, std::back_inserter(drawable), is_drawable);
   RowAxis axis;
+  const auto [unit, factor] = drawn_unit(quantity.unit, drawable.empty() ? 0 : std::ranges::max(drawable));
+  for (double& value : drawable) value *= factor;
   if (drawable.empty()) {
-    axis.settings = "set xrange [0:1]\nset xtics scale 0 format ' '\nunset grid\nshown(x) = x\n";
+    axis.settings = "set xrange [0:1]\nset xtics scale 0 format ' '\nunset grid\nplace(x) = x\n";
   } else {
     const auto [smallest, largest] = std::ranges::minmax(drawable);
     std::vector<double> positive;
@@ -109,7 +136,30 @@ RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scal
       axis.settings = linear_settings(axis);
     }
   }
-  axis.settings += fmt::format("set xlabel {} noenhanced\n", gnuplot_string(shortened(quantity, 60)));
+  axis.settings += fmt::format("shown(x) = place({} * x)\n", text_of(factor));
+  axis.settings = labelled(std::move(axis.settings), text_of({quantity.name, unit}));
+  return axis;
+}
+
+RowAxis ratio_axis(std::span<const double> ratios, const std::string& quantity) {
+  double smallest = 1, largest = 1;
+  for (const double ratio : ratios) {
+    if (!is_drawable(ratio) || !(ratio > 0)) continue;
+    smallest = std::min(smallest, ratio);
+    largest = std::max(largest, ratio);
+  }
+  const double room = std::max(1.01, std::pow(largest / smallest, 0.06));
+  RowAxis axis{.logarithmic = true, .low = smallest / room, .high = largest * room};
+  std::string ticks;
+  const bool has_many_decades = axis.high > 1e3 * axis.low;
+  for (const double tick : ratio_ticks(axis.low, axis.high)) {
+    const std::string label =
+        has_many_decades ? fmt::format("10^{{{:.0f}}}", std::log10(tick)) : fmt::format("{:.4g}", tick);
+    ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", tick == 1 ? "1" : label, text_of(tick));
+  }
+  axis.settings = labelled(fmt::format("set logscale x\nset xrange [{}:{}]\nset xtics ({})\nshown(x) = x\n",
+                                       text_of(axis.low), text_of(axis.high), ticks),
+                           quantity);
   return axis;
 }
 

@@ -33,6 +33,9 @@ struct RowAxis {
 };
 
 // An axis around the drawable values. Scale::by_spread is linear if a value is negative.
-RowAxis row_axis(std::span<const double> values, std::string_view quantity, Scale scale);
+// Small seconds become [ms] or [µs].
+RowAxis row_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale);
+// A logarithmic axis of ratios, with ticks such as 0.5, 1, 2.
+RowAxis ratio_axis(std::span<const double> ratios, const std::string& quantity);
 
 }  // namespace ikbench::figures

@@ -21,9 +21,11 @@ namespace {
 
 enum class Zero { inside, outside, unknown };
 
-Zero zero_of(const DifferenceRow& row) {
+// Whether the interval holds `none`, the difference (0) or ratio (1) of equals.
+Zero zero_of(const DifferenceRow& row, double none) {
   if (!is_drawable(row.low) || !is_drawable(row.high) || !is_drawable(row.difference)) return Zero::unknown;
-  return row.low > 0 || row.high < 0 ? Zero::outside : Zero::inside;
+  if (none == 1 && !(row.low > 0)) return Zero::unknown;  // a logarithmic axis cannot show it
+  return row.low > none || row.high < none ? Zero::outside : Zero::inside;
 }
 
 }  // namespace
@@ -31,21 +33,27 @@ Zero zero_of(const DifferenceRow& row) {
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words) {
   const std::size_t n = std::min(rows.size(), most_rows);
   std::vector<std::string> labels;
-  std::vector<double> all{0};
+  const double none = words.are_ratios ? 1 : 0;
+  std::vector<double> all{none};
   for (std::size_t i = 0; i < n; ++i) {
     labels.push_back(rows[i].label);
-    if (zero_of(rows[i]) != Zero::unknown) all.insert(all.end(), {rows[i].low, rows[i].difference, rows[i].high});
+    if (zero_of(rows[i], none) != Zero::unknown) all.insert(all.end(), {rows[i].low, rows[i].difference, rows[i].high});
   }
   Figure figure{.name = words.name};
   add_rows(figure, labels, 0.42);
-  const RowAxis axis = row_axis(all, words.quantity, Scale::linear);
-  const bool room_at_right = axis.high > -axis.low;
+  const RowAxis axis =
+      words.are_ratios ? ratio_axis(all, words.quantity) : row_axis(all, {words.quantity, ""}, Scale::linear);
+  const bool room_at_right = words.are_ratios ? axis.high * axis.low > 1 : axis.high > -axis.low;
   figure.settings += axis.settings;
-  if (n > 0) figure.settings += "set arrow from 0, graph 0 to 0, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n";
-  figure.data = "# row, difference, low, high, whether the interval excludes zero\n";
+  if (n > 0)
+    figure.settings +=
+        fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n", none);
+  const std::string_view of_equals = words.are_ratios ? "1" : "zero";
+  figure.data = fmt::format("# row, {}, low, high, whether the interval excludes {}\n",
+                            words.are_ratios ? "ratio" : "difference", of_equals);
   bool unknown = false;
   for (std::size_t i = 0; i < n; ++i) {
-    const Zero zero = zero_of(rows[i]);
+    const Zero zero = zero_of(rows[i], none);
     figure.data +=
         fmt::format("# {}\n{} {} {} {} {}\n", one_line(rows[i].label), i + 1, data_number(rows[i].difference),
                     data_number(rows[i].low), data_number(rows[i].high), zero == Zero::outside ? 1 : 0);
@@ -53,9 +61,9 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
     unknown = true;
     const bool unbounded = std::isinf(rows[i].low) || std::isinf(rows[i].high);
     figure.settings += fmt::format(
-        "set label '{}' at 0, first {} {} front offset {}, 0 font ',6' textcolor rgb "
+        "set label '{}' at {}, first {} {} front offset {}, 0 font ',6' textcolor rgb "
         "'#666666'\n",
-        unbounded ? "unbounded" : "not defined", i + 1, room_at_right ? "left" : "right", room_at_right ? 1 : -1);
+        unbounded ? "unbounded" : "not defined", none, i + 1, room_at_right ? "left" : "right", room_at_right ? 1 : -1);
   }
   const auto clauses_for = [&](int excludes, std::string_view colour, std::string_view marker) {
     const std::string chosen = fmt::format("'{}.dat' using ($5=={} ? $3 : NaN):1", words.name, excludes);
@@ -68,10 +76,10 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   for (std::string& clause : clauses_for(1, "word(colours, 1)", "pt 7")) clauses.push_back(std::move(clause));
   figure.plot = n > 0 ? plot_command(clauses) : "plot NaN notitle";
   figure.caption = fmt::format(
-      "{}: simultaneous {} intervals ({}). Blue with a filled dot: the interval excludes zero. Grey with a ring: it "
+      "{}: simultaneous {} intervals ({}). Blue with a filled dot: the interval excludes {}. Grey with a ring: it "
       "does not.",
       capitalised(words.quantity.empty() ? "difference" : words.quantity), rounded_number(100 * words.level, 6) + " %",
-      words.method);
+      words.method, of_equals);
   if (unknown) figure.caption += " Undefined and unbounded intervals are labelled.";
   if (n < rows.size()) figure.caption += fmt::format(" Only the first {} of {} rows are shown.", n, rows.size());
   return figure;

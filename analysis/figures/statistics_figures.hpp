@@ -11,8 +11,8 @@
 namespace ikbench::figures {
 
 struct DifferenceRow {
-  std::string label;                            // "BA - IK-BA"
-  double difference = statistics::not_defined;  // all in the unit of the quantity
+  std::string label;                            // "BA - IK-BA"; of ratios "BA / IK-BA"
+  double difference = statistics::not_defined;  // all in the unit of the quantity; or a ratio
   double low = statistics::not_defined;
   double high = statistics::not_defined;
 };
@@ -22,9 +22,10 @@ struct DifferencesWords {
   std::string quantity;  // "difference of means: position error [cm]"
   double level = 0.95;   // of all intervals together
   std::string method;    // "Games-Howell"
+  bool are_ratios = false;
 };
 
-// A forest plot: intervals of differences; those that exclude zero are coloured.
+// A forest plot: intervals of differences; those that exclude zero (ratios: 1) are coloured.
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
 
 struct EffectMatrix {

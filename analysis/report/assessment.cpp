@@ -36,20 +36,20 @@ constexpr std::size_t most_rows = 45;
 void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
   std::vector<DifferenceRow> rows;
   const bool of_logarithms = evidence.scale == ValueScale::log10;
-  const auto shown = [&](double difference) { return of_logarithms ? std::log10(difference) : difference; };
   for (const Contrast& contrast : evidence.contrasts) {
-    rows.push_back(
-        {.label = fmt::format("{} - {}", evidence.groups[contrast.first].name, evidence.groups[contrast.second].name),
-         .difference = shown(contrast.difference.value),
-         .low = shown(contrast.difference.low),
-         .high = shown(contrast.difference.high)});
+    rows.push_back({.label = fmt::format("{} {} {}", evidence.groups[contrast.first].name, of_logarithms ? "/" : "-",
+                                         evidence.groups[contrast.second].name),
+                    .difference = contrast.difference.value,
+                    .low = contrast.difference.low,
+                    .high = contrast.difference.high});
   }
   if (rows.empty() || rows.size() > most_rows) return;
-  figures.push_back(differences_figure(
-      rows, {.name = figure_name(evidence, "differences"),
-             .quantity = (of_logarithms ? "difference of log10: " : "difference: ") + evidence.quantity,
-             .level = 1 - evidence.plan.significance,
-             .method = std::string(evidence.method->interval)}));
+  figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
+                                              .quantity = of_logarithms ? "ratio: " + split_unit(evidence.quantity).name
+                                                                        : "difference: " + evidence.quantity,
+                                              .level = 1 - evidence.plan.significance,
+                                              .method = std::string(evidence.method->interval),
+                                              .are_ratios = of_logarithms}));
 }
 
 void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {

@@ -146,6 +146,23 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
   CHECK(contains(figure.caption, "simultaneous 95 % intervals (Games-Howell)"));
 }
 
+TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
+  const auto drawn = [](double factor) {
+    return differences_figure({{"A / B", 2, 1.5, 2 * factor}, {"B / C", 0.9, 0.5, 1.2}, {"C / D", 1, 0, 2}},
+                              {"differences", "ratio: time", 0.95, "bootstrap", true});
+  };
+  const Figure figure = drawn(1.25), wide = drawn(1e4);
+  CHECK(lines_below(figure.data, "# row") == Texts{"1 2 1.5 2.5 1", "2 0.9 0.5 1.2 0", "3 1 0 2 0"});
+  CHECK(contains(figure.settings, "set logscale x"));
+  CHECK(contains(figure.settings, "'0.5' 0.5, '1' 1, '2' 2"));
+  CHECK(contains(figure.settings, "set arrow from 1, graph 0 to 1"));
+  CHECK(contains(figure.settings, "'not defined' at 1, first 3"));
+  CHECK(contains(figure.caption, "the interval excludes 1"));
+  CHECK(contains(wide.settings, "'1' 1, '10^{1}' 10, '10^{2}' 100"));
+  check_drawn(figure);
+  check_drawn(wide);
+}
+
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
   const Figure figure = demsar(1.12, 0.1);
   const Texts bars = lines_below(figure.data, "# undecided differences");
