@@ -73,10 +73,10 @@ class JsonReader {
     });
   }
 
-  std::vector<std::string> unreadable;  // fields that are there and are no such value: the default stands
+  std::vector<std::string> unreadable;  // present fields with an invalid value: they keep the default
 
  private:
-  // As a double: also what is beyond every integer.
+  // Reads a double: it holds numbers beyond every integer.
   template <class Number>
   static bool is_within(const Json& value, std::pair<Number, Number> range) {
     const auto number = value.get<double>();
@@ -136,7 +136,7 @@ Json plan_json(const StudyEntry& entry) {
   return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
 }
 
-// Of a store that somebody edited: what of its plan is no plan.
+// Finds invalid fields of the plan: somebody edited the store.
 Doubts unreadable_doubts(const StudyEntry& entry) {
   const Json json = plan_json(entry);
   if (!json.is_object()) return {};
@@ -150,7 +150,7 @@ Doubts unreadable_doubts(const StudyEntry& entry) {
   return {{.kind = DoubtKind::plan_unreadable, .who = {reader.unreadable.begin(), reader.unreadable.end()}}};
 }
 
-// What sessions of the study solved and it no longer has.
+// Finds solvers that sessions of the study solved and that it no longer has.
 Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessions) {
   std::vector<std::string> dropped;
   for (const Session& session : sessions) {
@@ -175,10 +175,11 @@ std::int64_t all_of(const SolvesOfSessions& solves) {
   return all;
 }
 
-// Solves by the plan that their session recorded.
+// Counts solves by the plan that their session recorded.
 struct Recorded {
   std::int64_t nowhere = 0;
-  std::vector<std::pair<std::string, std::int64_t>> changed;  // what is other now, in the order of the sessions
+  std::vector<std::pair<std::string, std::int64_t>>
+      changed;  // solves by changes since their plan, in the order of the sessions
 };
 
 Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {

@@ -20,7 +20,7 @@ using namespace statistics;
 
 namespace {
 
-// What of a solver is to be reached: each value the evaluations that it took.
+// The evaluations that a solver took to reach each target.
 ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& study, const Clusters& clusters) {
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   ClusteredValues result;
@@ -69,7 +69,7 @@ Difference difference(const SharesOfSolver& first, const SharesOfSolver& second,
   return result;
 }
 
-// The pairs that are compared, at every budget.
+// The pairs of solvers compared at every budget.
 std::vector<Finding> compare_shares(const StudyResults& study, const std::vector<SharesOfSolver>& solvers,
                                     std::span<const std::size_t> leaders, const Clusters& clusters) {
   std::vector<Difference> family;

@@ -44,10 +44,10 @@ Disturbed disturbed(std::span<const Solve> solves) {
           std::ranges::count_if(solves, is_timed)};
 }
 
-// Where solves end by their wall time, more than times depend on the machine.
+// If solves end by wall time, errors depend on the machine too.
 bool errors_too(const StudyResults& study) { return study.facts.stop.seconds > 0; }
 
-// Why times of solvers are left out, one kind after another. Those of a kind lack nothing else.
+// Solvers whose times are left out, by reason; each solver counts for its first reason only.
 struct TimesLeftOut {
   SolverLabels imported, disturbed, programs;
 
@@ -119,7 +119,7 @@ LeftOut evaluations_left_out(const StudyResults& study) {
   return result;
 }
 
-// Of the whole study, whoever solved it.
+// Doubts of the whole study's times, for all solvers.
 Doubts machine_doubts(const StudyResults& study) {
   const auto parallel = timed(study, Timing::parallel), debug = timed(study, Timing::debug_build);
   Doubts doubts = cpu_doubts(study.cpus);

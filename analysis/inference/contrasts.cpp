@@ -26,7 +26,7 @@ namespace {
 
 using Values = std::span<const std::vector<double>>;
 
-// The group that pairs are shown with, where not all are.
+// The group whose pairs are shown if not all pairs are.
 std::optional<std::size_t> reference_of(const Evidence& evidence) {
   const auto& groups = evidence.groups;
   if (!evidence.plan.control.empty()) {
@@ -37,8 +37,8 @@ std::optional<std::size_t> reference_of(const Evidence& evidence) {
   return best_group(evidence);
 }
 
-// Where groups have blocks in common: the share of blocks in which the first is better. An interval needs whole blocks,
-// so there is one where no two values of a block are equal.
+// Share of blocks in which the first is better; a tie counts half. The interval needs whole counts, so ties leave it
+// undefined.
 Estimate share_of_blocks(const std::vector<double>& first, const std::vector<double>& second, double level) {
   int wins = 0, ties = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -61,13 +61,13 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
   return {.value = found.value, .low = found.low, .high = found.high};
 }
 
-// Where every value says the same of a pair, which has it that one is ahead or that they are equal: what chance has it,
-// were they alike? In blocks that no difference has the other sign, else by Fisher's exact test.
+// Probability that all values of two equal groups agree by chance: within blocks, that no difference has the other
+// sign; else by Fisher's exact test.
 double chance_of_unanimity(const Evidence& evidence, int n, int m) {
   return evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m}).p;
 }
 
-// The chance that some pair of the family does so (Bonferroni).
+// Corrects a probability for all pairs of the family (Bonferroni).
 double in_family(const Evidence& evidence, double chance) {
   return std::min(1.0, chance * static_cast<double>(evidence.family()));
 }
@@ -81,8 +81,8 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
-// Of the bootstrap's pairs those that do not overlap, or differ alike in every block, where a group has one value
-// alone, or there are so few that the bootstrap has no spread to judge by.
+// Returns whether an exact test of order replaces the bootstrap: the groups do not overlap, or differ in one direction
+// in every block, and one group has a single value or the bootstrap has no spread to judge by.
 bool has_order(const Evidence& evidence, const Contrast& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
@@ -116,8 +116,8 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
 
 namespace {
 
-// How likely two groups that do not overlap are to lie apart, either way, if both were drawn from one distribution: by
-// the sign test within blocks and against a value that is known, else by Mann and Whitney's exact test.
+// Two-sided probability that two groups from one distribution do not overlap: by the sign test within blocks and
+// against a known value, else by Mann and Whitney's exact test.
 double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
   const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
   const int n = first.described.n, m = second.described.n;
@@ -128,12 +128,12 @@ double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
   return chance;
 }
 
-// Of what so many observations without a failure do not exclude. Where each is 0 or 1, it is the failures that differ.
+// The largest share of failures that so many observations without a failure do not exclude.
 double unseen_failures(const Evidence& evidence, int observations) {
   return most_without_success(observations, evidence.plan.significance / static_cast<double>(evidence.family()));
 }
 
-// Two groups of one value each. So many values are needed to find a difference, and as many to find that there is none.
+// Judges two groups with one value each. To find no difference takes as many values as to find one.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
@@ -162,7 +162,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
-// Two values that are known.
+// Compares two known values.
 void judge_facts(const Evidence& evidence, Contrast& contrast) {
   const double worst = (evidence.better == Better::smaller ? 1 : -1) * std::numeric_limits<double>::infinity();
   const auto known = [&](std::size_t group) {
@@ -195,7 +195,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   if (has_order(evidence, contrast)) {
-    const double alone = chance_of_order(evidence, contrast);  // of so many values, whatever they are
+    const double alone = chance_of_order(evidence, contrast);  // depends on the numbers of values only
     const double by_chance = in_family(evidence, alone);
     if (by_chance < evidence.plan.significance) {
       contrast.p = by_chance;
@@ -215,8 +215,8 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
-// What a difference of the margin takes where values spread as they seem to, and as they plausibly do. The difference
-// that was seen has no say: it may be chance. Signs know no sizes: of them it is what the test needs at least.
+// Observations needed to find a difference as large as the margin, for the spread seen and for plausible spreads. The
+// seen difference does not enter: it may be chance. Signs have no size: for them it is the fewest that the test needs.
 Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, const Groups& groups) {
   const std::span summaries = groups.summaries;
   const std::span values = groups.values;
@@ -239,13 +239,13 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, cons
   };
   const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
   const double low = std::fmax(runs(outside), fewest), high = runs(1 - outside);
-  // More than the search goes to is no number: as many or more.
+  // NaN means more than the search tries: no upper end.
   return {.value = std::fmax(runs(0.5), fewest),
           .low = low,
           .high = std::isnan(high) ? std::numeric_limits<double>::infinity() : std::fmax(high, fewest)};
 }
 
-// The pairs to compare, first < second in order: all, or those with the reference.
+// Lists the pairs to compare, first < second, in order: all, or those with the reference.
 std::vector<Contrast> shown_pairs(Evidence& evidence) {
   const std::size_t k = evidence.groups.size();
   evidence.pairs = k * (k - 1) / 2;
@@ -262,7 +262,7 @@ std::vector<Contrast> shown_pairs(Evidence& evidence) {
   return all;
 }
 
-// Two groups with the same value in every block: no difference is above or below 0.
+// Judges two groups with equal values in every block.
 void judge_equal_blocks(const Evidence& evidence, Contrast& contrast) {
   contrast.p = contrast.p_alone = 1;
   contrast.undefined.clear();
@@ -279,7 +279,7 @@ void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contr
   }
 }
 
-// How far apart two groups are that ranks compare; the interval holds for the whole family by Bonferroni.
+// Typical ratio of two groups that ranks compare; its interval holds for the whole family (Bonferroni).
 Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& first, const std::vector<double>& second) {
   const bool is_log = evidence.scale == ValueScale::log10;
   const auto all = [&](auto is) { return std::ranges::all_of(first, is) && std::ranges::all_of(second, is); };

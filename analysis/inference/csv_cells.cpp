@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::size_t longest_quotation = 60;
 constexpr std::size_t longest_slug = 60;
-constexpr std::size_t longest_list = 200;  // of columns in a message, in characters
+constexpr std::size_t longest_list = 200;  // longest list of columns in a message [characters]
 
-// Text, and separators in the header outside quotes: a file from a spreadsheet of another language has no comma there.
+// A separator and its name. A spreadsheet in another language writes a header without commas.
 void expect_text_with_commas(std::string_view text, std::string_view source) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     throw std::invalid_argument(fmt::format("{}: the text is UTF-16; expected UTF-8", source));
@@ -44,7 +44,7 @@ void expect_text_with_commas(std::string_view text, std::string_view source) {
                   found[1] > 0 ? "semicolons" : "tabs"));
 }
 
-// What to write instead of a number that was not read.
+// Says what to write instead of an unreadable number.
 std::string remedy(std::string_view cell) {
   const auto commas = std::ranges::count(cell, ',');
   if (commas == 0) return "expected a number within the range of a double, or NA if it is missing";

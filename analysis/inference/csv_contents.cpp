@@ -36,7 +36,7 @@ std::vector<std::size_t> written_rows(const CsvFile& file) {
   return rows;
 }
 
-// The numbers of rows that pandas and R write, and the empty columns that spreadsheets do.
+// Returns whether a column holds row numbers, as pandas and R write them, or is empty, as spreadsheets leave it.
 bool is_index(const CsvFile& file, std::size_t column, const std::vector<std::size_t>& rows) {
   const std::string& title = file.table.header[column];
   if (column == 0 && (title.empty() || title == "Unnamed: 0")) return true;

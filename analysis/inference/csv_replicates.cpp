@@ -12,12 +12,12 @@ namespace {
 
 // The rows of the first run that several rows of a group share.
 struct SharedRun {
-  std::string words = {};    // "12 rows share seed 1 of A"; empty where every row is a run of its own
-  std::string told_by = {};  // the column that tells the rows of every run apart, by the same names: problem; or empty
+  std::string words = {};    // "12 rows share seed 1 of A"; empty if every row is a run of its own
+  std::string told_by = {};  // a column such as problem whose names tell the rows of every run apart; or empty
 };
 
-// Whether the column has another name for each row of a run, and no names but those of the fullest run: what the groups
-// were given in every run, such as problems or points.
+// Returns whether the column has a different name for each row of a run, and no names but the fullest run's: such a
+// column holds the problems or points that every run was given.
 bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t column, const Labels& runs) {
   const auto run_of = [&](const Observation& o) { return runs.of_row[o.row]; };
   std::vector<GroupRun> keys = group_runs(contents, run_of);
@@ -26,7 +26,7 @@ bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t
   for (std::size_t first = 0; first < keys.size(); first += rows_of(keys, keys[first])) {
     most = std::max(most, rows_of(keys, keys[first]));
   }
-  if (keys.empty() || rows_of(keys, keys.front()) == keys.size()) return false;  // one run alone
+  if (keys.empty() || rows_of(keys, keys.front()) == keys.size()) return false;  // only one run
   const std::optional<Labels> names = labels_of(file, column, most);
   if (!names || names->names.all().size() != most) return false;
   std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> seen;  // group, run and name
@@ -83,7 +83,7 @@ std::string rows_share_a_run(const CsvFile& file, const Contents& contents, cons
     if (told_by.empty())
       file.refuse(fmt::format("{}; {}; average them with --run {}, or accept them with --force", shared, why, run));
     const std::string name = lower_case(told_by);
-    if (name.starts_with("point") || name.starts_with("step")) {  // of a path
+    if (name.starts_with("point") || name.starts_with("step")) {  // points of a path
       file.refuse(fmt::format(
           "{0}, one for each {1}, and are not replicates; if each {1} depends on the previous one, average them with "
           "--run {2}; if each was solved separately, compare within blocks with --block {1} --run {2}; or use --force",

@@ -24,7 +24,7 @@ using namespace statistics;
 
 namespace {
 
-// Those that every solver has complete.
+// Runs that are complete for every solver.
 std::vector<int> common_runs(const StudyResults& study) {
   std::vector<std::int64_t> counts(static_cast<std::size_t>(study.runs) + 1);
   for (const Solve& solve : study.solves) ++counts[static_cast<std::size_t>(solve.run)];
@@ -36,7 +36,7 @@ std::vector<int> common_runs(const StudyResults& study) {
   return runs;
 }
 
-// A foreign store may say what is not so.
+// A foreign store may be wrong.
 bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   const std::vector<const Solve*> places = places_of(study);
   return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
@@ -91,7 +91,7 @@ std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
 
 namespace {
 
-// `average`: what it is of several solves: "mean", "geometric mean", "share".
+// `average`: the average of several solves: "mean", "geometric mean", "share".
 std::string replicate_of(const StudyResults& study, Unit unit, std::string_view average) {
   if (unit == Unit::point) return "one point of a run";
   return study.points == 1 ? "the only solve of a run"
@@ -140,7 +140,7 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
   }
 }
 
-// Whether the worst cases decide a mean, the solves alone show.
+// Only single solves show if the worst cases decide a mean.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
   if (is_of_run(metric)) return;
   const ValueOf counted = counted_value(study, metric);
@@ -165,7 +165,7 @@ void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
 }
 
-// Of solvers that repeat themselves; empty where none does.
+// A note on solvers that repeat themselves; empty if none does.
 std::string copies_note(const std::vector<Sample>& samples) {
   std::vector<std::string> names;
   for (const Sample& sample : samples) {
@@ -180,7 +180,7 @@ std::string copies_note(const std::vector<Sample>& samples) {
       fmt::join(names, ", "));
 }
 
-// Imports that lack a run which several others have in common: blocks of all would take that run from the others.
+// Finds imports that lack a run which the other solvers share: blocks of all solvers would lose that run.
 std::set<std::string_view> partial_imports(const StudyResults& study) {
   const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };
   const auto number = std::ranges::count_if(study.solvers, is_other);

@@ -27,7 +27,7 @@ constexpr std::string_view times = "Times are not comparable";
 
 using K = DoubtKind;
 constexpr std::array all_words{
-    // Of times the reason alone; who it is of stands in front.
+    // For times, gives only the reason; the solvers stand in front.
     Words{K::solved_in_parallel, times,
           "of {of} solves, {count} ran in parallel with others and {other} in a debug build."},
     Words{K::several_machines, times, "they come from different machines ({who})."},

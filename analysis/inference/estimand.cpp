@@ -28,7 +28,7 @@ double tolerance_of(const StudyResults& study, Metric metric) {
   return std::isfinite(found.cm) && std::isfinite(found.deg) ? found.deg : not_defined;
 }
 
-// Below it errors are the same: the tolerance, or else rounding; not defined where there is neither.
+// Errors below this are equal: the tolerance, or else rounding; not defined without either.
 double least_of(const StudyResults& study, Metric metric) {
   const double tolerance = tolerance_of(study, metric), rounding = info_of(metric).rounding;
   return std::isfinite(tolerance) || !is_error(metric) || rounding == 0 ? tolerance : rounding;
@@ -50,7 +50,7 @@ double limit_of(const StudyResults& study, Metric metric) {
 
 namespace {
 
-// What a run costs as a whole, in a study with a tolerance.
+// Sets the cost of a whole run in a study with a tolerance.
 void count_solved_runs(Quantity& result, const StudyResults& study, Metric metric) {
   result.value = [&study, metric](Run run) {
     return std::ranges::any_of(run, [](const Solve* solve) { return is_ok(*solve); }) ? value_of(study, run, metric)
@@ -59,7 +59,7 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
   result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
 }
 
-// In a study with a tolerance, so that none gains by answers that solve nothing.
+// Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
 void penalise(Quantity& result, Metric metric, double limit) {
   result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
   result.notes.push_back(fmt::format(

@@ -36,7 +36,7 @@ namespace {
 
 using Samples = std::vector<std::vector<double>>;
 
-// The methods count groups from 1, "group 2 is constant"; a reader knows them by name.
+// Replaces the methods' group numbers from 1 ("group 2 is constant") by names.
 std::string with_name(std::string reason, const std::vector<GroupEvidence>& groups) {
   constexpr std::string_view word = "group ";
   const std::size_t start = reason.find(word);
@@ -66,13 +66,13 @@ void check_control(const Evidence& evidence) {
       fmt::format("no group '{}' for the control; expected one of: {}", evidence.plan.control, fmt::join(names, ", ")));
 }
 
-// Before the data are looked at.
+// Chooses the method before any results are seen.
 void choose_method(Evidence& evidence) {
   evidence.method = &method_for(evidence);
   if (!evidence.of_outcomes || evidence.plan.test == by_design) evidence.plan.test = evidence.method->name;
 }
 
-// Greatest and least variance of those that are known.
+// Finds the greatest and least known variance.
 void compare_variances(Evidence& evidence, std::span<const GroupSummary> summaries) {
   std::optional<std::size_t> most, least;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -87,7 +87,7 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
   evidence.variance_ratio = ratio * ratio;
 }
 
-// Of observations or summaries.
+// Starts the evidence of observations or summaries.
 template <class Given>
 Evidence begin(const Given& given, const AnalysisPlan& plan) {
   Evidence evidence;
@@ -128,17 +128,17 @@ TestResult of_brown_forsythe(std::span<const std::vector<double>> values) {
           .undefined = test.undefined};
 }
 
-// Not for so many values that the mean is normal anyway.
+// Skips the bootstrap for many values: their mean is normal anyway.
 bool bootstraps_means(const Evidence& evidence) {
-  constexpr int most_values = 2000;  // of all groups: about a second
+  constexpr int most_values = 2000;  // over all groups: takes about a second
   int all = 0;
   for (const GroupEvidence& group : evidence.groups) all += group.described.n;
   return all <= most_values && !evidence.of_outcomes;
 }
 
-// It follows the skewness of the values.
+// Adds bootstrap intervals, which follow the skewness of the values.
 void bootstrap_means(Evidence& evidence, const Samples& values) {
-  constexpr std::size_t fewest_values = 5;  // fewer have too few resamples that differ
+  constexpr std::size_t fewest_values = 5;  // fewer values have too few different resamples
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
     const MeanInterval found = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
@@ -147,13 +147,13 @@ void bootstrap_means(Evidence& evidence, const Samples& values) {
   }
 }
 
-// 1 is the best.
+// Adds mean ranks; 1 is the best.
 void add_mean_ranks(Evidence& evidence, const Samples& ranked) {
   const KruskalWallis test = kruskal_wallis(ranked);
   for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].mean_rank = test.mean_ranks[i];
 }
 
-// Average ranks within blocks (1 is the best), with Nemenyi's critical difference.
+// Adds average ranks within blocks (1 is the best), with Nemenyi's critical difference.
 void add_average_ranks(Evidence& evidence, const Samples& ranked) {
   const Friedman test = friedman(ranked);
   for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
@@ -166,8 +166,8 @@ void add_average_ranks(Evidence& evidence, const Samples& ranked) {
   evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
 }
 
-// What the tests of all groups say: of the assumption of equal variances, the paper's, that which goes with the method
-// that decides, and that of ranks.
+// Adds the tests of all groups: equal variances, the paper's analysis, the one of the deciding method, and the rank
+// test.
 void add_tests(Evidence& evidence, const Groups& groups) {
   evidence.tests = {groups.values.empty() ? of_bartlett(groups.summaries) : of_brown_forsythe(groups.values)};
   std::vector<const Method*> shown{&paper_method(), evidence.method};
@@ -196,7 +196,7 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   return result;
 }
 
-// What rounding alone keeps apart is equal, also from group to group.
+// Makes values equal that only rounding keeps apart, across groups too.
 Observations exact(Observations observations) {
   Samples values;
   for (const Group& group : observations.groups) values.push_back(group.values);
@@ -208,7 +208,7 @@ Observations exact(Observations observations) {
   return observations;
 }
 
-// The better one has the smaller value here.
+// Negates values if larger is better, so that smaller is better.
 std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, const Samples& values) {
   std::vector<std::vector<double>> result(values.begin(), values.end());
   if (evidence.better == Better::smaller) return result;
@@ -218,8 +218,8 @@ std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, con
   return result;
 }
 
-// Values that rank: what is not a number is worse than every number. Where no blocks fix their order they are sorted,
-// once for all that rank them.
+// Prepares values for ranking: NaN becomes worse than every number. Without blocks, sorts them once for all rank
+// methods.
 Samples rankable(const Observations& observations) {
   const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
   Samples values;
@@ -296,7 +296,7 @@ Samples values_of(const Observations& observations) {
   return values;
 }
 
-// Of exact observations.
+// Describes the groups of exact() observations.
 Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
   Evidence result = begin(observations, plan);
   result.scale = observations.scale;
@@ -356,7 +356,7 @@ Estimate power_of_ten(const Estimate& of) {
   return {.value = std::pow(10, of.value), .low = std::pow(10, of.low), .high = std::pow(10, of.high)};
 }
 
-// What was found of logarithms, in the unit of the values.
+// Converts results for logarithms to the unit of the values.
 Evidence told(Evidence found) {
   if (found.scale == ValueScale::plain) return found;
   for (GroupEvidence& group : found.groups) {
@@ -378,7 +378,7 @@ Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
 
 namespace {
 
-// Means are not defined where values are not finite. Two values that are known differ by a fact.
+// Judges pairs with values that are not finite, which have no mean.
 void judge_not_finite(Evidence& evidence, const Observations& observations) {
   if (evidence.method->compares != Compares::means) return;
   const auto family = static_cast<double>(evidence.family());

@@ -16,7 +16,7 @@ using namespace statistics;
 
 namespace {
 
-// splitmix64's mixing of the bits, number by number.
+// Mixes the bits of each number as splitmix64 does.
 std::uint64_t hash_of(std::span<const double> numbers) {
   std::uint64_t hash = numbers.size();
   for (const double number : numbers) {
@@ -56,10 +56,10 @@ double angle_deg(const std::vector<double>& answer, std::size_t joint) {
   return joint < answer.size() ? answer[joint] * 180 / std::numbers::pi : not_defined;
 }
 
-// Whether a solve that is recorded as clean took longer than it had the processor. A program may wait for much else, so
-// that of its solves this is the time for which it waited for a processor, without what messages cost in any case.
+// Returns whether a clean solve took more than 10 % longer than its CPU time. A program may wait for other reasons, so
+// for its solves only the wait for a processor counts, less the usual cost of messages.
 bool is_disturbed(const SolveRecord& solve) {
-  constexpr double most = 0.1;  // waited, by the time without
+  constexpr double most = 0.1;  // largest accepted wait / time
   if (solve.timing == Timing::process)
     return solve.waited_seconds > most * solve.seconds + solve.round_trips * solve.transport_seconds;
   return solve.timing == Timing::clean && solve.seconds > (1 + most) * solve.cpu_seconds && solve.cpu_seconds > 0;
@@ -81,7 +81,7 @@ std::span<const double> Problems::list(std::size_t number) const {
   return {numbers_.data() + begin, ends_[number] - begin};
 }
 
-// Lengths first, which texts of numbers do not say themselves.
+// Puts the lengths first, because joined lists do not show them.
 std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
   asked_ = {static_cast<double>(solve.target_position_m.size()), static_cast<double>(solve.target_rotation.size()),
             has_start ? 1.0 : 0.0, solve.unavoidable_error_cm};

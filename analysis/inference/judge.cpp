@@ -16,13 +16,13 @@ using namespace statistics;
 
 namespace {
 
-// The number of groups where it is none of them.
+// Index of a group; the number of groups if it is missing.
 std::size_t place_of(const Evidence& evidence, std::string_view group) {
   return static_cast<std::size_t>(std::ranges::find(evidence.groups, group, &GroupEvidence::name) -
                                   evidence.groups.begin());
 }
 
-// As if the second were the first.
+// Swaps first and second.
 Judgement turned(Judgement judgement, ValueScale scale) {
   judgement.relation = reversed(judgement.relation);
   const auto of = [scale](double difference) { return scale == ValueScale::log10 ? 1 / difference : -difference; };
@@ -47,7 +47,7 @@ Judgement judge(const Evidence& evidence, std::string_view first, std::string_vi
     result.undefined = fmt::format("{} is left out of the comparison", name);
     return result;
   }
-  // Contrasts have the smaller place first.
+  // Contrasts have the smaller index first.
   const auto found = std::ranges::find_if(evidence.contrasts, [&](const Contrast& contrast) {
     return contrast.first == std::min(one, other) && contrast.second == std::max(one, other);
   });

@@ -30,12 +30,12 @@ constexpr std::size_t most_solvers = 1000;
 constexpr std::size_t most_joints = 64;
 constexpr std::int64_t most_solves = 100'000'000;
 
-// A whole number of the definition, at the top or inside one of its parts; 0 where it does not say.
+// A whole number of the definition, at its top or inside a part; 0 if missing.
 int defined_number(const std::string& study, const nlohmann::json& definition, const char* key, int most) {
   const auto read = [&](const nlohmann::json& object) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number_integer()) return 0;
-    const double value = found->get<double>();  // also where it is beyond every integer
+    const double value = found->get<double>();  // a double also holds numbers beyond every integer
     if (value > most) {
       throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study, key, value, most));
     }
@@ -64,7 +64,7 @@ StudyResults of_entry(const StudyEntry& entry) {
   return study;
 }
 
-// What is known of the sessions that solved it.
+// Adds facts of the sessions that solved the study.
 void add_sessions(StudyResults& study, const std::vector<Series>& series, const std::vector<Session>& sessions) {
   const std::vector<std::int64_t>& used = study.gathered->sessions;
   std::vector<Session> solving;
@@ -86,7 +86,7 @@ void add_sessions(StudyResults& study, const std::vector<Series>& series, const 
   }
 }
 
-// By solver, in the order of the study and then of their first solve, run and point.
+// Orders solves by solver, run and point. Solvers keep the study's order, others follow by first solve.
 void sort(std::vector<SolveRecord>& solves, const std::vector<std::string>& solvers) {
   std::map<std::string_view, std::size_t> place;
   for (const std::string& solver : solvers) place.try_emplace(solver, place.size());

@@ -67,7 +67,7 @@ void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
 
 namespace {
 
-// Where an interval lies on a scale on which 0 is no difference.
+// Extent of an interval on a scale where 0 is no difference.
 Extent extent_of(const Estimate& interval, double room, Better better, int ahead) {
   const auto [value, low, high] = interval;
   if (!std::isfinite(low) || !std::isfinite(high) || std::isnan(room)) return Extent::unknown;
@@ -83,7 +83,7 @@ Extent extent_of(const Evidence& evidence, const Contrast& contrast) {
   if (!evidence.ranks_decide()) {
     return extent_of(contrast.difference, margin_of(evidence, contrast), evidence.better, contrast.ahead);
   }
-  // Ranks compare no means, and within blocks they know no scale: their margin is one of ratios.
+  // Ranks compare no means, and within blocks they have no scale: their margin is a ratio.
   const auto [value, low, high] = contrast.ratio;
   return extent_of({.value = std::log(value), .low = std::log(low), .high = std::log(high)},
                    std::log1p(evidence.plan.margin), evidence.better, contrast.ahead);

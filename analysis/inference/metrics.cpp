@@ -47,7 +47,7 @@ static_assert(row(Metric::orientation_error_deg).column == "orientation_error_de
 static_assert(row(Metric::variation_m).column == "variation_m");
 static_assert(row(Metric::excess_error_cm).column == "excess_error_cm");
 
-// Those of the table that are shown in one of the ways.
+// Metrics of the table with one of these values of `shown`.
 std::vector<Metric> metrics_shown(std::initializer_list<Shown> ways) {
   std::vector<Metric> metrics = all_metrics();
   std::erase_if(metrics, [&](Metric metric) { return std::ranges::find(ways, row(metric).shown) == ways.end(); });

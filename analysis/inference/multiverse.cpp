@@ -20,18 +20,18 @@ using namespace statistics;
 
 namespace {
 
-// Games and Howell's test.
+// Judges a pair by Games and Howell's test.
 class PairJudge {
  public:
   PairJudge(const std::vector<std::string>& solvers, const AnalysisPlan& plan)
       : solvers_(solvers), plan_(plan), range_(static_cast<double>(solvers.size())) {}
 
-  // Whether the plan compares them; with a control, only with that.
+  // Returns whether the plan compares two solvers; with a control, only pairs with it.
   bool compares(std::size_t one, std::size_t other) const {
     return plan_.control.empty() || solvers_[one] == plan_.control || solvers_[other] == plan_.control;
   }
 
-  // Of the first; smaller is better.
+  // Relation of the first to the second; smaller is better.
   Relation operator()(const GroupSummary& first, const GroupSummary& second) const {
     const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
     if (is_number != other_is_number) return is_number ? Relation::better : Relation::worse;
@@ -47,7 +47,7 @@ class PairJudge {
   StudentizedRange range_;
 };
 
-// Of the runs' means; typical: of their logarithms, where what is rounding is as small as can be told.
+// Summarises the runs' means or, for typical, their logarithms; values below rounding count as rounding.
 GroupSummary summary_of(const std::vector<double>& values, Metric metric, JudgedBy by) {
   if (by == JudgedBy::mean) return summarise(values);
   std::vector<double> logarithms;
@@ -55,11 +55,11 @@ GroupSummary summary_of(const std::vector<double>& values, Metric metric, Judged
   return summarise(logarithms);
 }
 
-// What a solver is found to be against one choice of another, by seed, for a choice of the study: by its own choice, by
-// solver, by that one's choice.
+// Relations of a solver to each choice of its rivals, for one seed and one choice of the study: by its own choice,
+// rival, rival's choice.
 using Answers = std::vector<std::vector<std::vector<Relation>>>;
 
-using Summarised = std::vector<std::vector<GroupSummary>>;  // by solver, by its choice
+using Summarised = std::vector<std::vector<GroupSummary>>;  // by solver and its choice
 
 Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge& judge) {
   Answers answers;
@@ -86,7 +86,7 @@ Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, cons
   return groups;
 }
 
-// How many choices of a rival there are, against how many of them the solver is better, and worse.
+// Counts a rival's choices: all, those that the solver is better than, and those that it is worse than.
 struct Against {
   double all = 0, better = 0, worse = 0;
   void operator+=(Relation answer) {
@@ -96,7 +96,7 @@ struct Against {
   }
 };
 
-// Of universes that weigh so much each.
+// Counts universes as products over rivals; each universe has the weight `weight`.
 UniverseCounts product_of(const std::vector<Against>& rivals, double weight) {
   double all = 1, better = 1, not_worse = 1;
   for (const Against& each : rivals) {
@@ -107,13 +107,13 @@ UniverseCounts product_of(const std::vector<Against>& rivals, double weight) {
   return {.holds = weight * better, .fails = weight * (all - not_worse), .undecided = weight * (not_worse - better)};
 }
 
-// The claim in all universes of one choice of the study and one of the solver's own.
+// Counts a claim in all universes of one choice of the study and one of the solver.
 class OwnCount {
  public:
   OwnCount(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed)
       : into_(into), study_(study), seed_(seed), weight_(study.weight / study.universes()) {}
 
-  // `answers` by solver, by its choice; none for the solver itself. Those that take no part never decide.
+  // `answers` by solver and its choice; empty for the solver itself.
   void add(const Multiverse::Own& own, const std::vector<std::vector<Relation>>& answers) {
     std::vector<Against> rivals;
     for (const std::vector<Relation>& of_rival : answers) {
@@ -135,7 +135,7 @@ class OwnCount {
   }
 
  private:
-  // With a rival's choices only as far as they have an alternative, one after the other.
+  // Counts a rival's choices by alternative, one rival after the other.
   void add_rival(std::size_t rival, const std::vector<Relation>& answers, std::vector<Against> rivals,
                  std::size_t place) {
     std::map<std::pair<std::size_t, std::size_t>, Against> restricted;
@@ -153,7 +153,7 @@ class OwnCount {
   ClaimCounts& into_;
   const Multiverse::OfStudy& study_;
   std::size_t seed_;
-  double weight_;  // of a universe
+  double weight_;  // weight of a universe
 };
 
 std::optional<std::size_t> place_of_solver(const Multiverse& multiverse, std::string_view label) {
@@ -171,7 +171,7 @@ ClaimCounts no_counts(const Multiverse& multiverse, const MultiverseClaim& claim
   return counts;
 }
 
-// Every answer the same, as many as there are choices.
+// The same answer for every choice of every rival.
 std::vector<std::vector<Relation>> alike(const Multiverse::OfStudy& study, std::size_t solver, Relation answer) {
   std::vector<std::vector<Relation>> answers;
   for (const auto& of_solver : study.solvers) answers.emplace_back(of_solver.size(), answer);
@@ -179,7 +179,7 @@ std::vector<std::vector<Relation>> alike(const Multiverse::OfStudy& study, std::
   return answers;
 }
 
-// Claims of one solver that are judged alike share the answers.
+// Counts several claims of one solver with the same metric and judgement; they share the answers.
 void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>& alike_judged,
                    const PairJudge& judge) {
   const MultiverseClaim& first = alike_judged.front()->claim;
@@ -203,8 +203,7 @@ void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>
   }
 }
 
-// The choice that differs in that dimension alone, where it has the default; null where there is none, and for what has
-// the default itself.
+// Finds the choice that equals `own` but has the dimension's default; null if there is none, or `own` has the default.
 const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Multiverse::Own& own,
                                std::size_t dimension) {
   std::vector<Multiverse::Choice> wanted = own.chosen;
@@ -220,7 +219,7 @@ const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Mu
   return twin == all.end() ? nullptr : &*twin;
 }
 
-// Of the first; worse where they are the same.
+// Relation of the default to the alternative; worse if both have the same bits.
 Relation effect_between(const Multiverse::Own& usual, const Multiverse::Own& other, std::size_t seed,
                         const MultiverseClaim& claim, const PairJudge& judge) {
   if (usual.error_cm[seed] == other.error_cm[seed] && usual.variation_deg[seed] == other.variation_deg[seed]) {

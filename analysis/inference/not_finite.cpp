@@ -14,7 +14,7 @@ constexpr const char* contradiction = "its finite values and how many there are 
 
 bool is_number(double value) { return std::isfinite(value); }
 
-// 1 for a finite value, 0 for another.
+// Replaces finite values by 1, others by 0.
 Observations finiteness(Observations observations) {
   observations.better = Better::larger;
   observations.scale = ValueScale::plain;
@@ -24,7 +24,7 @@ Observations finiteness(Observations observations) {
   return observations;
 }
 
-// With p doubled, because each of two tests has half the level.
+// Doubles p, because each of two tests has half the level.
 Contrast doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
   Contrast result = tested(pair, plan).contrasts.front();
   if (!std::isnan(result.p)) result.p = std::min(1.0, 2 * result.p);
@@ -65,12 +65,12 @@ Contrast contrast_with_not_finite(const Observations& pair, const AnalysisPlan& 
     if (!is_decided(of_numbers)) of_numbers.relation = Relation::undecided;
   } else if (!is_decided(of_numbers)) {
     const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
-    // As many failures may be hidden behind the values of the better one.
+    // The better one may have as many failures that were not seen.
     if (of_values.relation == Relation::same || is_against) of_values.relation = Relation::undecided;
     if (is_against) of_values.undefined = contradiction;
     return of_values;
   }
-  // The same at every level of the plan, so that a stricter one decides no more.
+  // The level is fixed: otherwise a stricter plan could decide more.
   constexpr double level_of_conflict = 0.05;
   if (of_values.p < level_of_conflict && of_values.ahead == -of_numbers.ahead) {
     of_numbers.relation = Relation::undecided;

@@ -29,13 +29,13 @@ std::optional<double> mean_of(const std::vector<double>& values) {
   return values.empty() ? std::nullopt : std::optional(mean(values));
 }
 
-// One observation for all of the same group, block and run. It is whole with as many values as the one of its block
-// that has the most; one that is not has no mean, or where they are taken as given, the mean of what is left.
+// Averages observations of the same group, block and run. An average is whole if it has as many values as the fullest
+// of its block. Otherwise it is missing or, if rows are taken as given, the mean of the values left.
 std::vector<Observation> averaged(std::vector<Observation> observations, Replicates replicates) {
   const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
   std::ranges::stable_sort(observations, {}, key);
   std::vector<Observation> result;
-  std::unordered_map<std::size_t, std::size_t> most;  // by block; those without a value count
+  std::unordered_map<std::size_t, std::size_t> most;  // by block; counts observations without a value too
   for (std::size_t first = 0, end = 0; first < observations.size(); first = end) {
     std::vector<double> values;
     for (end = first; end < observations.size() && key(observations[end]) == key(observations[first]); ++end) {
@@ -53,7 +53,7 @@ std::vector<Observation> averaged(std::vector<Observation> observations, Replica
   return result;
 }
 
-// "20", or "18 to 20": of how many those that there are are means.
+// Numbers of averaged values: "20", or "18 to 20".
 std::string counts_in_words(const std::vector<Observation>& observations) {
   std::size_t low = static_cast<std::size_t>(-1), high = 0;
   for (const Observation& observation : observations) {
@@ -64,13 +64,13 @@ std::string counts_in_words(const std::vector<Observation>& observations) {
   return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
 }
 
-// The number of rows of a whole run where there are no blocks: that of most runs, of equals the larger. Runs with more
-// are refused, or told where rows are taken as given.
+// Number of rows of a whole run without blocks: that of most runs, or the larger of equally frequent ones. Runs with
+// more rows are refused, or reported if rows are taken as given.
 std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
                           Observations& result) {
   const std::vector<GroupRun> keys =
-      group_runs(contents, [](const Observation& o) { return o.run; });  // as often as the run has rows
-  std::map<std::size_t, std::size_t> counts;                             // of runs, by their number of rows
+      group_runs(contents, [](const Observation& o) { return o.run; });  // each run once per row
+  std::map<std::size_t, std::size_t> counts;                             // number of runs by number of rows
   for (std::size_t first = 0; first < keys.size(); first += rows_of(keys, keys[first])) {
     ++counts[rows_of(keys, keys[first])];
   }
@@ -92,8 +92,8 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
   return whole;
 }
 
-// Adds the runs that are absent as a whole, without a value. Groups that share more than half of the runs of the
-// smaller one were given the same runs; others have seeds of their own, of which none is absent.
+// Adds absent runs without a value. Groups that share more than half of the smaller one's runs were given the same
+// runs; other groups have their own seeds, of which none is absent.
 void add_absent_runs(Contents& contents) {
   const std::size_t groups = contents.groups.all().size(), whole = contents.observations.front().whole;
   using RunGroup = std::pair<std::size_t, std::size_t>;
@@ -133,7 +133,7 @@ void add_absent_runs(Contents& contents) {
   });
 }
 
-// Where each row is a run of its own, numbered by a column: its label on the observations, and those that are absent.
+// For rows that are runs numbered by a column: labels the observations and adds absent runs.
 void add_absent_rows(const CsvFile& file, const CsvRequest& request, Contents& contents) {
   const std::size_t rows = contents.observations.size();
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
@@ -144,7 +144,7 @@ void add_absent_rows(const CsvFile& file, const CsvRequest& request, Contents& c
   }
 }
 
-// What of each group is not whole.
+// Counts incomplete observations by group.
 struct Lack {
   std::size_t missing = 0, all = 0;
 };
@@ -159,7 +159,7 @@ std::vector<Lack> lacks_of(const Contents& contents) {
   return lacks;
 }
 
-// "3 of 20 values of IK-BA, 1 of 20 of BA"; empty where nothing is missing.
+// "3 of 20 values of IK-BA, 1 of 20 of BA"; empty if nothing is missing.
 std::string in_words(const std::vector<Lack>& lacks, std::string_view what, const Names& groups) {
   constexpr std::size_t most_groups = 12;
   std::string words;
@@ -174,7 +174,7 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
   return words;
 }
 
-// The values of a group in a block, where a block is given: one each.
+// Refuses several values of a group in one block.
 void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;  // by group and block
   for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
@@ -198,7 +198,7 @@ std::string lack_in_words(const Observation& cell, std::string_view what, const 
   return fmt::format("{} has {} of {} {} of {}", block, cell.count, cell.whole, what, group);
 }
 
-// One value of each group in each block; the blocks that lack one are left out. `what` a value is the mean of.
+// Fills one value per group and block; leaves out blocks that lack one. `what`: the averaged items.
 void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view what, Observations& result) {
   std::vector<std::vector<Observation>> blocks(result.blocks.size());
   for (std::size_t block = 0; block < blocks.size(); ++block) {
@@ -237,7 +237,7 @@ void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view wh
   result.blocks = std::move(complete);
 }
 
-// The labels of blocks and runs on the observations; the blocks' names.
+// Labels observations with blocks and runs, and names the blocks.
 std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, Contents& contents) {
   std::vector<std::string> blocks;
   if (!request.block.empty()) {
@@ -255,7 +255,7 @@ std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, C
   return blocks;
 }
 
-// What the means over the rows of a run are, and which runs have none.
+// Adds notes on means over a run's rows, and on runs that have none.
 void add_run_notes(const CsvFile& file, const CsvRequest& request, const Contents& runs, Observations& result) {
   if (std::ranges::none_of(runs.observations, [](const Observation& run) { return run.value.has_value(); })) {
     file.refuse("no run is complete; --force averages the rows that have a value");
@@ -276,8 +276,8 @@ bool is_constant(const Group& group) {
   return group.values.size() > 1 && std::ranges::all_of(group.values, is_first);
 }
 
-// Equal measurements are copies of one. Whole numbers may be equal by chance, as counts are, unless no group varies and
-// yet they differ; zeros and ones are outcomes.
+// Joins a group's equal measurements to one: they are copies. Keeps equal whole numbers, which may be chance, unless no
+// group varies and the groups differ. Keeps outcomes of 0 and 1.
 void join_equal(Observations& result, std::string_view what) {
   const auto given = [&](double value) { return result.scale == ValueScale::log10 ? std::pow(10, value) : value; };
   const auto is_outcome = [&](double value) { return given(value) == 0 || given(value) == 1; };

@@ -17,7 +17,7 @@ using namespace statistics;
 
 namespace {
 
-// `n` trials show a difference of the margin; of fewer than `fewest` no test finds any.
+// `n` trials find a difference as large as the margin; with fewer than `fewest` no test finds any.
 Estimate takes(double fewest, double n) {
   return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
 }

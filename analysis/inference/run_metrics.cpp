@@ -26,7 +26,7 @@ bool is_followed(Run run, const StudyResults& study) {
   return true;
 }
 
-// The sum over the moves between points.
+// Sums a value over the moves between points.
 template <class ValueOf>
 double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
   if (!is_followed(run, study)) return not_defined;
@@ -35,7 +35,7 @@ double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
   return sum;
 }
 
-// Of a run that is followed: not defined where it has one solve alone.
+// Shape of a run that follows a path; not defined if it has one solve only.
 RunShape shape_of(Run run, const StudyResults& study) {
   if (!is_followed(run, study)) return {};
   const std::vector<RunShape>& all = study.gathered->shapes;

@@ -18,14 +18,14 @@ using namespace statistics;
 
 namespace {
 
-constexpr std::size_t fewest = 20;    // solves of a solver
-constexpr double least_ratio = 1.15;  // of the two speeds
-constexpr double least_share = 0.1;   // of the solves in either group
-constexpr double most_between = 0.1;  // of the solves, in the middle half between the groups' medians
+constexpr std::size_t fewest = 20;    // fewest solves of a solver
+constexpr double least_ratio = 1.15;  // smallest ratio of the two speeds
+constexpr double least_share = 0.1;   // smallest share of solves in either group
+constexpr double most_between = 0.1;  // largest share of solves in the middle half between the groups' medians
 
 struct TwoSpeeds {
-  double ratio = 1;       // slow by fast
-  double slow_share = 0;  // of the solves
+  double ratio = 1;       // slow / fast
+  double slow_share = 0;  // share of slow solves
 };
 
 // Logarithms of seconds per evaluation, sorted.
@@ -43,7 +43,7 @@ std::vector<double> paces_of(const StudyResults& study, const std::string& solve
   return paces;
 }
 
-// How many are in the first of the two groups that differ most: with the largest variance between them (Otsu 1979).
+// Size of the first of two groups with the largest variance between them (Otsu 1979).
 std::size_t first_group(std::span<const double> sorted) {
   double all = 0;
   for (const double value : sorted) all += value;

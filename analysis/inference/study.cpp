@@ -21,7 +21,7 @@ using namespace statistics;
 
 namespace {
 
-// A solver's solves of each run.
+// A solver's solves, by run.
 std::vector<std::span<const Solve>> runs_of(const StudyResults& study, std::string_view solver) {
   std::vector<std::span<const Solve>> runs;
   std::span<const Solve> rest = solves_of(study, solver);
@@ -45,7 +45,7 @@ bool are_copies(std::span<const Solve> run, std::span<const Solve> other) {
   });
 }
 
-// Of runs that are copies: what was measured anew in each, as times are, stays.
+// Joins runs that are copies to one. Values measured anew in each run, such as times, differ and stay.
 void join_equal_runs(Sample& sample, std::size_t runs) {
   if (runs == 0 || sample.values.size() % runs != 0) return;
   const auto of_a_run = static_cast<std::ptrdiff_t>(sample.values.size() / runs);

@@ -40,14 +40,14 @@ std::vector<double> seconds_per_evaluation_of(const StudyResults& study) {
 
 struct Outliers {
   int solves = 0;
-  std::vector<int> of_solver = {};  // as labels
+  std::vector<int> of_solver = {};  // one per label
   std::optional<Outlier> worst = {};
 
   void add(const Outlier& outlier, int count) {
     solves += count;
     of_solver[outlier.solver] += count;
   }
-  // The first of the worst.
+  // Keeps the worst outlier; of equal ones the first.
   void compare(const Outlier& other) {
     const auto place = [](const Outlier& of) { return std::tuple(of.solver, of.run, of.point); };
     const double ratio = other.seconds / other.usual, most = worst ? worst->seconds / worst->usual : 0;
@@ -55,14 +55,14 @@ struct Outliers {
   }
 };
 
-// What a solve that was made once takes at its solver's pace.
+// Usual time of a solve without repeats: its evaluations at its solver's pace [s].
 double usual_seconds(const std::vector<double>& paces, const Solve& solve) {
   return paces[solve.solver] * static_cast<double>(solve.evaluations);
 }
 
 bool stands_out(double seconds, double usual) { return seconds > outlying * usual; }
 
-// A solve that was made once is held against its solver's pace, any other against its own repeats.
+// Compares a solve without repeats with its solver's pace, any other with its own repeats.
 Outliers outliers_of(const StudyResults& study) {
   const std::vector<double> paces = seconds_per_evaluation_of(study);
   const Gathered& gathered = *study.gathered;
@@ -134,7 +134,7 @@ Doubts outlier_doubts(const StudyResults& study) {
 
 Doubts repeat_doubts(const StudyResults& study) {
   const double defined = study.facts.repeats;
-  if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return {};  // those are made once
+  if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return {};  // those solves are not repeated
   std::int64_t others = 0;
   int fewest = std::numeric_limits<int>::max(), most = 0;
   for (const auto& [repeats, solves] : study.gathered->repeats) {

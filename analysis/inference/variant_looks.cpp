@@ -16,7 +16,7 @@ using namespace statistics;
 
 namespace {
 
-// How many runs, from the first, have every point by both.
+// Number of runs, from the first, that both have solved completely.
 int runs_in_common(const StudyResults& study) {
   std::map<int, int> solves;
   for (const Solve& solve : study.solves) ++solves[solve.run];
@@ -34,12 +34,12 @@ std::vector<VariantStudy> first_runs(std::span<const VariantStudy> all, int runs
   return result;
 }
 
-// A fact of the first runs is none of the next.
+// A fact of the first runs does not settle later ones.
 bool is_settled(const MetricComparison& metric) {
   return metric.is_compared && !metric.contrast.is_fact && !is_open(metric);
 }
 
-// What an earlier look has decided stays.
+// Keeps what an earlier look decided.
 void keep_settled(std::vector<VariantComparison>& now, const std::vector<VariantComparison>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     for (std::size_t m = 0; m < before[i].metrics.size(); ++m) {
@@ -79,7 +79,7 @@ SequentialComparison compare_sequentially(std::span<const VariantStudy> studies,
         fmt::format("A and B have {} complete runs in common, and the first look is after {}", available, looks.step));
   }
   const Boundary boundary{.looks = looks.most / looks.step};
-  std::map<double, double> constants;  // of levels
+  std::map<double, double> constants;  // by level
   const auto level_of = [&](double level, int look) {
     const auto [known, is_new] = constants.try_emplace(level);
     if (is_new) known->second = constant_of(level / 2, boundary);

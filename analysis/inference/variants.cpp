@@ -35,7 +35,7 @@ namespace {
 constexpr const char* name_of_a = "A";
 constexpr const char* name_of_b = "B";
 
-// Where none is named: of poses the orientation too.
+// Metrics if none is named: for poses the orientation error too.
 std::vector<Metric> by_default(std::span<const VariantStudy> studies) {
   std::vector<Metric> result = compared_metrics();
   const auto is_of_poses = [](const VariantStudy& of) { return of.study.facts.pose; };
@@ -43,7 +43,7 @@ std::vector<Metric> by_default(std::span<const VariantStudy> studies) {
   return result;
 }
 
-// In the order in which they were asked for, once each.
+// The named metrics, in the order given, each once.
 std::vector<Metric> chosen(std::span<const std::string> names) {
   const std::vector<Metric> all = all_metrics();
   const auto column = [](Metric metric) { return name_of(metric); };
@@ -79,8 +79,8 @@ int complete_runs(const StudyResults& study, const std::string& solver) {
   return 0;
 }
 
-// Both have solved the same problems wherever both have solved one. Where solves are chained, where one starts is the
-// solver's own doing but for the first of a run.
+// Refuses different targets or starts at any place that both have solved. In chained solves only the first start of a
+// run counts: the others depend on the solver.
 void refuse_other_tasks(const StudyResults& study, std::string_view label) {
   for (const char* side : {name_of_a, name_of_b}) {
     if (complete_runs(study, side) > 0) continue;
@@ -105,7 +105,7 @@ void refuse_other_tasks(const StudyResults& study, std::string_view label) {
   if (!is_shared) throw refused("different targets (they have no run in common)");
 }
 
-// Two arms may have one name, as where each is a file of its user.
+// Refuses different arms of one name: users may give two files the same name.
 void refuse_other_arm(const Variant& a, const Variant& b) {
   const nlohmann::json one = facts_of(a.study.definition).arm, other = facts_of(b.study.definition).arm;
   if (!one.is_object() || !other.is_object()) return;
@@ -120,9 +120,9 @@ class Reader {
  public:
   explicit Reader(StudyMaker& maker) : maker_(maker) {}
 
-  // The sessions of its store that solved the label.
+  // Sessions of the store that solved the label.
   std::vector<Session> read(const Variant& variant, const std::string& name) {
-    std::map<std::int64_t, std::int64_t> used;  // under numbers of the study of both
+    std::map<std::int64_t, std::int64_t> used;  // by the sessions' numbers in the study of both
     int points = 0;
     variant.each_solve([&](SolveRecord solve) {
       if (robot_.empty()) robot_ = solve.robot;
@@ -161,8 +161,8 @@ bool is_same_value(double one, double other) {
          (std::isnan(one) && std::isnan(other));
 }
 
-// Whether every solve has the same value in both. All solves of two may succeed and be different solves: of shares, the
-// errors have to be the same too.
+// Returns whether every solve has the same value in both. Shares need equal errors too: different solves may all
+// succeed.
 bool has_same_bits(const StudyResults& study, Metric metric) {
   if (is_of_run(metric)) return false;
   const auto is_same = [&](const Solve& a, const Solve& b) {
@@ -178,7 +178,7 @@ std::size_t count_finite(const Group& group) {
       std::ranges::count_if(group.values, [](double value) { return std::isfinite(value); }));
 }
 
-// Two that are the same, which no test has to say.
+// Settles a pair as the same, without a test.
 void settle(MetricComparison& result, std::string why) {
   result.contrast.relation = Relation::same;
   result.contrast.extent = Extent::within;
@@ -201,7 +201,7 @@ struct Examined {
 
   void test(double level) {
     row->level = level;
-    // No bootstrap of ours resolves less, and 1 - level has to be below 1.
+    // The bootstrap resolves no smaller level, and 1 - level must be below 1.
     constexpr double least_level = 1e-6;
     if (level < least_level) {
       row->contrast.relation = Relation::undecided;
@@ -222,7 +222,7 @@ std::string not_finite_words(const Observations& observations, std::string_view 
   return parts.empty() ? "" : fmt::format("not finite: {}", fmt::join(parts, ", "));
 }
 
-// Fills what needs no test. What is left to test is returned.
+// Settles metrics that need no test. Returns those left to test.
 std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> metrics, VariantComparison& comparison) {
   const StudyResults& study = of.study;
   std::vector<Examined> open;
@@ -308,7 +308,7 @@ void decide(std::vector<Examined>& all, double significance, const LevelOf& leve
   }
 }
 
-// "Solves without an answer: none of A's 16; 3 of B's 16 (crashed 1, timed_out 2)."; empty where every solve has one.
+// "Solves without an answer: none of A's 16; 3 of B's 16 (crashed 1, timed_out 2)."; empty if every solve has one.
 std::string failures_note(const StudyResults& study) {
   std::vector<std::string> sides;
   int all = 0;
@@ -328,7 +328,7 @@ std::string failures_note(const StudyResults& study) {
   return all == 0 ? "" : fmt::format("Solves without an answer: {}.", fmt::join(sides, "; "));
 }
 
-// Nothing where there are as many already: then it is not their number.
+// Says how many observations a decision takes; empty if there are as many already.
 std::string what_would_show(const MetricComparison& row) {
   const auto& [value, low, high] = row.contrast.runs_to_decide;
   const double least = std::isfinite(low) ? low : value;

@@ -35,8 +35,8 @@ Clause extent_clause(const inference::Evidence& evidence, const inference::Contr
 std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
 std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or the blocks' noun: "targets"
-// Words the observations needed to decide a pair: "it takes 31 to 122 observations per group to see a difference of 5
-// %"; for constants and outcomes "it takes at least 4 ...". Empty if unknown or already reached.
+// The observations needed to decide a pair: "it takes 31 to 122 observations per group to see a difference of 5 %"; for
+// constants and outcomes "it takes at least 4 ...". Empty if unknown or already reached.
 std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
 // Observations needed by these pairs: the least and the most.
 inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);

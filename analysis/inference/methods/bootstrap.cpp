@@ -32,7 +32,7 @@ std::vector<PairResult> within_blocks(const Evidence& evidence, const Groups& gr
   return of_means(evidence, bootstrap_within_blocks(groups.values, family_of(evidence), resampling_of(evidence)));
 }
 
-// Where there are more blocks than a bootstrap can draw again in a second, the mean difference is as good as normal.
+// With more blocks than a bootstrap can resample in a second, the mean difference is nearly normal.
 std::vector<PairResult> paired(const Evidence& evidence, const Groups& groups) {
   const auto family = static_cast<double>(evidence.family());
   std::vector<MeanDifference> result;

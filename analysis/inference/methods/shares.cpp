@@ -1,4 +1,4 @@
-// Where every observation is 0 or 1, shares are compared, whatever test the plan names.
+// If every observation is 0 or 1, shares are compared, whatever test the plan names.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ using namespace statistics;
 
 namespace {
 
-// One share pair after another, by p and interval of one pair alone at the level of the family.
+// Compares shares pair by pair, with p and interval of each pair at the family's level.
 template <class Compare>
 std::vector<PairResult> share_pairs(const Evidence& evidence, const Groups& groups, Compare compare) {
   const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
@@ -41,7 +41,7 @@ std::vector<PairResult> mcnemar_pairs(const Evidence& evidence, const Groups& gr
   return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
     const PairedSuccesses counts = paired_successes(first, second);
     Proportion difference = newcombe_paired(counts, 1 - alpha);
-    if (counts.first_only + counts.second_only == 0) {  // where the two agree in every block, the others may not
+    if (counts.first_only + counts.second_only == 0) {  // these two agree in every block; others may not
       const double unseen = most_without_success(counts.trials(), alpha);
       difference.low = std::min(difference.low, -unseen);
       difference.high = std::max(difference.high, unseen);

@@ -12,7 +12,7 @@ namespace ikbench::inference {
 
 using namespace statistics;
 
-// Of those groups that the test can weigh; the others are named.
+// Tests the groups that have a weight; names the others.
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
   const std::span summaries = groups.summaries;
   constexpr std::size_t longest_shown = 60, most_named = 3;
