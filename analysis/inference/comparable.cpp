@@ -47,7 +47,7 @@ Disturbed disturbed(std::span<const Solve> solves) {
 // If solves end by wall time, errors depend on the machine too.
 bool errors_too(const StudyResults& study) { return study.facts.stop.seconds > 0; }
 
-// Solvers whose times are left out, by reason; each solver counts for its first reason only.
+// Solvers whose times are left out, by reason.
 struct TimesLeftOut {
   SolverLabels imported, disturbed, programs;
 

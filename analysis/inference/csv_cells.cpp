@@ -21,7 +21,8 @@ constexpr std::size_t longest_quotation = 60;
 constexpr std::size_t longest_slug = 60;
 constexpr std::size_t longest_list = 200;  // longest list of columns in a message [characters]
 
-// A separator and its name. A spreadsheet in another language writes a header without commas.
+// Refuses UTF-16, NUL bytes, and a header with semicolons or tabs but no comma, as spreadsheets in other languages
+// write it.
 void expect_text_with_commas(std::string_view text, std::string_view source) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     throw std::invalid_argument(fmt::format("{}: the text is UTF-16; expected UTF-8", source));

@@ -29,8 +29,8 @@ using Facts = std::map<std::string, std::string>;
 constexpr std::size_t longest_value = 60;
 constexpr std::size_t most_named = 20;
 
-// Keys that need no comparison: a name decides no numbers, and arm, departures and points out of reach follow from the
-// other keys.
+// Returns whether a key decides or describes numbers. A name does neither; the arm, departures and points out of reach
+// follow from other keys.
 bool counts(std::string_view key) {
   constexpr std::array<std::string_view, 7> others{"name",       "title",           "published", "trace",
                                                    "departures", "missing_solvers", "arm"};

@@ -30,7 +30,7 @@ std::string figure_name(const Evidence& evidence, std::string_view part) {
   return fmt::format("statistics-{}-{}", evidence.name, part);
 }
 
-// How many contrasts a figure has room for.
+// Most contrasts that fit into a figure.
 constexpr std::size_t most_rows = 45;
 
 void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
@@ -84,7 +84,7 @@ void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
   figures.push_back(effect_matrix_figure(matrix));
 }
 
-// Where all groups but one have a single value each, the tables say it all.
+// Returns whether at least two groups have different values; otherwise tables are enough.
 bool is_worth_drawing(const Evidence& evidence) {
   if (evidence.from_summaries) return true;
   return std::ranges::count_if(evidence.groups, [](const GroupEvidence& group) {
@@ -111,7 +111,7 @@ Assessment assessment_of(const Evidence& evidence) {
   return result;
 }
 
-// Logarithms in the unit of their values.
+// Converts logarithms to the unit of the values.
 Observations told(Observations observations) {
   if (observations.scale == ValueScale::plain) return observations;
   for (Group& group : observations.groups) {

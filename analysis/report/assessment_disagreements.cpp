@@ -18,8 +18,8 @@ using namespace inference;
 
 namespace {
 
-// Pairs that the test of ranks separates and the deciding one does not, the reverse, and those of which each finds
-// another better.
+// Pairs that only the rank test separates, that only the deciding test separates, and that they decide in opposite
+// directions.
 struct Dispute {
   std::vector<std::string> only_ranks, only_means, opposite;
 };
@@ -38,7 +38,7 @@ Dispute dispute(const Evidence& evidence) {
   return result;
 }
 
-// "One-way ANOVA finds no difference of all groups (p = 0.98)", where pairs say otherwise.
+// "One-way ANOVA finds no difference of all groups (p = 0.98)", if a pair does differ.
 std::string dispute_of_all(const Evidence& evidence) {
   const bool some_pair = std::ranges::any_of(evidence.contrasts, is_decided);
   std::vector<std::string> others;

@@ -20,7 +20,7 @@ using namespace fmt::literals;
 
 namespace {
 
-// What says that the other of a pair is better than the one for which the deciding test is.
+// The measures that favour the other group of a pair than the deciding test.
 struct Dissent {
   bool mean = false, median = false, share = false;
 };

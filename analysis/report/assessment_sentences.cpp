@@ -50,7 +50,7 @@ Sentence design(const Evidence& evidence) {
   return {"Data", text};
 }
 
-// What so many observations can see, whatever was seen.
+// The smallest difference that so many observations can find.
 std::string sensitivity(const Evidence& evidence) {
   const int n =
       std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
@@ -129,7 +129,7 @@ Sentence assumptions(const Evidence& evidence) {
   return {"Assumptions", fmt::format("{} ({}). {}", text, fmt::join(tests, "; "), normality_words(evidence))};
 }
 
-// Single values over decades: their mean is that of the largest few, and a test of means is a test of those.
+// Warns of single values over decades: the largest few decide their mean, and so a test of means.
 Sentence decades(const Evidence& evidence) {
   constexpr double wide = 2;
   std::vector<std::string> names;
@@ -145,7 +145,7 @@ std::string effect_words(const TestResult& test) {
   return std::isfinite(test.effect) ? fmt::format(", {} = {}", test.effect_symbol, rounded_number(test.effect, 2)) : "";
 }
 
-// The planned test of all groups, and then the others.
+// Words the planned test of all groups first, then the others.
 std::vector<Sentence> analyses(const Evidence& evidence) {
   std::string planned, others;
   for (const TestResult& test : evidence.tests) {

@@ -121,13 +121,13 @@ Table tests_table(const Evidence& evidence) {
   return table;
 }
 
-// Of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
+// Words the size of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
 Cell size_words(const Contrast& contrast) {
   if (!std::isfinite(contrast.superiority.value)) return {};
   return std::string(statistics::effect_words(2 * contrast.superiority.value - 1));
 }
 
-// What the p-values and intervals are corrected for.
+// Says how many pairs p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
   return fmt::format("{} decides. p: adjusted for {} pairs. Interval of the difference: {}, adjusted for {} pairs.",

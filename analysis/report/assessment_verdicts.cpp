@@ -36,8 +36,8 @@ std::string mean_words(const Evidence& evidence, std::size_t group) {
   return fmt::format(words::mean_not_finite, "name"_a = name, "lost"_a = of.not_finite, "n"_a = of.n);
 }
 
-// "by 0.156 to 0.57, more than 5 %"; empty where neither is known. An interval that is not for the better one is left
-// out.
+// "by 0.156 to 0.57, more than 5 %"; empty if neither is known. Leaves out an interval that does not favour the better
+// one.
 Clause amount_of(const Evidence& evidence, const Contrast& contrast) {
   const auto [low, high] = interval_sizes(evidence, contrast);
   const bool is_for_it =
@@ -64,7 +64,7 @@ std::size_t better_of(const Contrast& contrast) {
   return contrast.relation == Relation::better ? contrast.first : contrast.second;
 }
 
-// Of the better one; empty where only summaries are known.
+// Share of comparisons in which the better one is ahead; empty if only summaries are known.
 std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
   const double share = contrast.superiority.value;
   if (!std::isfinite(share)) return "";
@@ -73,13 +73,13 @@ std::string ahead_words(const Evidence& evidence, const Contrast& contrast) {
                      "of"_a = evidence.blocks > 0 ? std::string_view(evidence.block_noun) : "pairs of observations");
 }
 
-// By what the one is better, where it is not the mean.
+// Says by what one group is better, if not by the mean.
 std::string_view by_words(const Evidence& evidence) {
   if (!evidence.ranks_decide()) return "";
   return evidence.decides_within_blocks() ? " by ranks within blocks" : " by ranks";
 }
 
-// "mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"; of ranks "ahead in 98 % of blocks (mean ...)".
+// "mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"; by ranks "ahead in 98 % of blocks (mean ...)".
 Clause effect_of(const Evidence& evidence, const Contrast& contrast, std::size_t group) {
   const std::size_t other = other_than(group, contrast);
   const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
@@ -105,7 +105,7 @@ std::string others_of(const Evidence& evidence, std::size_t group, const Pairs& 
   return listed(names);
 }
 
-// ", although the median favours the other", and of whom, where it is not so of all.
+// ", although the median favours the other"; names the pairs unless it holds for all.
 std::string doubts_of(const Evidence& evidence, std::size_t group, const Pairs& pairs) {
   std::vector<std::pair<std::string, Pairs>> doubts;
   for (const Contrast* pair : pairs) {
@@ -122,8 +122,8 @@ std::string doubts_of(const Evidence& evidence, std::size_t group, const Pairs& 
   return parts.empty() ? "" : ", although " + listed(parts);
 }
 
-// "IK-BA is better than BA and DE (p at most 0.0003)", "Against DE, the best of these: mean 0.0019 vs 0.365, ...". What
-// is known of one pair, and how sure all are.
+// "IK-BA is better than BA and DE (p at most 0.0003)", "Against DE, the best of these: mean 0.0019 vs 0.365, ...".
+// Details one pair, and how sure all are.
 std::vector<std::string> decided_words(const Evidence& evidence, std::size_t group, const Pairs& pairs,
                                        bool is_better) {
   double largest_p = not_defined;
@@ -154,8 +154,8 @@ bool has_judged(const Evidence& evidence) {
   return std::ranges::any_of(evidence.contrasts, [](const Contrast& c) { return c.relation != Relation::undefined; });
 }
 
-// "10 of the 15 pairs differ. IK-BA is better than BA: ..."; of pairs with the best, or of the others where none of
-// those differs.
+// "10 of the 15 pairs differ. IK-BA is better than BA: ..."; lists pairs with the best, or other pairs if none of those
+// differs.
 std::string who_differs_words(const Evidence& evidence, const std::vector<std::string>& with_best,
                               const std::vector<std::string>& of_others) {
   const std::size_t pairs = evidence.contrasts.size(), differ = with_best.size() + of_others.size();
@@ -181,7 +181,7 @@ std::string interval_words_of(const Evidence& evidence, const Contrast& contrast
                      "unit"_a = evidence.of_outcomes ? " percentage points" : "");
 }
 
-// What is known of two that are not told apart.
+// Remarks on an undecided pair.
 std::vector<std::string> open_remarks(const Evidence& evidence, const Contrast& contrast) {
   std::vector<std::string> remarks;
   const bool has_interval = std::isfinite(contrast.difference.low);
@@ -200,7 +200,7 @@ std::vector<std::string> open_remarks(const Evidence& evidence, const Contrast& 
   return remarks;
 }
 
-// "A vs B (...); A vs C and B vs C (...)": a reason once for all that share it.
+// "A vs B (...); A vs C and B vs C (...)": pairs with the same reason are listed together.
 template <class NameOf>
 std::string reasons_of(const Pairs& pairs, NameOf name_of_pair) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_reason;
@@ -214,7 +214,7 @@ std::string reasons_of(const Pairs& pairs, NameOf name_of_pair) {
   return clauses(texts);
 }
 
-// Which test would judge pairs that are not judged; empty where none would.
+// Names a test that would judge unjudged pairs; empty if none would.
 std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
   bool by_means = false, by_ranks = false, has_single = false;
   for (const Contrast* pair : pairs) {
@@ -236,7 +236,7 @@ std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
                      "test"_a = test);
 }
 
-// What is said of the pairs of one group, by what is known of them.
+// The pairs of one group, by verdict.
 struct PairsOf {
   Pairs ahead = {}, behind = {}, same = {}, open = {}, undefined = {};
   Pairs others_decided = {};

@@ -21,7 +21,7 @@ using namespace fmt::literals;
 
 namespace {
 
-constexpr std::size_t most_named = 8;  // in one sentence
+constexpr std::size_t most_named = 8;  // most items listed in one sentence
 
 }  // namespace
 
@@ -44,7 +44,6 @@ std::string at_most(double p) {
   return rounded_number(std::ceil(p / unit) * unit, 2);
 }
 
-// "a, b and c"; of many the first, and how many more.
 std::string listed(const std::vector<std::string>& items) {
   std::string text;
   const std::size_t shown = items.size() > most_named + 1 ? most_named : items.size();
@@ -55,7 +54,6 @@ std::string listed(const std::vector<std::string>& items) {
   return shown == items.size() ? text : fmt::format("{} and {} more", text, items.size() - shown);
 }
 
-// The same of clauses that have commas themselves.
 std::string clauses(const std::vector<std::string>& items) {
   const std::size_t shown = items.size() > most_named + 1 ? most_named : items.size();
   const auto first = items.begin(), end = first + static_cast<std::ptrdiff_t>(shown);
@@ -102,7 +100,7 @@ std::pair<double, double> interval_sizes(const Evidence& evidence, const Contras
 Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return {};
-  if (evidence.ranks_decide()) return {};  // the interval is of means
+  if (evidence.ranks_decide()) return {};  // the interval is for means
   const std::string margin = margin_words(evidence, contrast);
   switch (contrast.extent) {
     case Extent::within:
@@ -178,7 +176,7 @@ std::string rare_failures_words(const Evidence& evidence) {
   for (const Contrast& pair : evidence.contrasts) {
     const bool by_means = pair.relation == Relation::same || (is_decided(pair) && !evidence.ranks_decide());
     if (!by_means || evidence.of_outcomes || pair.is_fact) continue;
-    // Where a known value is the better one, a failure of the other would only make it better.
+    // If a known value is the better one, failures of the other would only confirm it.
     const std::size_t winner = pair.relation == Relation::worse ? pair.second : pair.first;
     if (is_decided(pair) && evidence.groups[winner].copies > 0) continue;
     for (const std::size_t group : {pair.first, pair.second}) {
@@ -207,7 +205,6 @@ bool has_single_values(const Evidence& evidence) {
          std::ranges::none_of(evidence.contrasts, &Contrast::is_fact);
 }
 
-// Brown and Forsythe's test has the word where the values are there: Bartlett's takes normal ones for granted.
 const TestResult* variance_test(const Evidence& evidence) {
   const TestResult* by_values = evidence.test(brown_forsythe_name);
   return by_values != nullptr ? by_values : evidence.test(bartlett_name);

@@ -33,7 +33,7 @@ std::string answers_in(const ClaimShares& of) {
   return fmt::format("holds in {}, fails in {}", share_words(of.holds), share_words(of.fails));
 }
 
-// Of the interpretations with that verdict; what holds in part counts as undecided.
+// Share of the interpretations with that verdict; "holds in part" counts as undecided.
 double share_of(Verdict verdict, const ClaimShares& of) {
   return verdict == Verdict::holds ? of.holds : verdict == Verdict::fails ? of.fails : of.undecided;
 }

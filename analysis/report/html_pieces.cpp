@@ -20,14 +20,14 @@ namespace {
 
 constexpr std::size_t largest_svg = 400'000;    // bytes; a larger one is shown as a link
 constexpr std::size_t largest_sum = 1'500'000;  // bytes of all figures together, for a page below 3 MB
-constexpr std::size_t most_page_rows = 60;      // of a table on the page; all are in its files
+constexpr std::size_t most_page_rows = 60;      // most rows of a table on the page; its files have all
 
 constexpr std::string_view colour_of(Nearness nearness) {
   constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
   return colours[static_cast<std::size_t>(nearness)];
 }
 
-// How cells with two numbers are read; empty where there are none.
+// Explains cells with two numbers; empty if there are none.
 std::string legend_of(const Table& table) {
   bool has_any = false, has_colours = false;
   for (const std::vector<Cell>& row : table.rows) {
@@ -68,7 +68,7 @@ Data cell_data(const Cell& cell, const Column& column) {
   return data;
 }
 
-// Where words may break: a_long_name.
+// Replaces underscores by spaces, so that a long name may break into lines.
 std::string spaced(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
@@ -169,7 +169,7 @@ Data verdicts_data(const ReportContent& content) {
   return lists;
 }
 
-// A table and its figure may have one name; on the page, every id is there once.
+// Ids must be unique on the page, but a table and its figure may share a name.
 std::string HtmlPieces::id_of_figure(const std::string& name) const {
   const Piece* const first = piece_named(content_, name);
   return id_of(name) + (first != nullptr && std::holds_alternative<Table>(*first) ? "-figure" : "");

@@ -21,10 +21,10 @@ using namespace inference;
 
 namespace {
 
-constexpr std::size_t longest_line = 24;   // of a cell, in characters; a longer text may be broken into lines
-constexpr std::size_t longest_head = 12;   // of a line of a head, in characters
-constexpr std::size_t longest_chunk = 10;  // of an unbroken word, in characters
-constexpr std::size_t widest_upright = 9;  // columns; a wider table is turned
+constexpr std::size_t longest_line = 24;   // longest line of a cell [characters]; longer texts may break
+constexpr std::size_t longest_head = 12;   // longest line of a head [characters]
+constexpr std::size_t longest_chunk = 10;  // longest unbroken word [characters]
+constexpr std::size_t widest_upright = 9;  // most columns upright; a wider table is turned
 
 std::vector<std::string> words_of(std::string_view text) {
   std::istringstream words{std::string(text)};
@@ -38,7 +38,7 @@ std::string in_words(std::string_view name) {
   return text_of(words);
 }
 
-// A note that names columns names them as their heads do.
+// Replaces column names in a note by their heads.
 std::string with_columns_in_words(std::string note, const Table& table) {
   const auto is_part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   for (const Column& column : table.columns) {
@@ -55,7 +55,7 @@ std::string with_columns_in_words(std::string note, const Table& table) {
   return note;
 }
 
-// Greek letters where the text spells statistics out.
+// Replaces spelled-out statistics by Greek letters.
 std::string with_symbols(std::string latex) {
   for (const std::string_view letter : {"chi", "omega", "epsilon", "eta"}) {
     const std::string spelt = fmt::format("{}\\textasciicircum{{}}2", letter);
@@ -79,7 +79,7 @@ std::string latex_number(const std::string& number) {
   return number.starts_with('-') ? fmt::format("${}$", number) : number;
 }
 
-// Words that are too long to be left whole may be broken, after punctuation where there is any.
+// Lets long words break, after punctuation if there is any.
 std::string breakable(std::string_view text) {
   std::string result;
   for (const std::string& word : words_of(text)) {
@@ -100,7 +100,7 @@ std::string breakable(std::string_view text) {
 }
 
 struct LatexColumn {
-  std::size_t index;  // in the table
+  std::size_t index;  // index in the table
   bool is_text;
   bool wraps = false;
 };
@@ -125,7 +125,7 @@ std::vector<LatexColumn> columns_of(const Table& table) {
   return columns;
 }
 
-// Columns of long texts share the line.
+// Divides the line among columns of long texts.
 std::string preamble(const std::vector<LatexColumn>& columns) {
   const std::ptrdiff_t wrapping = std::ranges::count(columns, true, &LatexColumn::wraps);
   std::string text;
@@ -164,13 +164,13 @@ std::string tabular(const Table& table, const std::vector<LatexColumn>& columns,
   return text + "\\bottomrule\n\\end{tabular}";
 }
 
-// Without the number: LaTeX counts tables itself.
+// Leaves out the number: LaTeX counts tables itself.
 std::string caption_of(const Table& table, bool is_first) {
   return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", words_in_latex(table.caption), table.name)
                   : fmt::format("Table~\\ref{{tab:{}}}, continued\n\n\\smallskip\n", table.name);
 }
 
-// Under the table, each a paragraph.
+// Notes stand under the table, one paragraph each.
 std::string notes_of(const Table& table) {
   if (table.notes.empty()) return "";
   std::string text = "\\par\\smallskip\\footnotesize\\raggedright\n";

@@ -43,14 +43,13 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   return words + " (large errors dominate)";
 }
 
-// What of a cost a reader has to know: how far from their targets the answers are that took so much, or how many of
-// them are solved.
+// Adds to a cost what it achieved: the answers' error or, with a tolerance, the share of solves with status ok.
 class Achieved {
  public:
   Achieved(const StudyResults& study, Metric metric) {
     if (!is_cost(metric)) return;
     const bool has_tolerance = std::isfinite(tolerance_cm(study));
-    if (has_tolerance && !is_of_run(metric)) return;  // what is not solved is penalised
+    if (has_tolerance && !is_of_run(metric)) return;  // unsolved ones are penalised already
     for (const Metric other : {Metric::position_error_cm, Metric::orientation_error_deg}) {
       if (other == Metric::orientation_error_deg && (has_tolerance || !study.facts.pose)) continue;
       for (const Sample& sample : samples(study, has_tolerance ? Metric::solved : other)) {
@@ -61,7 +60,7 @@ class Achieved {
       }
     }
   }
-  // " with error 87 cm", " with 30 % solved"; empty where the metric is no cost.
+  // " with error 87 cm", " with 30 % solved"; empty if the metric is no cost.
   std::string of(const std::string& solver) const {
     const auto found = words_.find(solver);
     return found == words_.end() ? "" : " with " + found->second;
@@ -71,7 +70,7 @@ class Achieved {
   std::map<std::string, std::string> words_ = {};
 };
 
-// Which solver is first by the test that decides, who shares its place, and what sets it apart from the next.
+// Finds the first solver by the deciding test, those that share its place, and its difference to the next.
 class Leader {
  public:
   Leader(const JudgedStudy& study, Metric metric, Estimand estimand)
@@ -91,14 +90,14 @@ class Leader {
   }
 
  private:
-  // What the tests say of the first, held against each of the others.
+  // The others by their relation to the first.
   struct Others {
     std::vector<std::size_t> beaten = {}, beside = {}, open = {}, untested = {};
-    bool all_same = true;  // those beside
+    bool all_same = true;  // all of `beside` are the same as the first
   };
 
   double average(std::size_t group) const { return evidence_.groups[group].described.mean; }
-  // Those with a value, the best first.
+  // Groups with a value, best first.
   std::vector<std::size_t> order_of_groups() const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < evidence_.groups.size(); ++i) {
@@ -211,8 +210,8 @@ class Leader {
         "values"_a = is_one ? "each " + values.front() : listed(values), "finding"_a = finding, "remarks"_a = remarks);
   }
 
-  // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Only these
-  // pairs are tested.
+  // "DE is better than the control IK-BA (0.0019 cm); worse: BA 1.68 cm; undecided: PSO 0.438 cm (p = 0.1)". Tests only
+  // pairs with the control.
   std::string against_control(std::size_t control) const {
     std::map<Relation, std::vector<std::string>> found;
     std::vector<std::string> better, untested;
@@ -244,7 +243,7 @@ class Leader {
 
   const Evidence& evidence_;
   Metric metric_;
-  double least_;  // what counts less than this counts as this
+  double least_;  // smaller values count as this
   Achieved achieved_;
 };
 
@@ -264,7 +263,7 @@ std::vector<Sentence> leader_sentences(const JudgedStudy& study, Metric metric) 
 
 namespace {
 
-// Imports that lack solves: their values are of fewer than the others'.
+// Warns of imports that lack solves.
 Sentence partial_imports_sentence(const JudgedStudy& study) {
   std::string list;
   for (const SolverCounts& count : counts(study)) {
@@ -278,7 +277,7 @@ Sentence partial_imports_sentence(const JudgedStudy& study) {
                       list)};
 }
 
-// Where there are so few blocks that no pair can differ, whatever they hold.
+// Warns that too few observations exist for any pair to differ.
 std::string too_few_sentence(const JudgedStudy& study) {
   const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
   if (!has_too_few(evidence)) return "";
@@ -286,7 +285,7 @@ std::string too_few_sentence(const JudgedStudy& study) {
                      replicates_words(evidence), evidence.groups.size(), evidence.fewest);
 }
 
-// What solvers spent, where the study gives them no common budget.
+// Reports the evaluations that solvers used, if the study sets no common budget.
 std::string budgets_sentence(const StudyResults& study) {
   if (study.facts.stop.evaluations > 0) return "";
   std::string least, most;
@@ -311,7 +310,7 @@ std::string budgets_sentence(const StudyResults& study) {
       one_line(least), rounded_number(smallest, 6), one_line(most), rounded_number(largest, 6));
 }
 
-// Of every quantity but the one that the study is judged by.
+// Leaders by every quantity except the primary one.
 std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
   std::vector<Sentence> sentences;
   for (const Metric metric : shown_metrics(study).judged) {

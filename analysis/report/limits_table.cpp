@@ -24,17 +24,17 @@ using namespace inference;
 
 namespace {
 
-// What one study says of one solver.
+// Results of one solver in one study.
 struct Side {
   std::string solver;
   Description error_cm;
   Description variation_deg;
-  // Means over the answers that were not refused. A refused one leaves the arm where it stood: its variation is 0.
+  // Means over accepted answers. After a refused answer the arm stays, so its variation is 0.
   double accepted_error_cm = not_defined;
   double accepted_variation_deg = not_defined;
-  std::vector<double> accepted_variation_of_runs;  // the same of every run that has such an answer
+  std::vector<double> accepted_variation_of_runs;  // mean per run with an accepted answer
   SolverCounts counts;
-  Placing error_placing = {};  // among the solvers of both studies; no place where there is no mean
+  Placing error_placing = {};  // among the solvers of both studies; place 0 without a mean
   Placing variation_placing = {};
 };
 
@@ -44,7 +44,7 @@ struct Enforced {
   Evidence error, variation;
 };
 
-// What solvers are placed by, and what a test of a place looks at.
+// A quantity that places solvers, and the evidence that tests places.
 struct Measure {
   const char* name;
   Placing Side::*placing;
@@ -119,7 +119,7 @@ const Side& side_of(const std::vector<Side>& sides, const std::string& solver) {
   return *std::ranges::find(sides, solver, &Side::solver);
 }
 
-// Who is first now, and whether that may be chance.
+// Names the new first solver, and the test against it.
 std::string overtaken(const Side& side, const Enforced& enforced, const Measure& measure) {
   const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
   const auto first = std::ranges::find_if(enforced.sides, is_first);

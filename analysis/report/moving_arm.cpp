@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t most_points = 200;
 constexpr std::size_t most_solvers = 24;
 
-// To 1e-5, a 30th of the width of a pixel at a metre of arm; null where it is no number.
+// Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m; null if not finite.
 Json rounded(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) {
@@ -33,8 +33,8 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-// The joints of an answer that are outside their limits, and by how much. That any is has been recorded; up to 1e-9 is
-// rounding, as it is to the verifier (experiments/verifier.cpp). Decided here, since the page has rounded angles.
+// Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
+// Computed here because the page has rounded angles.
 Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   constexpr double degree = std::numbers::pi / 180, rounding = 1e-9;
   Json list = Json::array();
@@ -50,7 +50,7 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   return list;
 }
 
-// The first run of a solver, point by point; a start only where it is not the answer before.
+// The first run of a solver, point by point; a start only if it differs from the previous answer.
 Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::map<int, const SolveRecord*> solves = figures::first_run(study, solver);
   if (solves.empty()) return nullptr;

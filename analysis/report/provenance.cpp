@@ -86,7 +86,7 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
               .caption = "Environment",
               .columns = {{"fact", Align::left}, {"value", Align::left}, {"sessions", Align::left}}};
   const SolvesOfSessions solves = solves_of_sessions(study);
-  std::map<std::pair<std::string, std::string>, std::string> where;  // fact and value, to the sessions that have it
+  std::map<std::pair<std::string, std::string>, std::string> where;  // (fact, value) to its sessions
   for (const Session& session : sessions) {
     if (!solves.contains(session.id)) continue;
     for (const auto& fact : session.environment) {
@@ -103,7 +103,7 @@ Table environment_table(const StudyResults& study, const std::vector<Session>& s
 
 namespace {
 
-// As a shell takes them apart, with their quotes.
+// Splits words as a shell does, but keeps quotes.
 std::vector<std::string> shell_words(std::string_view command) {
   std::vector<std::string> words(1);
   bool is_quoted = false;
@@ -119,7 +119,7 @@ std::vector<std::string> shell_words(std::string_view command) {
   return words;
 }
 
-// The command of the whole study, where this was a part: without the part, and without its folder.
+// Turns the command of a part into that of the whole study: removes the part and its folder.
 std::string of_whole(std::string_view command) {
   std::string whole;
   bool is_value = false;

@@ -21,7 +21,7 @@ using namespace inference;
 
 namespace {
 
-// The same message for many figures is one warning.
+// Merges equal messages of several figures into one warning.
 Doubts failures_of(const std::vector<FigureOutcome>& outcomes) {
   Doubts failures;
   for (const FigureOutcome& outcome : outcomes) {
@@ -35,7 +35,7 @@ Doubts failures_of(const std::vector<FigureOutcome>& outcomes) {
   return failures;
 }
 
-// What a reader may take along, of the files in the report's folder.
+// Files of the report's folder that the page offers for download.
 std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
   for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {

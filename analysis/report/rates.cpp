@@ -61,7 +61,7 @@ std::optional<std::size_t> row_of(const CsvTable& printed, const std::string& ar
   return std::nullopt;
 }
 
-// Whether a solver of the rates, by its place, is solved here on some arm.
+// Returns whether any arm has solves of the solver with this index.
 bool is_here(const std::vector<RatesOfArm>& arms, std::size_t solver) {
   return std::ranges::any_of(arms, [&](const RatesOfArm& arm) { return arm.rates[solver].ours.undefined.empty(); });
 }
@@ -115,7 +115,7 @@ Table iterations_table(const std::vector<RatesOfArm>& arms, const RatesPlan& pla
   return table;
 }
 
-// A printed share has the colour of ours.
+// Draws a printed share in the colour of ours.
 figures::Figure rates_figure(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
   std::vector<std::string> rows;
   for (const RatesOfArm& arm : arms) rows.push_back(arm.arm);

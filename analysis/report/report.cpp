@@ -43,14 +43,15 @@ using namespace figures;
 
 namespace {
 
-// Another study of the store, judged by the plan of the reported one. A control that it does not have is none.
+// Judges another study by the reported one's plan. Ignores a control that the other study lacks.
 JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   other.plan = plan;
   if (std::ranges::find(other.solvers, plan.control) == other.solvers.end()) other.plan.control.clear();
   return JudgedStudy(std::move(other));
 }
 
-// Whether it is another study of the reported one's collection: such are named after it as after the collection's own.
+// Returns whether the name is that of a companion: the reported study's name plus the ending of a study of the
+// collection.
 bool is_companion(const std::string& name, const StudyResults& study, const Collection& collection) {
   return std::ranges::any_of(collection.studies, [&](const CollectedStudy& other) {
     const std::string part = other.name.substr(collection.studies.front().name.size());
@@ -58,7 +59,7 @@ bool is_companion(const std::string& name, const StudyResults& study, const Coll
   });
 }
 
-// The solves of a store, each read once, and what is wrong with them.
+// Reads each solve of a store once, and collects what is wrong with them.
 class CheckedStore {
  public:
   CheckedStore(const Store& store, const ReportRequest& request) : store_(store), request_(request) {}
@@ -66,10 +67,10 @@ class CheckedStore {
   StudyResults study(const StudyEntry& entry) {
     return read(entry, [](const SolveRecord&) {});
   }
-  // Its solves are written as CSV meanwhile.
+  // Reads the reported study and writes its solves as CSV.
   StudyResults reported(const StudyEntry& entry) {
     std::optional<StudyResults> study;
-    remove_litter(request_.folder);  // half of a CSV may be most of a disk
+    remove_litter(request_.folder);  // an incomplete CSV may fill the disk
     write_csv(request_.folder / "solves.csv", [&](const std::function<void(const SolveRecord&)>& take) {
       if (study)
         store_.each_of_study(entry, take);
@@ -94,7 +95,7 @@ class CheckedStore {
     if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
     if (check.unknown) unknown_.push_back(check.unknown());
     std::erase(unknown_, "");
-    sessions_ = store_.sessions();  // one may have begun meanwhile
+    sessions_ = store_.sessions();  // a session may have begun meanwhile
     return maker.finish(sessions_);
   }
 
@@ -104,7 +105,7 @@ class CheckedStore {
   std::vector<std::string> damages_, unknown_;
 };
 
-// The other studies of the store that the report has something of: companions, and those with the same targets.
+// Other studies of the store that the report uses: companions, and those with the same targets.
 std::vector<JudgedStudy> others_of(CheckedStore& store, const std::vector<StudyEntry>& entries,
                                    const StudyResults& study, const Collection& collection) {
   std::vector<JudgedStudy> result;
@@ -124,12 +125,12 @@ bool has_another_solver(const StudyResults& other, const StudyResults& study) {
   });
 }
 
-// The other studies of a report; of those to be put beside the reported one, it comes first.
+// The other studies of a report. The last two lists begin with the reported one.
 struct Grouped {
   JudgedStudies companions, same_targets_given, same_limits_too;
 };
 
-// Where limits are not treated alike, numbers cannot be put side by side: those have a table of their own.
+// Studies that treat limits differently cannot be compared directly: they get their own table.
 Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others, const Collection& collection) {
   Grouped result{.companions = {}, .same_targets_given = {study}, .same_limits_too = {study}};
   for (const JudgedStudy& other : others) {
@@ -137,14 +138,14 @@ Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others
     if (is_collected) result.companions.push_back(other);
     if (!same_targets(study, other)) continue;
     result.same_targets_given.push_back(other);
-    // A companion with the same solvers in other circumstances is there for a claim.
+    // A companion with the same solvers under other conditions serves a claim.
     const bool is_for_a_claim = is_collected && !has_another_solver(other, study);
     if (enforces_limits(other) == enforces_limits(study) && !is_for_a_claim) result.same_limits_too.push_back(other);
   }
   return result;
 }
 
-// The collection of the study; of one that names a paper, that paper's. It is empty where there is none.
+// The study's collection: its paper's, if it names one. An empty one if there is none.
 const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
   static const Collection none;
   const auto is_of = [&](const Collection& collection) {
@@ -155,13 +156,13 @@ const Collection& collection_of(const StudyResults& study, std::span<const Colle
   return found == collections.end() ? none : *found;
 }
 
-// What a study's own tables say of themselves where points are the observations.
+// Adds a note if points are the observations.
 Table flagged(Table table, const StudyResults& study) {
   if (study.plan.unit == Unit::point) table.notes.push_back(words_of(Doubt{DoubtKind::points_as_observations}));
   return table;
 }
 
-// What a paper printed, by the same methods.
+// Assesses a paper's printed summaries by the same methods.
 std::vector<Assessment> printed_assessments(const StudyResults& study, const Paper& paper) {
   std::vector<Assessment> result;
   if (!paper.printed) return result;
@@ -180,7 +181,7 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   return result;
 }
 
-// Of solvers whose solves come from a file.
+// Doubts of solvers whose solves come from a file.
 Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
   Doubts doubts;
   for (const Series& series : entry.series) {
@@ -194,12 +195,12 @@ Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
   return doubts;
 }
 
-// As the program found it before it solved the study.
+// Doubts of targets out of reach, as found before the study was solved.
 Doubts out_of_reach_doubts(const StudyResults& study) {
   const StudyFacts::OutOfReach& of = study.facts.out_of_reach;
   const double points = of.points, all = of.farthest_point + of.farthest_cm + of.reach_cm;
   const bool is_count = points >= 1 && points <= study.points && points == std::floor(points);
-  if (!is_count || !std::isfinite(all)) return {};  // nothing, or somebody's own
+  if (!is_count || !std::isfinite(all)) return {};  // missing, or written by somebody else
   return {{.kind = DoubtKind::out_of_reach,
            .count = points,
            .of = static_cast<double>(study.points),
@@ -230,7 +231,7 @@ Doubts missing_doubts(const StudyResults& study) {
   return doubts;
 }
 
-// Those of the study, and those of its companions: of a kind that there is already only where it is so too.
+// Adds the companions' doubts. A kind that exists already only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
     for (Doubt& doubt : out_of_reach_doubts(companion) + times_doubts(companion) + load_doubts(companion)) {
@@ -255,7 +256,7 @@ Doubts said(const std::vector<std::string>& sentences) {
   return doubts;
 }
 
-// What a reader sees in the pieces that any study has.
+// Adds the sentences of `seen` for the pieces of any study.
 void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
          ReportContent& content) {
   for (const Metric metric : shown_metrics(study).judged) {

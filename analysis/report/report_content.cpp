@@ -23,7 +23,7 @@ const std::vector<SectionPlan>& circumstances() {
   return plans;
 }
 
-// Of a study without a paper.
+// Sections of a study without a paper.
 std::vector<SectionPlan> results() {
   std::vector<std::string> names{"overview", "results", "solved", "statistics-solved-*", "times", "further", "path"};
   const std::vector<inference::Metric> metrics = inference::all_metrics();
@@ -44,7 +44,7 @@ SectionPlan convergence() {
        "statistics-cost*"}};
 }
 
-// What belongs to a paper, whichever it is.
+// Sections of any paper.
 const std::vector<SectionPlan>& of_any_paper() {
   static const std::vector<SectionPlan> plans{
       {"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
@@ -63,7 +63,7 @@ bool asks_for(std::string_view asked, std::string_view name) {
   return asked.ends_with('*') ? name.starts_with(asked.substr(0, asked.size() - 1)) : name == asked;
 }
 
-// Takes what is asked for out of the pieces.
+// Moves the named pieces out of `pieces`.
 std::vector<Piece> taken(const std::vector<std::string>& names, std::vector<Piece>& pieces) {
   std::vector<Piece> result;
   for (const std::string& asked : names) {
@@ -130,7 +130,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   const auto fill = [&](const std::vector<SectionPlan>& plans, std::vector<Section>& sections) {
     for (const SectionPlan& plan : plans) {
       Section filled = section(plan, pieces);
-      if (filled.pieces.empty() && !filled.folded.empty()) {  // what is seen in its first piece stands for it
+      if (filled.pieces.empty() && !filled.folded.empty()) {  // its first piece's sentence stands for it
         const auto seen = content.seen.find(name_of(filled.folded.front()));
         if (seen != content.seen.end()) content.seen[plan.heading] = seen->second;
       }
@@ -142,7 +142,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill(of_any_paper(), content.results);
-  const bool are_all = content.results.empty();  // of data alone they are what is to be seen
+  const bool are_all = content.results.empty();  // a report of data only shows them
   for (const Assessment& assessment : assessments) {
     SectionPlan own{heading_of(assessment), "", {}};
     std::vector<std::string>& names = are_all ? own.names : own.folded;

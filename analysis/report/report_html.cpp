@@ -56,12 +56,12 @@ std::string piece_counts(const std::vector<Piece>& pieces) {
 
 bool is_shown(const Section& section) { return !section.pieces.empty(); }
 
-// What is folded of a section that is shown has a heading of its own.
+// The folded part of a shown section gets its own heading.
 Data items_data(const Section& section, HtmlPieces& pieces) {
   Data items(Data::type::list);
   for (const std::vector<Piece>* part : {&section.pieces, &section.folded}) {
     for (const Piece& piece : *part) {
-      if (name_of(piece) == at_a_glance) continue;  // it is in the first lines
+      if (name_of(piece) == at_a_glance) continue;  // it stands at the top
       Data item = pieces.data(piece);
       item.set("fold", is_shown(section) && part == &section.folded);
       items.push_back(item);
@@ -90,7 +90,7 @@ Data section_data(const Section& section, const ReportContent& content, HtmlPiec
   return data;
 }
 
-// The arm moves after the last section that is shown; then comes everything else.
+// The animated view follows the last shown section; the folded ones come after it.
 Data sections_data(const ReportContent& content, HtmlPieces& pieces) {
   const auto last = std::find_if(content.results.rbegin(), content.results.rend(), is_shown);
   bool is_before = last != content.results.rend();
@@ -119,7 +119,7 @@ Data solvers_data(const std::vector<std::string>& solvers) {
   return list;
 }
 
-// The colours of the figures, for what the page says of the same solvers.
+// The figures' colours of the solvers.
 std::string series_css() {
   std::string css, dark;
   for (std::size_t i = 0; i < series_colours.size(); ++i) {
@@ -137,7 +137,7 @@ std::string warnings_line(const Doubts& warnings) {
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }
 
-// What stands above the sections.
+// The part above the sections.
 void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
   page.set("title", text_data(content.title));
   page.set("study", text_data(content.study));

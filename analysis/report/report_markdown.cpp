@@ -48,7 +48,7 @@ bool has_drawn(const ReportContent& content) {
 
 enum class Detail { whole, first_sentence };
 
-// A column that no claim fills is left out.
+// Leaves out a column that no claim fills.
 Table table_of(const std::vector<Claim>& claims, std::string caption, Detail detail) {
   Table table{.name = "claims",
               .caption = std::move(caption),

@@ -23,7 +23,7 @@ StudyPieces study_pieces(const StudyResults& study) {
   if (!metrics.left_out.empty()) pieces.tables.front().notes.push_back(metrics.left_out);
   for (const Metric metric : metrics.judged) pieces.tables.push_back(anova_table(study, metric));
   if (study.solves.empty()) return pieces;
-  const bool has_points = study.points > 1;  // to be drawn one after the other
+  const bool has_points = study.points > 1;  // a sequence to draw
   if (std::optional<Figure> joints = joints_figure(study, "joints"); joints && has_points) {
     pieces.figures.push_back(std::move(*joints));
   }

@@ -41,7 +41,7 @@ std::string no_tolerance_sentence(const StudyResults& study) {
          "answer is inside the joint limits, however far it is from the target.";
 }
 
-// Of a study without a paper.
+// Sentences of a study without a paper.
 std::vector<std::string> rankings(const Reported& reported) {
   std::vector<std::string> sentences;
   for (const Metric metric : reported_metrics()) {
@@ -144,7 +144,7 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
 }
 
 std::string baselines_sentence(const StudyResults& other) {
-  const auto means = [&](Metric metric, int digits) {  // of every solver, in their order
+  const auto means = [&](Metric metric, int digits) {  // mean of every solver, in order
     std::vector<std::string> texts;
     for (const Sample& sample : samples(other, metric)) {
       texts.push_back(rounded_number(average_in(statistics::describe(sample.values), metric), digits));

@@ -118,7 +118,7 @@ std::string to_markdown(const Table& table) {
 
 std::string to_csv(const Table& table) {
   CsvTable csv;
-  std::vector<bool> is_two;  // of one column, two in the file
+  std::vector<bool> is_two;  // by column: it takes two in the file
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool has_ranges = has_any<Range>(table, c);
     is_two.push_back(has_ranges || has_any<Beside>(table, c));

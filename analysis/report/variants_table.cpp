@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_labels = 12;
 
-// An empty cell where nothing is defined.
+// Returns an empty cell if nothing is defined.
 Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
 Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
 
@@ -35,7 +35,8 @@ std::string metric_words(const MetricComparison& metric) {
                                            : fmt::format("{} ({})", name_of(metric.metric), name_of(metric.estimand));
 }
 
-// Of B by A: of means from the interval of their difference, of typical values and ranks as it is.
+// The ratio B / A. For means it follows from the interval of their difference; typical values and ranks have a ratio
+// already.
 Estimate ratio_of(const MetricComparison& metric) {
   const auto inverse = [](const Estimate& of) {
     return Estimate{.value = 1 / of.value, .low = 1 / of.high, .high = 1 / of.low};
@@ -59,7 +60,7 @@ std::string margin_words(const VariantsReport& of) {
   return inference::margin_words(of.plan.margin, std::ranges::any_of(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
 }
 
-// What is said of B: "better", "worse by less than 5 %".
+// The verdict on B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
   if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
   const Extent extent = metric.contrast.extent;
@@ -111,7 +112,7 @@ std::string of_label(const VariantsReport& of, const VariantComparison& comparis
 Json json_of(const Cell& cell) {
   if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return *count;
-  if (const auto* const value = std::get_if<double>(&cell)) return *value;  // dumped as null where not finite
+  if (const auto* const value = std::get_if<double>(&cell)) return *value;  // dumped as null if not finite
   if (const auto* const p = std::get_if<PValue>(&cell)) return p->value;
   return nullptr;
 }
