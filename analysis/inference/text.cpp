@@ -13,7 +13,7 @@ namespace {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-// Length of the valid UTF-8 sequence at the front, 0 where there is none (RFC 3629).
+// Length of the valid UTF-8 sequence at the front, 0 if there is none (RFC 3629).
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
