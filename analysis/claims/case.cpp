@@ -197,7 +197,9 @@ std::string how_tested(const Evidence& here, const Evidence& printed) {
   if (here.plan.unit == Unit::point)
     return fmt::format("No test here, because points of one run depend on each other; printed p-values: {}.", other);
   const std::string of_printed = test == other ? "" : fmt::format("; printed: {}", other);
-  return fmt::format("p-values: {} on run means, adjusted for all pairs{}.", test, of_printed);
+  const bool has_known = std::ranges::any_of(here.groups, [](const GroupEvidence& group) { return group.copies > 0; });
+  return fmt::format("p-values: {} on run means, adjusted for all pairs{}{}.", test,
+                     has_known ? "; the sign test against a solver whose runs are all equal" : "", of_printed);
 }
 
 }  // namespace ikbench::claims
