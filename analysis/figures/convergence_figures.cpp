@@ -64,7 +64,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
       continue;
     }
     double last = 0;
-    for (const Solve* solve : traces[i]) last = std::max(last, total_cost(study, *solve, Cost::evaluations));
+    for (const Solve* solve : traces[i]) last = std::max(last, total_cost(study, *solve, Metric::evaluations));
     figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
     std::size_t rows = 0, rows_before_band = 0;
     for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
@@ -110,10 +110,9 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   return figure;
 }
 
-Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost cost) {
+Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
   const std::vector<double> targets = target_errors_cm(study);
-  ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
-                     .share_of = "share of solves and targets"};
+  ShareCurves shares{.label = quantity(cost), .share_of = "share of solves and targets"};
   for (const Solves& solves : traced_by_solver(study)) {
     ClusteredValues costs;
     costs.values.reserve(solves.size() * targets.size());
@@ -125,17 +124,17 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Cost 
     shares.curves.push_back(banded_shares(costs, clusters));
   }
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
-  Figure figure{.name = fmt::format("statistics-ecdf-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
+  Figure figure{.name = fmt::format("statistics-ecdf-{}", name_of(cost))};
   figure.caption = fmt::format(
       "Share of pairs of a solve and a target error that were reached within this {} (after COCO). The targets are {} "
       "errors, evenly spaced on a logarithmic scale from {} cm to {} cm, {}. Iteration i of n counts as i/n of a "
       "solve's {}. Beyond its longest solve, a curve stays level.{}{}",
-      cost == Cost::seconds ? "time" : "number of evaluations", targets.size(), rounded_number(targets.front(), 3),
+      cost == Metric::seconds ? "time" : "number of evaluations", targets.size(), rounded_number(targets.front(), 3),
       rounded_number(targets.back(), 3),
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
-      cost == Cost::seconds ? "time" : "evaluations", bands(study, clusters), without_trace(study));
-  if (cost == Cost::seconds) figure.caption += " " + speed_note(study);
+      info_of(cost).slug, bands(study, clusters), without_trace(study));
+  if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -173,7 +172,7 @@ std::string problem(const StudyResults& study) {
 }
 
 // The profile of the tolerance's cost, or else of the error.
-std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Cost> cost) {
+std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& clusters, std::optional<Metric> cost) {
   const Profile profile = performance_profile(study, [&](const Solve& solve) {
     if (!cost) return std::max(final_error_cm(solve), info_of(Metric::position_error_cm).rounding);
     return is_ok(solve) ? total_cost(study, solve, *cost) : censored;
@@ -181,7 +180,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   const auto compared = std::ranges::count_if(profile.ratios, [](const auto& ratios) { return !ratios.empty(); });
   if (compared < 2) return std::nullopt;
 
-  const bool in_seconds = cost == Cost::seconds;
+  const bool in_seconds = cost == Metric::seconds;
   const std::string_view name = !cost ? "error" : in_seconds ? "seconds" : "evaluations";
   const std::string_view words = !cost ? "position error" : in_seconds ? "time" : "number of evaluations";
   ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", cost ? name : words),
@@ -215,9 +214,8 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
 }
 
 // Success against time or budget.
-Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost cost) {
-  ShareCurves shares{.label = quantity(cost == Cost::seconds ? Metric::seconds : Metric::evaluations),
-                     .share_of = "share of solves that are ok"};
+Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
+  ShareCurves shares{.label = quantity(cost), .share_of = "share of solves that are ok"};
   for (const Solves& solves : solves_by_solver(study)) {
     ClusteredValues costs{.values = {}, .clusters = clusters.of(solves)};
     for (const Solve* solve : solves) {
@@ -226,12 +224,12 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Cost c
     shares.curves.push_back(banded_shares(costs, clusters));
     if (!solves.empty() && shares.curves.back().empty()) shares.curves.back().push_back({.at = 0, .share = 0});
   }
-  Figure figure{.name = fmt::format("statistics-solved-{}", cost == Cost::seconds ? "seconds" : "evaluations")};
+  Figure figure{.name = fmt::format("statistics-solved-{}", name_of(cost))};
   figure.caption =
       fmt::format("Share of solves that are ok after this {}: {}. The other solves count as never solved.{}",
-                  cost == Cost::seconds ? "time" : "number of evaluations",
+                  cost == Metric::seconds ? "time" : "number of evaluations",
                   within_words(study, Metric::position_error_cm), bands(study, clusters));
-  if (cost == Cost::seconds) figure.caption += " " + speed_note(study);
+  if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -259,9 +257,9 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
   };
   const auto add_of_both = [&](auto draw) {
     add_of_evaluations(
-        [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Cost::evaluations); });
+        [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Metric::evaluations); });
     if (!has_clean_times) return;
-    std::optional<Figure> figure = draw(of_seconds, clusters_of_seconds, Cost::seconds);
+    std::optional<Figure> figure = draw(of_seconds, clusters_of_seconds, Metric::seconds);
     const std::string note = words_of(left_out(study, Metric::seconds).doubts);
     if (figure && !note.empty()) figure->caption += " " + note;
     add(std::move(figure));

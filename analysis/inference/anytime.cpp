@@ -27,9 +27,9 @@ ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& s
   for (const Solve* solve : solves) {
     std::vector<double> costs;
     if (has_tolerance) {
-      costs.push_back(is_ok(*solve) ? total_cost(study, *solve, Cost::evaluations) : censored);
+      costs.push_back(is_ok(*solve) ? total_cost(study, *solve, Metric::evaluations) : censored);
     } else if (has_trace(*solve) && !study.facts.pose) {
-      costs = costs_to_targets(study, *solve, target_errors_cm(study), Cost::evaluations);
+      costs = costs_to_targets(study, *solve, target_errors_cm(study), Metric::evaluations);
     }
     for (const double cost : costs) {
       result.values.push_back(cost);
@@ -53,7 +53,7 @@ std::vector<double> column(const std::vector<std::vector<double>>& replicates, s
 
 double budget_of(const StudyResults& study) {
   double largest = 0;
-  for (const Solve& solve : study.solves) largest = std::max(largest, total_cost(study, solve, Cost::evaluations));
+  for (const Solve& solve : study.solves) largest = std::max(largest, total_cost(study, solve, Metric::evaluations));
   return largest;
 }
 

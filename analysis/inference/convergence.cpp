@@ -29,7 +29,7 @@ bool is_verified(const Solve& solve) {
   return !stays(solve.status) && solve.status != Status::claimed_but_wrong && solve.status != Status::not_finite;
 }
 
-double cost_of_iterations(const StudyResults& study, const Solve& solve, std::size_t iterations, Cost cost) {
+double cost_of_iterations(const StudyResults& study, const Solve& solve, std::size_t iterations, Metric cost) {
   const std::vector<double>& trace = trace_cm(solve);
   const double share = trace.empty() ? 1 : static_cast<double>(iterations) / static_cast<double>(trace.size());
   return total_cost(study, solve, cost) * share;
@@ -37,7 +37,7 @@ double cost_of_iterations(const StudyResults& study, const Solve& solve, std::si
 
 // The best error when so many evaluations were made.
 double error_at(const StudyResults& study, const Solve& solve, double evaluations) {
-  const double total = total_cost(study, solve, Cost::evaluations);
+  const double total = total_cost(study, solve, Metric::evaluations);
   if (!is_verified(solve)) return censored;
   const std::vector<double>& trace = trace_cm(solve);
   if (trace.empty()) return evaluations < total ? censored : final_error_cm(solve);
@@ -66,8 +66,8 @@ std::vector<Share> thinned(const std::vector<Share>& stairs) {
 
 }  // namespace
 
-double total_cost(const StudyResults& study, const Solve& solve, Cost cost) {
-  const double total = cost == Cost::seconds ? seconds_of(study, solve) : static_cast<double>(solve.evaluations);
+double total_cost(const StudyResults& study, const Solve& solve, Metric cost) {
+  const double total = cost == Metric::seconds ? seconds_of(study, solve) : static_cast<double>(solve.evaluations);
   return std::max(0.0, or_censored(total));
 }
 
@@ -109,7 +109,7 @@ Tolerance tolerance(const StudyResults& study) {
 }
 
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
-                                     Cost cost) {
+                                     Metric cost) {
   std::vector<double> costs(targets_cm.size(), censored);
   if (!is_verified(solve)) return costs;
   std::size_t next = 0;
@@ -141,9 +141,9 @@ std::vector<double> evaluations_axis(const StudyResults& study, const std::vecto
   double first = censored, last = 0;
   for (const Solves& solves : traces) {
     for (const Solve* solve : solves) {
-      const double total = total_cost(study, *solve, Cost::evaluations);
+      const double total = total_cost(study, *solve, Metric::evaluations);
       if (!(total > 0)) continue;
-      first = std::min(first, cost_of_iterations(study, *solve, 1, Cost::evaluations));
+      first = std::min(first, cost_of_iterations(study, *solve, 1, Metric::evaluations));
       last = std::max(last, total);
     }
   }

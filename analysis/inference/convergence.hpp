@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::inference {
@@ -19,9 +20,9 @@ constexpr double censored = std::numeric_limits<double>::infinity();
 // More positions on an axis cannot be told apart in a figure.
 constexpr std::size_t most_positions = 200;
 
-enum class Cost { evaluations, seconds };
-// Censored where it is not finite; 0 where it is negative.
-double total_cost(const StudyResults& study, const Solve& solve, Cost cost);
+// `cost`, here and below: Metric::evaluations or Metric::seconds. Censored where it is not finite; 0 where it is
+// negative.
+double total_cost(const StudyResults& study, const Solve& solve, Metric cost);
 
 using Solves = std::vector<const Solve*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
@@ -47,7 +48,7 @@ Tolerance tolerance(const StudyResults& study);
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
-                                     Cost cost);
+                                     Metric cost);
 
 // 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; censored where so many have no answer
 // yet.

@@ -95,7 +95,7 @@ Interval SolverCost::interval(const Clusters& clusters) const {
   return clusters.interval(std::move(expected));
 }
 
-std::vector<SolverCost> costs_of(const StudyResults& study, Cost cost, const Clusters& clusters,
+std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters,
                                  const Success& is_success) {
   std::vector<SolverCost> result;
   for (const Solves& solves : solves_by_solver(study)) {
@@ -121,7 +121,7 @@ std::vector<std::pair<std::size_t, std::size_t>> compared_pairs(std::size_t solv
   return pairs;
 }
 
-std::vector<Finding> compare_costs(const StudyResults& study, Cost cost, const Clusters& clusters,
+std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const Clusters& clusters,
                                    const Success& is_success) {
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters, is_success);
   std::size_t best = 0;

@@ -31,10 +31,8 @@ Cell count_of(double count) { return std::llround(count); }
 
 Cell range_of(double low, double high) { return std::isnan(low) ? Cell() : Cell(Range{low, high}); }
 
-std::string_view unit_of(Cost cost) { return cost == Cost::seconds ? "seconds" : "evaluations"; }
-
-std::string name_of(Cost cost, std::string_view part) {
-  return fmt::format("statistics-cost{}{}", cost == Cost::seconds ? "-seconds" : "", part);
+std::string name_of_table(Metric cost, std::string_view part) {
+  return fmt::format("statistics-cost{}{}", cost == Metric::seconds ? "-seconds" : "", part);
 }
 
 // What intervals are from, and what `those` of them are.
@@ -46,9 +44,9 @@ std::string interval_note(const Clusters& clusters, std::string_view those) {
       percent(clusters.level()), clusters.replicates().size(), clusters.noun(), those, clusters.noun());
 }
 
-Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
-  Table table{.name = name_of(cost, ""),
-              .caption = fmt::format("Cost [{}] of an answer {}", unit_of(cost),
+Table cost_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
+  Table table{.name = name_of_table(cost, ""),
+              .caption = fmt::format("Cost [{}] of an answer {}", name_of(cost),
                                      within_words(study, Metric::position_error_cm)),
               .columns = {{"solver", Align::left}, {"solves"}, {"solved"}, {"ert"}, {"ert interval"}}};
   std::vector<std::string> undefined;
@@ -64,15 +62,15 @@ Table cost_table(const StudyResults& study, Cost cost, const Clusters& clusters)
       "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved ones; "
       "inf where there are none.",
       interval_note(clusters, "An end of inf: in some samples nothing is solved.")};
-  if (cost == Cost::seconds) table.notes.push_back(speed_note(study));
+  if (cost == Metric::seconds) table.notes.push_back(speed_note(study));
   for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;
 }
 
-Table cost_pair_table(const StudyResults& study, Cost cost, const Clusters& clusters) {
-  Table table{.name = name_of(cost, "-pairs"),
-              .caption = fmt::format("Which of two solvers spends fewer {} on an answer {}", unit_of(cost),
+Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
+  Table table{.name = name_of_table(cost, "-pairs"),
+              .caption = fmt::format("Which of two solvers spends fewer {} on an answer {}", name_of(cost),
                                      within_words(study, Metric::position_error_cm)),
               .columns = {{"first", Align::left},
                           {"second", Align::left},
@@ -153,14 +151,13 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
 std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
   struct Compared {
-    Cost cost;
-    Metric metric;
+    Metric cost;
     StudyResults study;
     std::optional<Clusters> clusters = {};
   };
   const StudyResults study = at_median_speed(measured);
-  Compared evaluations{Cost::evaluations, Metric::evaluations, compared_in(study, Metric::evaluations)},
-      seconds{Cost::seconds, Metric::seconds, compared_in(study, Metric::seconds)};
+  Compared evaluations{Metric::evaluations, compared_in(study, Metric::evaluations)},
+      seconds{Metric::seconds, compared_in(study, Metric::seconds)};
   seconds.clusters.emplace(seconds.study);
   evaluations.clusters.emplace(evaluations.study, &*seconds.clusters);
   std::vector<const Compared*> costs;
@@ -170,7 +167,7 @@ std::vector<Table> cost_tables(const StudyResults& measured) {
   }
   std::vector<Table> tables;
   const auto add = [&](Table table, const Compared& of) {
-    std::ranges::move(list_of(left_out(study, of.metric).doubts), std::back_inserter(table.notes));
+    std::ranges::move(list_of(left_out(study, of.cost).doubts), std::back_inserter(table.notes));
     tables.push_back(std::move(table));
   };
   for (const Compared* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);

@@ -87,7 +87,7 @@ struct TimeCosts {
   std::vector<Finding> pairs;
 
   Finding ratio(const std::string& solver, const std::string& reference) const {
-    return finding_of(pairs, expected_name(Cost::seconds), solver, reference);
+    return finding_of(pairs, expected_name(Metric::seconds), solver, reference);
   }
 };
 
@@ -275,8 +275,8 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   const std::vector<TimeAssessment> rows = assess_times(measured, real_time_ms);
   const Clusters clusters(study);
   const auto reaches = [most = most_error_cm(study)](const Solve& solve) { return solve.position_error_cm <= most; };
-  const TimeCosts of{clusters, costs_of(study, Cost::seconds, clusters, reaches),
-                     compare_costs(study, Cost::seconds, clusters, reaches)};
+  const TimeCosts of{clusters, costs_of(study, Metric::seconds, clusters, reaches),
+                     compare_costs(study, Metric::seconds, clusters, reaches)};
   Table table{
       .name = "table-7-cost",
       .caption = fmt::format("what {} cm costs in time [ms], unsuccessful solves included", tolerance_cm(study)),

@@ -87,7 +87,7 @@ double coverage(double truth, const char* definition, const std::function<Runs(s
   for (int i = 0; i < repetitions; ++i) {
     const StudyResults study = clustered_study({sample(engine)}, definition);
     const Clusters clusters(study);
-    const Interval interval = costs_of(study, Cost::evaluations, clusters)[0].interval(clusters);
+    const Interval interval = costs_of(study, Metric::evaluations, clusters)[0].interval(clusters);
     covered += interval.low <= truth && truth <= interval.high ? 1 : 0;
   }
   return static_cast<double>(covered) / repetitions;
@@ -214,10 +214,10 @@ TEST_CASE("of two that share their targets the ratio is known better than either
   const Runs b = twenty([](int run) { return Spent{150 * (run + 1)}; });
   const StudyResults study = clustered_study({a, b}, drawn_targets);
   const Clusters clusters(study);
-  const std::vector<SolverCost> costs = costs_of(study, Cost::evaluations, clusters);
+  const std::vector<SolverCost> costs = costs_of(study, Metric::evaluations, clusters);
   CHECK(costs[0].time.expected() == Approx(1050));
   CHECK(width(costs[0].interval(clusters)) > 400);
-  const std::vector<Finding> pairs = compare_costs(study, Cost::evaluations, clusters);
+  const std::vector<Finding> pairs = compare_costs(study, Metric::evaluations, clusters);
   REQUIRE(pairs.size() == 1);
   CHECK(pairs[0].quantity == "expected evaluations");
   CHECK(pairs[0].relation == Relation::better);
@@ -236,7 +236,7 @@ TEST_CASE("running times of two that are alike are undecided", "[clusters]") {
   const Runs a = twenty([](int run) { return Spent{100 * (run % 5 + 1)}; });
   const Runs b = twenty([](int run) { return Spent{100 * ((run + 2) % 5 + 1)}; });
   const StudyResults study = clustered_study({a, b}, drawn_targets);
-  const Finding pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+  const Finding pair = compare_costs(study, Metric::evaluations, Clusters(study)).front();
   CHECK(pair.relation == Relation::undecided);
   CHECK(pair.estimate.low < 1);
   CHECK(pair.estimate.high > 1);
@@ -252,7 +252,7 @@ TEST_CASE("who solves nothing costs infinitely much, and is worse than who surel
     return clustered_study({a, never(1000), never(1), never(0)}, drawn_targets);
   };
   const auto pairs_of = [](const StudyResults& study) {
-    return compare_costs(study, Cost::evaluations, Clusters(study));
+    return compare_costs(study, Metric::evaluations, Clusters(study));
   };
   for (const int solved : {20, 12, 7}) {
     const std::vector<Finding> pairs = pairs_of(study_with(solved));
@@ -272,7 +272,7 @@ TEST_CASE("who solves nothing costs infinitely much, and is worse than who surel
   for (const Finding& pair : pairs_of(study_with(2))) CHECK(pair.relation == Relation::undecided);
   const StudyResults study = study_with(20);
   const Clusters clusters(study);
-  const SolverCost of_b = costs_of(study, Cost::evaluations, clusters)[1];
+  const SolverCost of_b = costs_of(study, Metric::evaluations, clusters)[1];
   CHECK(std::ranges::all_of(of_b.replicates, [](const RunningTime& sample) { return sample.expected() == censored; }));
 }
 
@@ -281,7 +281,7 @@ TEST_CASE("a third solver that gives up at once changes no verdict on the cost o
   const Runs b = twenty([](int run) { return Spent{150 + run}; });
   const Runs at_once = twenty([](int) { return Spent{1, false}; });
   const StudyResults study = clustered_study({a, b, at_once}, drawn_targets);
-  const std::vector<Finding> pairs = compare_costs(study, Cost::evaluations, Clusters(study));
+  const std::vector<Finding> pairs = compare_costs(study, Metric::evaluations, Clusters(study));
   CHECK(finding_of(pairs, "expected evaluations", "A", "B").relation == Relation::better);
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("where some samples have no success, the shares are weighed by what ea
   const Runs a = twenty([](int run) { return Spent{100, run % 5 == 0}; });
   const Runs b = twenty([](int run) { return Spent{2000 + run}; });
   const StudyResults study = clustered_study({a, b}, drawn_targets);
-  const Finding pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+  const Finding pair = compare_costs(study, Metric::evaluations, Clusters(study)).front();
   CHECK(pair.estimate.value == Approx(500 / 2009.5));
   CHECK(std::isnan(pair.estimate.low));
   CHECK(pair.why == "shares solved decide");
@@ -310,7 +310,7 @@ TEST_CASE("of two that cost the same in another way few are called different", "
   for (int i = 0; i < repetitions; ++i) {
     const Runs a = sample(0.25, 100), b = sample(0.5, 200);
     const StudyResults study = clustered_study({a, b}, drawn_targets);
-    const Finding pair = compare_costs(study, Cost::evaluations, Clusters(study)).front();
+    const Finding pair = compare_costs(study, Metric::evaluations, Clusters(study)).front();
     different += is_difference(pair.relation) ? 1 : 0;
   }
   CHECK(static_cast<double>(different) / repetitions < 1 - least_coverage);
@@ -340,8 +340,8 @@ TEST_CASE("a finding on costs never contradicts its estimate, and the other orde
       return std::string(1, static_cast<char>('A' + solvers - 1 - (name[0] - 'A')));
     };
     const Clusters clusters(study), of_turned(turned);
-    std::vector<Finding> findings = compare_costs(study, Cost::evaluations, clusters);
-    const std::vector<Finding> other_way = compare_costs(turned, Cost::evaluations, of_turned);
+    std::vector<Finding> findings = compare_costs(study, Metric::evaluations, clusters);
+    const std::vector<Finding> other_way = compare_costs(turned, Metric::evaluations, of_turned);
     for (const Finding& finding : findings) {
       CAPTURE(i, finding.first, finding.second, finding.estimate.value);
       if (finding.relation == Relation::better) CHECK(finding.estimate.value < 1);
@@ -387,7 +387,7 @@ TEST_CASE("of more than twenty solvers the best in cost is who solves for the le
   solvers.push_back(twenty([](int) { return Spent{1, false}; }));
   StudyResults study = clustered_study(solvers, drawn_targets);
   study.solvers.emplace_back("without solves");
-  const std::vector<Finding> pairs = compare_costs(study, Cost::evaluations, Clusters(study));
+  const std::vector<Finding> pairs = compare_costs(study, Metric::evaluations, Clusters(study));
   CHECK(pairs.size() == 21);
   for (const Finding& pair : pairs) {
     CAPTURE(pair.first, pair.second);
@@ -431,7 +431,7 @@ TEST_CASE("runs that are copies of one show no difference, in cost and at no bud
   StudyResults study = clustered_study({a, b}, chained);
   for (Solve& solve : study.solves.to_change()) solve.answer = 7;  // the same bits in every run
   const Clusters clusters(study);
-  const Finding pair = compare_costs(study, Cost::evaluations, clusters).front();
+  const Finding pair = compare_costs(study, Metric::evaluations, clusters).front();
   CHECK(pair.relation == Relation::undecided);
   CHECK(pair.why == "all runs of each are copies of one");
   const std::optional<Anytime> found = anytime(study, clusters);

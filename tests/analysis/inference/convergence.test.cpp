@@ -99,9 +99,9 @@ TEST_CASE("an error is reached when the first iteration that has it is done", "[
   const StudyResults study = traced_study({record_with_trace({8, 3, 3, 0.5}, 400)});
   const Solve& solve = study.solves.front();
   const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
-  CHECK(costs_to_targets(study, solve, targets, Cost::evaluations) ==
+  CHECK(costs_to_targets(study, solve, targets, Metric::evaluations) ==
         std::vector<double>{100, 100, 200, 400, 400, censored});
-  CHECK(costs_to_targets(study, solve, targets, Cost::seconds)[2] == Approx(200e-6));
+  CHECK(costs_to_targets(study, solve, targets, Metric::seconds)[2] == Approx(200e-6));
 }
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
@@ -109,7 +109,7 @@ TEST_CASE("a solve that ended before its first iteration has reached its error w
   Solve& solve = study.solves.to_change().front();
   solve.position_error_cm = 0.2;
   CHECK(has_trace(solve));
-  CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Cost::evaluations) ==
+  CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Metric::evaluations) ==
         std::vector<double>{50, 50, censored});
   solve.iterations = 7;  // went on, and nobody wrote down how
   CHECK(!has_trace(solve));
@@ -121,12 +121,12 @@ TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", 
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;
-    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Cost::evaluations).front() == censored);
+    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations).front() == censored);
     CHECK(error_bands(study, {&solve}, std::vector<double>{300}).front().median == censored);
   }
   for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
     solve.status = status;
-    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Cost::evaluations).front() == 100);
+    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations).front() == 100);
   }
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
     const Solve& solve = study.solves.front();
     for (int i = 1; i <= n; ++i) {
       const double target = trace[static_cast<std::size_t>(i) - 1];
-      const double cost = costs_to_targets(study, solve, std::vector<double>{target}, Cost::evaluations).front();
+      const double cost = costs_to_targets(study, solve, std::vector<double>{target}, Metric::evaluations).front();
       CHECK(error_bands(study, {&solve}, std::vector<double>{cost}).front().median == target);
     }
   }

@@ -82,7 +82,7 @@ std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
   all.push_back(real_time_verdict(study));
   all.push_back(table_7_cost(study)->notes.front());  // the scaling, to its last digit
   const StudyResults undisturbed = at_median_speed(study);
-  for (const Finding& pair : compare_costs(undisturbed, Cost::seconds, Clusters(undisturbed))) {
+  for (const Finding& pair : compare_costs(undisturbed, Metric::seconds, Clusters(undisturbed))) {
     all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.relation), pair.second));
   }
   return all;
