@@ -16,11 +16,13 @@
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
+#include "results/csv.hpp"
 
 namespace ikbench::experiments {
 
 using namespace numerics;
 using namespace robots;
+using namespace results;
 
 namespace {
 
@@ -46,7 +48,7 @@ struct Column {
 };
 
 std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
+  constexpr std::string_view blanks = " \t";
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
@@ -60,54 +62,36 @@ std::string shown(std::string_view text) {
 
 class Table {
  public:
-  Table(std::string_view text, std::string_view file) : rest_(text), file_(file) {
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-  }
+  // Begins at the names of the columns.
+  Table(std::string_view text, std::string_view file) : csv_(parse_csv(text, file)), file_(file) {}
 
-  // Reads the cells of the next line that is not empty; false after the last.
+  // Goes to the next row; false after the last.
   bool next() {
-    while (!rest_.empty()) {
-      ++line_;
-      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      const std::string_view line = without_blanks(rest_.substr(0, end));
-      rest_.remove_prefix(std::min(end + 1, rest_.size()));
-      if (line.empty()) continue;
-      split(line);
-      return true;
-    }
-    return false;
+    if (row_ == csv_.rows.size()) return false;
+    ++row_;
+    return true;
   }
 
-  const std::vector<std::string_view>& cells() const { return cells_; }
+  std::size_t columns() const { return csv_.header.size(); }
+  std::string_view cell(std::size_t place) const {
+    return without_blanks((row_ == 0 ? csv_.header : csv_.rows[row_ - 1])[place]);
+  }
   [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(line_ == 0 ? fmt::format("{}: {}", file_, what)
-                                           : fmt::format("{}:{}: {}", file_, line_, what));
+    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.lines[row_ - 1], what));
   }
 
   double number(const Column& column) const {
-    const std::string_view cell = cells_[column.place];
-    const std::optional<double> value = number_from(cell);
+    const std::optional<double> value = number_from(cell(column.place));
     constexpr double most = 1e6;
     if (value && std::fabs(*value) <= most) return *value * column.unit;
     refuse(fmt::format("column {} ({}) is {}; expected a number from -1e6 to 1e6", column.place + 1, column.name,
-                       shown(cell)));
+                       shown(cell(column.place))));
   }
 
  private:
-  void split(std::string_view line) {
-    cells_.clear();
-    for (std::size_t from = 0; from <= line.size() && cells_.size() <= most_columns;) {
-      const std::size_t end = std::min(line.find(',', from), line.size());
-      std::string_view cell = without_blanks(line.substr(from, end - from));
-      if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-      cells_.push_back(cell);
-      from = end + 1;
-    }
-  }
-
-  std::string_view rest_, file_;
-  int line_ = 0;
-  std::vector<std::string_view> cells_;
+  CsvTable csv_;
+  std::string_view file_;
+  std::size_t row_ = 0;  // from 1; 0: the header
 };
 
 // Finds the columns of a group; none if the header has none of them. A group must be complete.
@@ -118,11 +102,11 @@ std::vector<Column> columns_of(const std::array<std::string_view, count>& names,
   std::vector<std::string_view> missing;
   for (const std::string_view name : names) {
     const std::size_t before = found.size();
-    for (std::size_t place = 0; place < table.cells().size(); ++place) {
+    for (std::size_t place = 0; place < table.columns(); ++place) {
       for (const auto& [ending, unit] : units) {
-        if (table.cells()[place] != std::string(name) + std::string(ending)) continue;
+        if (table.cell(place) != std::string(name) + std::string(ending)) continue;
         if (found.size() > before) table.refuse(fmt::format("there are two columns for {}; expected one", name));
-        found.push_back({place, unit, table.cells()[place]});
+        found.push_back({place, unit, table.cell(place)});
         used[place] = true;
       }
     }
@@ -136,22 +120,20 @@ std::vector<Column> columns_of(const std::array<std::string_view, count>& names,
 
 struct Columns {
   std::vector<Column> position, quaternion, rpy, matrix;
-  std::size_t count;
 };
 
 Columns columns_in(const Table& table) {
-  if (table.cells().size() > most_columns) {
+  if (table.columns() > most_columns) {
     table.refuse(fmt::format("there are more than {} columns; expected {}", most_columns, expected_columns));
   }
-  std::vector<bool> used(table.cells().size(), false);
+  std::vector<bool> used(table.columns(), false);
   Columns columns{.position = columns_of(position_names, length_units, table, used),
                   .quaternion = columns_of(quaternion_names, no_unit, table, used),
                   .rpy = columns_of(rpy_names, angle_units, table, used),
-                  .matrix = columns_of(matrix_names, no_unit, table, used),
-                  .count = used.size()};
+                  .matrix = columns_of(matrix_names, no_unit, table, used)};
   if (const auto unknown = std::ranges::find(used, false); unknown != used.end()) {
     const auto place = static_cast<std::size_t>(unknown - used.begin());
-    table.refuse(fmt::format("column {} is {}; expected {}", place + 1, shown(table.cells()[place]), expected_columns));
+    table.refuse(fmt::format("column {} is {}; expected {}", place + 1, shown(table.cell(place)), expected_columns));
   }
   if (columns.position.empty()) table.refuse(fmt::format("there is no position; expected {}", expected_columns));
   if (!columns.quaternion.empty() + !columns.rpy.empty() + !columns.matrix.empty() > 1) {
@@ -198,15 +180,10 @@ Eigen::Matrix3d rotation_in(const Columns& columns, const Table& table) {
 
 std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
   Table table(text, file);
-  if (!table.next()) table.refuse(fmt::format("the file is empty; expected a line with {}", expected_columns));
   const Columns columns = columns_in(table);
   std::vector<Pose> poses;
   while (table.next()) {
     if (poses.size() == most_rows) table.refuse(fmt::format("expected at most {} poses", most_rows));
-    if (table.cells().size() != columns.count) {
-      table.refuse(fmt::format("there are {} cells; expected {}, as the first line has columns", table.cells().size(),
-                               columns.count));
-    }
     Pose pose = Pose::Identity();
     pose.linear() = rotation_in(columns, table);
     pose.translation() = numbers_in<Eigen::Vector3d>(columns.position, table);

@@ -98,7 +98,7 @@ TEST_CASE("byte-order mark, carriage returns, blanks, quotes and empty lines cha
 
 TEST_CASE("every mistake is told with its line, its column and what was expected", "[csv]") {
   const std::vector<std::pair<std::string, std::string>> mistakes{
-      {"", "path.csv: the file is empty"},
+      {"", "path.csv:1: the file is empty"},
       {"x_m,y_m,z_m\n", "path.csv:1: there is no pose"},
       {"1,2,3\n4,5,6\n", "path.csv:1: column 1 is \"1\"; expected x, y and z with _m, _cm or _mm"},
       {"x,y,z\n1,2,3\n", "path.csv:1: column 1 is \"x\"; expected x, y and z with _m, _cm or _mm, such as x_cm"},
@@ -109,8 +109,8 @@ TEST_CASE("every mistake is told with its line, its column and what was expected
       {"x_m,y_m,z_m,time\n1,2,3,4\n", "path.csv:1: column 4 is \"time\""},
       {"qw,qx,qy,qz\n1,0,0,0\n", "path.csv:1: there is no position"},
       {"x_m,y_m,z_m,qw,qx,qy,qz,roll_deg,pitch_deg,yaw_deg\n", "path.csv:1: there are several kinds of rotation"},
-      {"x_m,y_m,z_m\n1,2,3\n\n1,2\n", "path.csv:4: there are 2 cells; expected 3"},
-      {"x_m,y_m,z_m\n1,2,3,4\n", "path.csv:2: there are 4 cells; expected 3"},
+      {"x_m,y_m,z_m\n1,2,3\n\n1,2\n", "path.csv:4: 2 cells; expected 3"},
+      {"x_m,y_m,z_m\n1,2,3,4\n", "path.csv:2: 4 cells; expected 3"},
       {"x_m,y_m,z_m\n1,nan,3\n", "path.csv:2: column 2 (y_m) is \"nan\"; expected a number from -1e6 to 1e6"},
       {"x_m,y_m,z_m\n1,2,inf\n", "path.csv:2: column 3 (z_m) is \"inf\""},
       {"x_m,y_m,z_m\n1,2,1e300\n", "path.csv:2: column 3 (z_m) is \"1e300\""},
