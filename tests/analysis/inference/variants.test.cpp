@@ -53,6 +53,18 @@ Variant drawn(const std::vector<double>& errors_cm) {
   return variant_of(std::move(solves), drawn_targets);
 }
 
+// Runs that repeat one answer.
+Variant repeating(double error_cm) {
+  return variant(
+      {.runs = 20,
+       .points = 2,
+       .definition = R"({"points": 2, "runs": 20, "path": {"kind": "helix"}, "start": "previous"})"},
+      [=](int, int) { return error_cm; },
+      [](SolveRecord& solve) {
+        solve.answer_rad = {1, 2};
+      });
+}
+
 }  // namespace
 
 TEST_CASE("what compare says of a metric is what a report says of it", "[variants]") {
@@ -198,19 +210,9 @@ TEST_CASE("a plan without means is compared by what it has", "[variants]") {
 }
 
 TEST_CASE("copies of an answer that is not finite are the worse ones", "[variants]") {
-  const auto with = [](double error_cm) {
-    return variant(
-        {.runs = 20,
-         .points = 1,
-         .definition = R"({"points": 1, "runs": 20, "path": {"kind": "helix"}, "start": "previous"})"},
-        [=](int, int) { return error_cm; },
-        [](SolveRecord& solve) {
-          solve.answer_rad = {1, 2};
-        });
-  };
   const double infinite = std::numeric_limits<double>::infinity();
-  CHECK(error_of(with(infinite), with(1)).contrast.relation == Relation::worse);
-  CHECK(is_regression(error_of(with(1), with(infinite))));
+  CHECK(error_of(repeating(infinite), repeating(1)).contrast.relation == Relation::worse);
+  CHECK(is_regression(error_of(repeating(1), repeating(infinite))));
 }
 
 TEST_CASE("arms of one name with other links are not compared", "[variants]") {
@@ -235,23 +237,13 @@ TEST_CASE("several metrics are tested at Holm's levels", "[variants]") {
 }
 
 TEST_CASE("of variants that repeat themselves the difference is a fact, and no p is made of copies", "[variants]") {
-  const auto with = [](double error_cm) {
-    return variant(
-        {.runs = 20,
-         .points = 2,
-         .definition = R"({"points": 2, "runs": 20, "path": {"kind": "helix"}, "start": "previous"})"},
-        [=](int, int) { return error_cm; },
-        [](SolveRecord& solve) {
-          solve.answer_rad = {1, 2};
-        });
-  };
-  const auto told = [&](double error_cm) { return error_of(with(1), with(error_cm)); };
+  const auto told = [](double error_cm) { return error_of(repeating(1), repeating(error_cm)); };
   CHECK(is_regression(told(2)));
   CHECK(told(0.5).contrast.relation == Relation::worse);
   CHECK(told(1.01).contrast.relation == Relation::same);
   CHECK(told(2).contrast.is_fact);
   CHECK(told(2).remark == "all runs of each are equal: a fact of these targets, without a test");
-  CHECK_THAT(verdict_of(compared(with(1), with(2), {"position_error_cm"})),
+  CHECK_THAT(verdict_of(compared(repeating(1), repeating(2), {"position_error_cm"})),
              ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));
 }
 
