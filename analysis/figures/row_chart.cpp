@@ -33,7 +33,7 @@ std::string logarithmic_rows(const RowAxis& axis) {
 // Ratios to mark between two: powers of ten; 1, 2 and 5 times these; or round steps, by how far apart they are.
 std::vector<double> ratio_ticks(double low, double high) {
   std::vector<double> ticks;
-  const double decades = std::log10(high / low);
+  const double decades = std::log10(high) - std::log10(low);
   if (decades < 0.7) {
     const double rough = (high - low) / 5, decade = std::pow(10, std::floor(std::log10(rough)));
     const double step = decade * (rough > 5 * decade ? 10 : rough > 2 * decade ? 5 : 2);
@@ -144,14 +144,16 @@ RowAxis row_axis(std::span<const double> values, const NameWithUnit& quantity, S
 RowAxis ratio_axis(std::span<const double> ratios, const std::string& quantity) {
   double smallest = 1, largest = 1;
   for (const double ratio : ratios) {
-    if (!is_drawable(ratio) || !(ratio > 0)) continue;
+    if (!is_drawable(ratio) || ratio < 1 / largest_drawable) continue;
     smallest = std::min(smallest, ratio);
     largest = std::max(largest, ratio);
   }
-  const double room = std::max(1.01, std::pow(largest / smallest, 0.06));
-  RowAxis axis{.logarithmic = true, .low = smallest / room, .high = largest * room};
+  const double room = std::max(1.01, std::pow(largest, 0.06) * std::pow(smallest, -0.06));
+  RowAxis axis{.logarithmic = true,
+               .low = std::max(smallest / room, 1 / largest_drawable),
+               .high = std::min(largest * room, largest_drawable)};
   std::string ticks;
-  const bool has_many_decades = axis.high > 1e3 * axis.low;
+  const bool has_many_decades = axis.high / 1e3 > axis.low;
   for (const double tick : ratio_ticks(axis.low, axis.high)) {
     const std::string label =
         has_many_decades ? fmt::format("10^{{{:.0f}}}", std::log10(tick)) : fmt::format("{:.4g}", tick);

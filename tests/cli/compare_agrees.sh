@@ -3,6 +3,7 @@
 # alike, and what one calls the same the other does not call different beyond the margin. Their families differ (all
 # pairs of a quantity against all metrics of one pair), so one may leave open what the other decides.
 source "$(dirname "$0")/common.sh"
+command -v python3 >/dev/null || { echo "SKIPPED: no python3"; exit 77; }
 names=$("$program" list studies | tail -n +2 | cut -d' ' -f1)
 while read -r study; do
   succeeds run "$study" --set runs=8 --set path.points=3 --out "$study" --no-figures

@@ -161,6 +161,8 @@ TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
   CHECK(contains(wide.settings, "'1' 1, '10^{1}' 10, '10^{2}' 100"));
   check_drawn(figure);
   check_drawn(wide);
+  check_drawn(differences_figure({{"A / B", 1e-200, 1e-300, 1e300}, {"B / C", 1e-310, 1e-320, 1}},
+                                 {"differences", "ratio: time", 0.95, "bootstrap", true}));
 }
 
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
