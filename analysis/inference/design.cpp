@@ -143,6 +143,10 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
 // Only single solves show if the worst cases decide a mean.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
   if (is_of_run(metric)) return;
+  if (estimand != Estimand::mean) {
+    for (Group& group : result.groups) group.decades = 0;
+    return;
+  }
   const ValueOf counted = counted_value(study, metric);
   for (Group& group : result.groups) {
     std::vector<double> values;
@@ -150,7 +154,7 @@ void add_decades(Observations& result, const StudyResults& study, Metric metric,
       const double value = counted(solve), least = info_of(metric).rounding;
       values.push_back(value < least ? least : value);
     }
-    group.decades = estimand == Estimand::mean ? decades(values) : 0;
+    group.decades = decades(values);
   }
 }
 
