@@ -35,8 +35,7 @@ std::vector<double> ratio_ticks(double low, double high) {
   std::vector<double> ticks;
   const double decades = std::log10(high) - std::log10(low);
   if (decades < 0.7) {
-    const double rough = (high - low) / 5, decade = std::pow(10, std::floor(std::log10(rough)));
-    const double step = decade * (rough > 5 * decade ? 10 : rough > 2 * decade ? 5 : 2);
+    const double step = round_step(high - low);
     for (double tick = std::ceil(low / step); tick * step <= high; ++tick) ticks.push_back(tick * step);
     return ticks;
   }

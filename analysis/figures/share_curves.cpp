@@ -38,15 +38,6 @@ std::string round_ticks(double smallest, double largest) {
   return fmt::format("set format x '%g'\nset xtics ({})\n", fmt::join(ticks, ", "));
 }
 
-// The smallest of 1, 2 and 5 times a power of ten that marks no more than five places of an axis.
-double round_step(double span) {
-  const double least = span / 5, power = std::pow(10, std::floor(std::log10(least)));
-  for (const double digit : {1, 2, 5}) {
-    if (digit * power >= least) return digit * power;
-  }
-  return 10 * power;
-}
-
 }  // namespace
 
 CostAxis cost_axis(double smallest, double largest) {
