@@ -13,6 +13,7 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/quantile.hpp"
@@ -160,7 +161,7 @@ void add_decades(Observations& result, const StudyResults& study, Metric metric,
 
 void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   for (const Group& group : result.groups) {
-    const auto not_finite = std::ranges::count_if(group.values, [](double value) { return !std::isfinite(value); });
+    const std::size_t not_finite = count_not_finite(group);
     if (not_finite == 0) continue;
     result.notes.push_back(
         fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));

@@ -387,7 +387,8 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
   plan.significance /= family;
   for (Contrast& contrast : evidence.contrasts) {
     const Group &first = observations.groups[contrast.first], &second = observations.groups[contrast.second];
-    if (contrast.is_fact || first.copies + second.copies > 0 || (is_finite(first) && is_finite(second))) continue;
+    if (contrast.is_fact || first.copies + second.copies > 0 || count_not_finite(first) + count_not_finite(second) == 0)
+      continue;
     Observations pair = observations;
     pair.groups = {first, second};
     const Contrast found = contrast_with_not_finite(pair, plan);

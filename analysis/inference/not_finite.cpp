@@ -33,7 +33,9 @@ Contrast doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
 
 }  // namespace
 
-bool is_finite(const Group& group) { return std::ranges::all_of(group.values, is_number); }
+std::size_t count_not_finite(const Group& group) {
+  return group.values.size() - static_cast<std::size_t>(std::ranges::count_if(group.values, is_number));
+}
 
 Observations of_finite(const Observations& all) {
   Observations result = all;

@@ -1,13 +1,16 @@
 // Judges pairs in which some values are not finite: a solver crashed, or its answer is not a number.
 #pragma once
 
+#include <cstddef>
+
 #include "analysis/inference/evidence.hpp"
 #include "analysis/inference/observations.hpp"
 #include "results/analysis_plan.hpp"
 
 namespace ikbench::inference {
 
-bool is_finite(const Group& group);  // true if all of its values are
+// Number of values that are not finite.
+std::size_t count_not_finite(const Group& group);
 
 // Keeps finite values only; with blocks, the blocks in which every group has one.
 Observations of_finite(const Observations& observations);

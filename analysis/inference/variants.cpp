@@ -173,11 +173,6 @@ bool has_same_bits(const StudyResults& study, Metric metric) {
          (info_of(metric).kind != Kind::share || has_same_bits(study, Metric::position_error_cm));
 }
 
-std::size_t count_finite(const Group& group) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(group.values, [](double value) { return std::isfinite(value); }));
-}
-
 // Settles a pair as the same, without a test.
 void settle(MetricComparison& result, std::string why) {
   result.contrast.relation = Relation::same;
@@ -215,7 +210,7 @@ struct Examined {
 std::string not_finite_words(const Observations& observations, std::string_view observation) {
   std::vector<std::string> parts;
   for (const Group& group : observations.groups) {
-    const std::size_t lost = group.values.size() - count_finite(group);
+    const std::size_t lost = count_not_finite(group);
     if (lost > 0)
       parts.push_back(fmt::format("{} of {} {}s of {}", lost, group.values.size(), observation, group.name));
   }
