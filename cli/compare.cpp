@@ -45,7 +45,7 @@ Table narrow(const Table& table) {
   Table result{.name = table.name, .caption = table.caption};
   result.rows.resize(table.rows.size());
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (std::ranges::find(shown, table.columns[c].name) == shown.end()) continue;
+    if (std::ranges::find(shown, table.columns[c]) == shown.end()) continue;
     result.columns.push_back(table.columns[c]);
     for (std::size_t r = 0; r < table.rows.size(); ++r) result.rows[r].push_back(table.rows[r][c]);
   }

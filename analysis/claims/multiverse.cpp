@@ -91,14 +91,8 @@ Cell seed_difference(const ClaimCounts& counts) {
 Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan) {
   Table table{.name = "multiverse",
               .caption = "The paper's claims in every interpretation of what the paper leaves open",
-              .columns = {{"claim", Align::left},
-                          {"holds_percent"},
-                          {"fails_percent"},
-                          {"undecided_percent"},
-                          {"deciding_dimension", Align::left},
-                          {"difference_percent"},
-                          {"between_seeds_percent"},
-                          {"id", Align::left}}};
+              .columns = {"claim", "holds_percent", "fails_percent", "undecided_percent", "deciding_dimension",
+                          "difference_percent", "between_seeds_percent", "id"}};
   for (const ClaimCounts& counts : all) {
     const double weight = counts.all.all();
     if (weight == 0) continue;
@@ -131,9 +125,9 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
 Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all) {
   Table table{.name = "multiverse-alternatives",
               .caption = "Share of the interpretations with each alternative in which a claim holds, in percent",
-              .columns = {{"alternative", Align::left}, {"notes", Align::left}, {"default", Align::left}}};
+              .columns = {"alternative", "notes", "default"}};
   for (const ClaimCounts& counts : all) {
-    if (counts.all.all() > 0) table.columns.push_back({counts.claim.id});
+    if (counts.all.all() > 0) table.columns.push_back(counts.claim.id);
   }
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];

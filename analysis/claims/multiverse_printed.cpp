@@ -240,12 +240,8 @@ Table alternatives_support(const Multiverse& multiverse, const Support& support,
   Table table{.name = "multiverse-support",
               .caption = fmt::format(
                   "How many of the {} printed numbers of error and variation interpretations explain", printed),
-              .columns = {{"alternative", Align::left},
-                          {"notes", Align::left},
-                          {"default", Align::left},
-                          {"explained_on_average"},
-                          {"explained_at_most"},
-                          {"of_the_best_percent"}}};
+              .columns = {"alternative", "notes", "default", "explained_on_average", "explained_at_most",
+                          "of_the_best_percent"}};
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
@@ -267,14 +263,8 @@ Table numbers_support(const Multiverse& multiverse, const std::vector<PrintedSol
   Table table{
       .name = "multiverse-printed",
       .caption = "Each printed number: whether the default explains it, and which share of the interpretations does",
-      .columns = {{"algorithm", Align::left},
-                  {"metric", Align::left},
-                  {"statistic", Align::left},
-                  {"printed"},
-                  {"default_range"},
-                  {"default", Align::left},
-                  {"interpretations_percent"},
-                  {"of_the_best_percent"}}};
+      .columns = {"algorithm", "metric", "statistic", "printed", "default_range", "default", "interpretations_percent",
+                  "of_the_best_percent"}};
   for (std::size_t s = 0; s < printed.size(); ++s) {
     if (printed[s].runs == 0) continue;
     const Ranges of_default = ranges.of(multiverse.studies.front().solvers[s].front(), printed[s].runs);

@@ -166,21 +166,12 @@ Table one_at_a_time(const ClaimsFile& file, const Multiverse& multiverse, const 
   if (multiverse.studies.empty() || multiverse.seeds() == 0) {
     throw std::invalid_argument("no universe to report; expected the default first");
   }
-  Table table{.name = "multiverse-one-at-a-time",
-              .caption = fmt::format("Each alternative alone: what it changes, compared with the printed {}",
-                                     title_of(file.means)),
-              .columns = {{"alternative", Align::left},
-                          {"notes", Align::left},
-                          {"out_of_reach"},
-                          {"algorithm", Align::left},
-                          {"error_cm"},
-                          {"error_log_ratio"},
-                          {"error_moved"},
-                          {"variation_deg"},
-                          {"variation_log_ratio"},
-                          {"variation_moved"},
-                          {"explained"},
-                          {"claims", Align::left}}};
+  Table table{
+      .name = "multiverse-one-at-a-time",
+      .caption =
+          fmt::format("Each alternative alone: what it changes, compared with the printed {}", title_of(file.means)),
+      .columns = {"alternative", "notes", "out_of_reach", "algorithm", "error_cm", "error_log_ratio", "error_moved",
+                  "variation_deg", "variation_log_ratio", "variation_moved", "explained", "claims"}};
   const std::vector<Multiverse> universes = universes_of(multiverse);
   const std::vector<std::vector<int>> explained = explained_numbers(file, universes);
   const Multiverse& usual = universes.front();

@@ -41,23 +41,12 @@ Cell unless_zero(int count) {
 Table groups_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   const bool of_logarithms = evidence.scale == ValueScale::log10;
-  Table table{.name = table_name(evidence, "groups"),
-              .caption = fmt::format("Observations: {}", evidence.quantity),
-              .columns = {{"group", Align::left},
-                          {"n"},
-                          {"not finite"},
-                          {of_logarithms ? "geometric mean" : "mean"},
-                          {level + " interval of the mean"},
-                          {"bootstrap interval"},
-                          {of_logarithms ? "sd of log10" : "sd"},
-                          {"median"},
-                          {level + " interval of the median"},
-                          {"q1"},
-                          {"q3"},
-                          {"min"},
-                          {"max"},
-                          {"Shapiro-Wilk p"},
-                          {"average rank"}}};
+  Table table{
+      .name = table_name(evidence, "groups"),
+      .caption = fmt::format("Observations: {}", evidence.quantity),
+      .columns = {"group", "n", "not finite", of_logarithms ? "geometric mean" : "mean",
+                  level + " interval of the mean", "bootstrap interval", of_logarithms ? "sd of log10" : "sd", "median",
+                  level + " interval of the median", "q1", "q3", "min", "max", "Shapiro-Wilk p", "average rank"}};
   for (const GroupEvidence& group : evidence.groups) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
@@ -92,16 +81,7 @@ std::string role_words(Role role) {
 Table tests_table(const Evidence& evidence) {
   Table table{.name = table_name(evidence, "tests"),
               .caption = fmt::format("Tests of all groups: {}", evidence.quantity),
-              .columns = {{"part", Align::left},
-                          {"test", Align::left},
-                          {"statistic", Align::left},
-                          {"value"},
-                          {"df"},
-                          {"df within"},
-                          {"p"},
-                          {"effect", Align::left},
-                          {"size"},
-                          {"verdict", Align::left}}};
+              .columns = {"part", "test", "statistic", "value", "df", "df within", "p", "effect", "size", "verdict"}};
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
     const std::string_view finding = test.role == Role::assumption ? (significant ? "rejected" : "not rejected")
@@ -137,22 +117,16 @@ std::string family_note(const Evidence& evidence) {
 
 Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
-  Table table{.name = table_name(evidence, "contrasts"),
-              .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
-              .columns = {{"first", Align::left},
-                          {"second", Align::left},
-                          {"verdict", Align::left},
-                          {evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means"},
-                          {level + " interval"},
-                          {"p"},
-                          {"p alone"},
-                          {evidence.blocks > 0 ? "ahead in blocks" : "A12"},
-                          {level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12")},
-                          {"size", Align::left},
-                          {"Hedges g"}}};
+  Table table{
+      .name = table_name(evidence, "contrasts"),
+      .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
+      .columns = {"first", "second", "verdict",
+                  evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means",
+                  level + " interval", "p", "p alone", evidence.blocks > 0 ? "ahead in blocks" : "A12",
+                  level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12"), "size", "Hedges g"}};
   const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
-  if (has_ranks) table.columns.push_back({fmt::format("p, {}", rank_method(evidence).of_pair)});
-  table.columns.push_back({replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide"});
+  if (has_ranks) table.columns.push_back(fmt::format("p, {}", rank_method(evidence).of_pair));
+  table.columns.push_back(replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide");
   for (const Contrast& contrast : evidence.contrasts) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
         evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),

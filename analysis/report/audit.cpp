@@ -19,12 +19,7 @@ std::string_view words_of(const AuditItem& item) {
 Table audit_table(const std::vector<AuditItem>& items) {
   Table table{.name = "audit",
               .caption = "Audit: whether the printed numbers agree with each other",
-              .columns = {{"id", Align::left},
-                          {"where", Align::left},
-                          {"printed", Align::left},
-                          {"follows", Align::left},
-                          {"verdict", Align::left},
-                          {"why", Align::left}}};
+              .columns = {"id", "where", "printed", "follows", "verdict", "why"}};
   for (const AuditItem& item : items) {
     table.rows.push_back({item.id, item.where, item.printed, item.follows, std::string(words_of(item)), item.why});
   }
@@ -40,7 +35,7 @@ Table audit_table(const std::vector<AuditItem>& items) {
 }
 
 std::string audit_sentence(const Table& audit) {
-  const auto column = std::ranges::find(audit.columns, "verdict", &Column::name) - audit.columns.begin();
+  const auto column = std::ranges::find(audit.columns, "verdict") - audit.columns.begin();
   std::vector<std::string> parts;
   for (const std::string_view verdict : {"contradiction", "misprint", "not supported", "rounding", "consistent"}) {
     const auto is_it = [&](const std::vector<Cell>& row) {

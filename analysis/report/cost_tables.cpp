@@ -48,7 +48,7 @@ Table cost_table(const StudyResults& study, Metric cost, const Clusters& cluster
   Table table{.name = name_of_table(cost, ""),
               .caption = fmt::format("Cost [{}] of an answer {}", name_of(cost),
                                      within_words(study, Metric::position_error_cm)),
-              .columns = {{"solver", Align::left}, {"solves"}, {"solved"}, {"ert"}, {"ert interval"}}};
+              .columns = {"solver", "solves", "solved", "ert", "ert interval"}};
   std::vector<std::string> undefined;
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -72,12 +72,7 @@ Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& cl
   Table table{.name = name_of_table(cost, "-pairs"),
               .caption = fmt::format("Which of two solvers spends fewer {} on an answer {}", name_of(cost),
                                      within_words(study, Metric::position_error_cm)),
-              .columns = {{"first", Align::left},
-                          {"second", Align::left},
-                          {"spends less", Align::left},
-                          {"ert ratio"},
-                          {"ert ratio interval"},
-                          {"remark", Align::left}}};
+              .columns = {"first", "second", "spends less", "ert ratio", "ert ratio interval", "remark"}};
   for (const Finding& finding : compare_costs(study, cost, clusters)) {
     const auto& [value, low, high] = finding.estimate;
     const std::string less = finding.relation == Relation::better  ? finding.first
@@ -117,14 +112,8 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
                              ? fmt::format("Share of answers {} within a part of the budget",
                                            within_words(study, Metric::position_error_cm))
                              : "Share of solves and target errors that are reached within a part of the budget",
-              .columns = {{"part of budget"},
-                          {"evaluations"},
-                          {"solver", Align::left},
-                          {"share"},
-                          {"share interval"},
-                          {"behind by"},
-                          {"behind interval"},
-                          {"position", Align::left}}};
+              .columns = {"part of budget", "evaluations", "solver", "share", "share interval", "behind by",
+                          "behind interval", "position"}};
   std::string leaders;
   for (std::size_t k = 0; k < budget_parts.size(); ++k) {
     for (std::size_t i = 0; i < study.solvers.size(); ++i) {

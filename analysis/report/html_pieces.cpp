@@ -44,13 +44,13 @@ std::string legend_of(const Table& table) {
               : "");
 }
 
-Data cell_data(const Cell& cell, const Column& column) {
+Data cell_data(const Cell& cell, bool is_left) {
   Data data;
   const std::string shown = readable(cell);
   data.set("text", text_data(shown));
-  data.set("right", column.align == Align::right);
+  data.set("right", !is_left);
   constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
-  data.set("short", column.align == Align::left && character_count(shown) <= short_text);
+  data.set("short", is_left && character_count(shown) <= short_text);
   if (const auto* beside = std::get_if<Beside>(&cell)) {
     data.set("text", text_data(short_number(beside->ours)));
     data.set("number", Data(computable(Cell(beside->ours))));
@@ -80,14 +80,14 @@ Data table_data(const Table& table) {
   Data heads(Data::type::list), rows(Data::type::list);
   for (const std::size_t c : used) {
     Data head;
-    head.set("text", text_data(spaced(table.columns[c].name)));
-    head.set("right", table.columns[c].align == Align::right);
+    head.set("text", text_data(spaced(table.columns[c])));
+    head.set("right", !is_left(table, c));
     heads.push_back(head);
   }
   const std::size_t shown = std::min(table.rows.size(), most_page_rows);
   for (std::size_t r = 0; r < shown; ++r) {
     Data cells(Data::type::list);
-    for (const std::size_t c : used) cells.push_back(cell_data(table.rows[r][c], table.columns[c]));
+    for (const std::size_t c : used) cells.push_back(cell_data(table.rows[r][c], is_left(table, c)));
     Data cells_of_row;
     cells_of_row.set("cells", cells);
     rows.push_back(cells_of_row);

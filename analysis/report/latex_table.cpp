@@ -41,14 +41,14 @@ std::string in_words(std::string_view name) {
 // Replaces column names in a note by their heads.
 std::string with_columns_in_words(std::string note, const Table& table) {
   const auto is_part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  for (const Column& column : table.columns) {
-    const std::string words = in_words(column.name);
-    if (words == column.name) continue;
-    for (std::size_t at = note.find(column.name); at != std::string::npos; at = note.find(column.name, at)) {
-      const std::size_t end = at + column.name.size();
+  for (const std::string& column : table.columns) {
+    const std::string words = in_words(column);
+    if (words == column) continue;
+    for (std::size_t at = note.find(column); at != std::string::npos; at = note.find(column, at)) {
+      const std::size_t end = at + column.size();
       const bool is_whole =
           (at == 0 || !is_part_of_name(note[at - 1])) && (end == note.size() || !is_part_of_name(note[end]));
-      if (is_whole) note.replace(at, column.name.size(), words);
+      if (is_whole) note.replace(at, column.size(), words);
       at += is_whole ? words.size() : 1;
     }
   }
@@ -117,7 +117,7 @@ std::string cell_latex(const Cell& cell, const LatexColumn& column) {
 std::vector<LatexColumn> columns_of(const Table& table) {
   std::vector<LatexColumn> columns;
   for (const std::size_t c : columns_in_use(table)) {
-    const bool is_text = table.columns[c].align == Align::left;
+    const bool is_text = is_left(table, c);
     const bool is_long =
         std::ranges::any_of(table.rows, [c](const auto& row) { return readable(row[c]).size() > longest_line; });
     columns.push_back({.index = c, .is_text = is_text, .wraps = is_long});
@@ -153,7 +153,7 @@ using Rows = std::span<const std::vector<Cell>>;
 
 std::string tabular(const Table& table, const std::vector<LatexColumn>& columns, Rows rows) {
   std::vector<std::string> heads;
-  for (const LatexColumn& column : columns) heads.push_back(head_of(column, table.columns[column.index].name));
+  for (const LatexColumn& column : columns) heads.push_back(head_of(column, table.columns[column.index]));
   std::string text = fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n\\midrule\n", preamble(columns),
                                  fmt::join(heads, " & "));
   for (const auto& row : rows) {

@@ -163,24 +163,15 @@ std::string sentence(const Side& free, const Enforced& all_enforced) {
 Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
   Table table{.name = "limits",
               .caption = "Results with enforced joint limits",
-              .columns = {{"algorithm", Align::left},
-                          {"study", Align::left},
-                          {"limits", Align::left},
-                          {"observations"},
-                          {"mean_position_error_cm"},
-                          {"median_position_error_cm"},
-                          {"mean_accepted_error_cm"},
-                          {"mean_variation_deg"},
-                          {"mean_accepted_variation_deg"},
-                          {"rank_error"},
-                          {"rank_variation"},
-                          {"outside_limits"}}};
+              .columns = {"algorithm", "study", "limits", "observations", "mean_position_error_cm",
+                          "median_position_error_cm", "mean_accepted_error_cm", "mean_variation_deg",
+                          "mean_accepted_variation_deg", "rank_error", "rank_variation", "outside_limits"}};
   std::set<Status> statuses;
   for (const StudyResults* study :
        {static_cast<const StudyResults*>(&free), static_cast<const StudyResults*>(&enforced)}) {
     for (const Status status : shown_statuses(*study)) statuses.insert(status);
   }
-  for (const Status status : statuses) table.columns.push_back({std::string(name_of(status))});
+  for (const Status status : statuses) table.columns.push_back(std::string(name_of(status)));
   const std::vector<Side> before = sides_of(free, enforced);
   const Enforced after = enforced_of(enforced, free);
   const auto add_row = [&](const Side& side, const StudyResults& study, const char* limits) {

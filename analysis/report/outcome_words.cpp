@@ -46,13 +46,10 @@ Sentence outcome_methods_words(const Evidence& evidence) {
 }
 
 Table outcomes_table(const Evidence& evidence) {
-  Table table{.name = fmt::format("statistics-{}-groups", evidence.name),
-              .caption = fmt::format("Observations of 0 and 1: {}", evidence.quantity),
-              .columns = {{"group", Align::left},
-                          {"n"},
-                          {"ones"},
-                          {"share"},
-                          {percent(1 - evidence.plan.significance) + " interval of the share"}}};
+  Table table{
+      .name = fmt::format("statistics-{}-groups", evidence.name),
+      .caption = fmt::format("Observations of 0 and 1: {}", evidence.quantity),
+      .columns = {"group", "n", "ones", "share", percent(1 - evidence.plan.significance) + " interval of the share"}};
   for (const GroupEvidence& group : evidence.groups) {
     table.rows.push_back({group.name, std::int64_t{group.described.n}, ones_of(group), group.mean.value,
                           Range{group.mean.low, group.mean.high}});

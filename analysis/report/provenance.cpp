@@ -49,19 +49,14 @@ SortedJson parsed(const std::string& text) {
 }  // namespace
 
 Table definition_table(const StudyEntry& entry) {
-  Table table{.name = "definition",
-              .caption = "Definition of the study",
-              .columns = {{"setting", Align::left}, {"value", Align::left}}};
+  Table table{.name = "definition", .caption = "Definition of the study", .columns = {"setting", "value"}};
   add_values(table.rows, parsed(entry.definition), {}, "");
   return table;
 }
 
 Table options_table(const StudyEntry& entry) {
   Table table{
-      .name = "options",
-      .caption = "Options of the solvers",
-      .columns = {
-          {"solver", Align::left}, {"algorithm", Align::left}, {"option", Align::left}, {"value", Align::left}}};
+      .name = "options", .caption = "Options of the solvers", .columns = {"solver", "algorithm", "option", "value"}};
   for (const Series& series : entry.series) {
     add_values(table.rows, parsed(series.options), {series.label, series.algorithm}, "");
   }
@@ -71,7 +66,7 @@ Table options_table(const StudyEntry& entry) {
 Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
   Table table{.name = "analysis-plan",
               .caption = "How the study is judged",
-              .columns = {{"method", Align::left}, {"value", Align::left}, {"meaning", Align::left}},
+              .columns = {"method", "value", "meaning"},
               .notes = std::move(notes)};
   for (const PlanValue& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
   if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
@@ -82,9 +77,7 @@ Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<
 }
 
 Table environment_table(const StudyResults& study, const std::vector<Session>& sessions) {
-  Table table{.name = "environment",
-              .caption = "Environment",
-              .columns = {{"fact", Align::left}, {"value", Align::left}, {"sessions", Align::left}}};
+  Table table{.name = "environment", .caption = "Environment", .columns = {"fact", "value", "sessions"}};
   const SolvesOfSessions solves = solves_of_sessions(study);
   std::map<std::pair<std::string, std::string>, std::string> where;  // (fact, value) to its sessions
   for (const Session& session : sessions) {
@@ -164,10 +157,10 @@ Table baselines_table(const JudgedStudies& studies) {
   const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "baselines",
               .caption = "Other studies with the same targets",
-              .columns = {{"study", Align::left}, {"algorithm", Align::left}, {"observations"}, {"not_finite"}}};
+              .columns = {"study", "algorithm", "observations", "not_finite"}};
   for (const Metric metric : metrics) {
-    table.columns.push_back({fmt::format("mean_{}", name_of(metric))});
-    table.columns.push_back({fmt::format("median_{}", name_of(metric))});
+    table.columns.push_back(fmt::format("mean_{}", name_of(metric)));
+    table.columns.push_back(fmt::format("median_{}", name_of(metric)));
   }
   for (const StudyResults& study : studies) {
     const std::size_t first = table.rows.size();

@@ -71,7 +71,7 @@ Table rates_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
   Table table{.name = "solve-rates",
               .caption = fmt::format("Solved poses [%], {}with {} intervals", is_printed ? "as printed and here, " : "",
                                      percent(plan.level)),
-              .columns = {{"arm", Align::left}}};
+              .columns = {"arm"}};
   int iterations = 0;
   for (const RatesOfArm& arm : arms) {
     iterations = std::max(iterations, arm.iterations);
@@ -79,9 +79,9 @@ Table rates_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
   }
   for (std::size_t i = 0; i < arms.front().rates.size(); ++i) {
     const std::string& solver = arms.front().rates[i].solver;
-    if (is_printed) table.columns.push_back({solver + ", printed"});
+    if (is_printed) table.columns.push_back(solver + ", printed");
     if (is_here(arms, i)) {
-      table.columns.insert(table.columns.end(), {{solver + (is_printed ? ", here" : "")}, {solver + ", interval"}});
+      table.columns.insert(table.columns.end(), {solver + (is_printed ? ", here" : ""), solver + ", interval"});
     }
     for (std::size_t row = 0; row < arms.size(); ++row) {
       const Rate& rate = arms[row].rates[i];
@@ -98,10 +98,10 @@ Table rates_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
 Table iterations_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
   Table table{.name = "solve-rates-iterations",
               .caption = "Solved poses [%], by iterations",
-              .columns = {{"arm", Align::left}, {"solver", Align::left}, {"printed"}},
+              .columns = {"arm", "solver", "printed"},
               .notes = {plan.note}};
-  for (const int iterations : plan.iterations) table.columns.push_back({fmt::format("{} iterations", iterations)});
-  table.columns.push_back({"as printed within", Align::left});
+  for (const int iterations : plan.iterations) table.columns.push_back(fmt::format("{} iterations", iterations));
+  table.columns.push_back("as printed within");
   for (const RatesOfArm& arm : arms) {
     for (const Rate& rate : arm.rates) {
       if (!rate.ours.undefined.empty()) continue;

@@ -52,12 +52,7 @@ enum class Detail { whole, first_sentence };
 Table table_of(const std::vector<Claim>& claims, std::string caption, Detail detail) {
   Table table{.name = "claims",
               .caption = std::move(caption),
-              .columns = {{"claim", Align::left},
-                          {"here", Align::left},
-                          {"printed", Align::left},
-                          {"number", Align::left},
-                          {"stated in", Align::left},
-                          {"evidence", Align::left}}};
+              .columns = {"claim", "here", "printed", "number", "stated in", "evidence"}};
   for (const Claim& claim : claims) {
     table.rows.push_back({claim.statement, verdict_words(claim),
                           claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,

@@ -57,7 +57,7 @@ Cell count(std::int64_t number) { return number; }
 
 void leave_out_test(Table& table) {
   for (const char* name : {"F", "p"}) {
-    const auto column = std::ranges::find(table.columns, name, &Column::name) - table.columns.begin();
+    const auto column = std::ranges::find(table.columns, name) - table.columns.begin();
     for (auto& row : table.rows) row[static_cast<std::size_t>(column)] = {};
   }
 }
@@ -65,11 +65,9 @@ void leave_out_test(Table& table) {
 }  // namespace
 
 Table results_table(const StudyResults& study, std::span<const Metric> metrics) {
-  Table table{
-      .name = "results",
-      .caption = "What was reached",
-      .columns = {
-          {"algorithm", Align::left}, {"metric", Align::left}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}}};
+  Table table{.name = "results",
+              .caption = "What was reached",
+              .columns = {"algorithm", "metric", "mean", "median", "std", "max", "min"}};
   for (const Metric metric : metrics) {
     for (const Sample& sample : samples(study, metric)) {
       const Description of = statistics::describe(sample.values);
@@ -82,10 +80,10 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
 }
 
 Table further_table(const StudyResults& study, std::span<const Metric> metrics) {
-  Table table{.name = "further", .caption = "Further means over the runs", .columns = {{"algorithm", Align::left}}};
+  Table table{.name = "further", .caption = "Further means over the runs", .columns = {"algorithm"}};
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
   for (const Metric metric : metrics) {
-    table.columns.push_back({std::string(name_of(metric))});
+    table.columns.push_back(std::string(name_of(metric)));
     std::size_t row = 0;
     for (const Sample& sample : samples(study, metric)) {
       table.rows[row++].emplace_back(average_in(statistics::describe(sample.values), metric));
@@ -122,7 +120,7 @@ std::array<std::vector<Cell>, 3> anova_cells(const AnovaTable& table) {
 Table anova_table(const StudyResults& study, Metric metric) {
   Table table{.name = fmt::format("anova-{}", info_of(metric).slug),
               .caption = fmt::format("One-way ANOVA of the {}", quantity(metric)),
-              .columns = {{"source", Align::left}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}};
+              .columns = {"source", "SS", "df", "MS", "F", "p"}};
   const bool is_judged = is_comparable(study, metric);
   const StudyAnova ours = anova(is_judged ? compared_in(study, metric) : study, metric);
   const auto cells = anova_cells(ours.table);
@@ -143,11 +141,9 @@ Table anova_table(const StudyResults& study, Metric metric) {
 Table solved_table(const StudyResults& study) {
   const double level = 1 - study.plan.significance;
   const Trials trials = trials_of(study);
-  Table table{
-      .name = "solved",
-      .caption = "Share of solves with the status ok",
-      .columns = {
-          {"algorithm", Align::left}, {"solves"}, {"solved"}, {"share"}, {fmt::format("{} interval", percent(level))}}};
+  Table table{.name = "solved",
+              .caption = "Share of solves with the status ok",
+              .columns = {"algorithm", "solves", "solved", "share", fmt::format("{} interval", percent(level))}};
   const std::vector<std::uint32_t> targets = target_numbers(study);
   for (const SolverCounts& solver : counts(study)) {
     std::set<std::uint32_t> own_targets;
@@ -177,12 +173,10 @@ Table times_table(const StudyResults& study) {
   constexpr double ms_per_second = 1000;
   const double deadline = deadline_seconds(study);
   const bool says_solved = std::isfinite(deadline) && std::isfinite(tolerance_cm(study));
-  Table table{
-      .name = "times",
-      .caption = "Computing times of all solves",
-      .columns = {
-          {"algorithm", Align::left}, {"median_ms"}, {"p95_ms"}, {"p99_ms"}, {"longest_ms"}, {"over_deadline"}}};
-  if (says_solved) table.columns.push_back({"solved_in_time"});
+  Table table{.name = "times",
+              .caption = "Computing times of all solves",
+              .columns = {"algorithm", "median_ms", "p95_ms", "p99_ms", "longest_ms", "over_deadline"}};
+  if (says_solved) table.columns.push_back("solved_in_time");
   for (const std::string& solver : study.solvers) {
     std::vector<double> seconds;
     std::int64_t in_time = 0;
@@ -216,18 +210,18 @@ Table times_table(const StudyResults& study) {
 Table status_table(const StudyResults& study) {
   Table table{.name = "status",
               .caption = "Outcome of every solve, checked by the independent verifier",
-              .columns = {{"algorithm", Align::left}}};
+              .columns = {"algorithm"}};
   const std::vector<Status> statuses = shown_statuses(study);
-  for (const Status status : statuses) table.columns.push_back({std::string(name_of(status))});
+  for (const Status status : statuses) table.columns.push_back(std::string(name_of(status)));
   for (const char* name :
        {"solves", "expected", "complete_runs", "incomplete_runs", "outside_limits", "worst_outside_deg"}) {
-    table.columns.push_back({name});
+    table.columns.push_back(name);
   }
   const bool has_processes = std::ranges::find(study.solves, Timing::process, &Solve::timing) != study.solves.end();
   for (const char* name : {"timing_clean", "timing_disturbed", "timing_parallel", "timing_debug_build"}) {
-    table.columns.push_back({name});
+    table.columns.push_back(name);
   }
-  if (has_processes) table.columns.push_back({"timing_process"});
+  if (has_processes) table.columns.push_back("timing_process");
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver};
     for (const Status status : statuses) row.push_back(count(solver.of(status)));

@@ -68,6 +68,13 @@ bool is_number(const Cell& cell) {
   return std::holds_alternative<std::int64_t>(cell);
 }
 
+bool is_left(const Table& table, std::size_t column) {
+  return std::ranges::any_of(table.rows, [column](const std::vector<Cell>& row) {
+    const auto* text = std::get_if<std::string>(&row[column]);
+    return text ? !number_from(*text) : std::holds_alternative<Graded>(row[column]);
+  });
+}
+
 std::string computable(const Cell& cell) {
   return std::visit(
       Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
@@ -92,7 +99,7 @@ std::vector<std::size_t> columns_in_use(const Table& table) {
 std::vector<std::vector<std::string>> readable_cells(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);
   std::vector<std::vector<std::string>> cells(1);
-  for (const std::size_t c : used) cells[0].push_back(table.columns[c].name);
+  for (const std::size_t c : used) cells[0].push_back(table.columns[c]);
   for (const auto& row : table.rows) {
     std::vector<std::string>& texts = cells.emplace_back();
     for (const std::size_t c : used) texts.push_back(readable(row[c]));
@@ -103,9 +110,9 @@ std::vector<std::vector<std::string>> readable_cells(const Table& table) {
 std::string to_markdown(const Table& table) {
   const std::vector<std::size_t> used = columns_in_use(table);
   std::string text = fmt::format("**{}**\n\n|", markdown_text(numbered_caption(table)));
-  for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c].name));
+  for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c]));
   text += "\n|";
-  for (const std::size_t c : used) text += table.columns[c].align == Align::left ? " :--- |" : " ---: |";
+  for (const std::size_t c : used) text += is_left(table, c) ? " :--- |" : " ---: |";
   text += '\n';
   for (const auto& row : table.rows) {
     text += '|';
@@ -122,7 +129,7 @@ std::string to_csv(const Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool has_ranges = has_any<Range>(table, c);
     is_two.push_back(has_ranges || has_any<Beside>(table, c));
-    const std::string& name = table.columns[c].name;
+    const std::string& name = table.columns[c];
     csv.header.push_back(has_ranges ? name + " low" : name);
     if (is_two[c]) csv.header.push_back(name + (has_ranges ? " high" : " printed"));
   }

@@ -40,17 +40,10 @@ struct Graded {
 // cell.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, Beside, Graded>;
 
-enum class Align { left, right };
-
-struct Column {
-  std::string name;
-  Align align = Align::right;
-};
-
 struct Table {
   std::string name;     // stable; also the file's name: "results"
   std::string caption;  // plain text, like notes, heads and cells: the writers escape
-  std::vector<Column> columns = {};
+  std::vector<std::string> columns = {};
   std::vector<std::vector<Cell>> rows = {};  // each as long as columns
   std::vector<std::string> notes = {};       // remarks for the reader; not in the CSV
   int number = 0;                            // number in its paper; 0: none
@@ -67,7 +60,8 @@ std::string to_csv(const Table& table);
 std::string readable(const Cell& cell);
 std::string computable(const Cell& cell);
 std::string readable_end(double of_range);
-bool is_number(const Cell& cell);  // true if it is shown as a number
+bool is_number(const Cell& cell);                      // true if it is shown as a number
+bool is_left(const Table& table, std::size_t column);  // true for a column of texts; numbers stand at the right
 // Indices of columns that are not empty in every row.
 std::vector<std::size_t> columns_in_use(const Table& table);
 

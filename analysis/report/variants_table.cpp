@@ -166,22 +166,8 @@ Table variants_table(const VariantsReport& of) {
   Table table{
       .name = "comparison",
       .caption = fmt::format("B compared with A, with a margin of {}", margin),
-      .columns = {{"label", Align::left},
-                  {"metric", Align::left},
-                  {"B_is", Align::left},
-                  {"n_A"},
-                  {"n_B"},
-                  {"mean_A"},
-                  {"mean_B"},
-                  {"B_by_A"},
-                  {"low"},
-                  {"high"},
-                  {"p"},
-                  {"level"},
-                  {"a12"},
-                  {"a12_low"},
-                  {"a12_high"},
-                  {"remark", Align::left}},
+      .columns = {"label", "metric", "B_is", "n_A", "n_B", "mean_A", "mean_B", "B_by_A", "low", "high", "p", "level",
+                  "a12", "a12_low", "a12_high", "remark"},
       .notes = {
           "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. "
           "A and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
@@ -231,7 +217,7 @@ std::string variants_json(const VariantsReport& of) {
             {"significance", of.plan.significance}, {"notes", variants_notes(of)}, {"rows", Json::array()}};
   for (const std::vector<Cell>& row : table.rows) {
     Json object = Json::object();
-    for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c].name] = json_of(row[c]);
+    for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_of(row[c]);
     json["rows"].push_back(std::move(object));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -131,8 +131,8 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   if (all.empty()) return std::nullopt;
   Table table{.name = "agreement",
               .caption = "Table 3, our numbers beside the printed ones",
-              .columns = {{"algorithm", Align::left}, {"metric", Align::left}}};
-  for (const auto& [name, field] : printed_statistics) table.columns.push_back({std::string(name)});
+              .columns = {"algorithm", "metric"}};
+  for (const auto& [name, field] : printed_statistics) table.columns.emplace_back(name);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % printed_statistics.size() == 0) {
       const MetricInfo& metric = info_of(all[i].metric);

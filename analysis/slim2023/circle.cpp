@@ -123,13 +123,12 @@ std::optional<Table> table_8(const StudyResults& study) {
   if (!is_table_8(study)) return std::nullopt;
   Table table{.name = "table-8",
               .caption = "joint angles and position error along the circle",
-              .columns = {{"point"}},
+              .columns = {"point"},
               .number = 8};
   for (const char* prefix : {"", "paper_"}) {
-    for (std::size_t i = 1; i <= angles_of_table; ++i)
-      table.columns.push_back({fmt::format("{}theta{}_deg", prefix, i)});
+    for (std::size_t i = 1; i <= angles_of_table; ++i) table.columns.push_back(fmt::format("{}theta{}_deg", prefix, i));
   }
-  for (const char* name : {"largest_difference_deg", "error_cm", "paper_error_cm"}) table.columns.push_back({name});
+  for (const char* name : {"largest_difference_deg", "error_cm", "paper_error_cm"}) table.columns.emplace_back(name);
   const std::size_t error_column = table.columns.size() - 2;
   const std::vector<Row> rows = rows_of(study);
   std::vector<double> errors;

@@ -56,8 +56,8 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
 
 // The printed cells beside the rows of an ANOVA, the last three of a table.
 void add_printed_anova(Table& table, const std::optional<AnovaTable>& printed) {
-  if (table.columns.back().name == "p") {
-    for (const char* name : {"SS", "df", "MS", "F", "p"}) table.columns.push_back({fmt::format("paper_{}", name)});
+  if (table.columns.back() == "p") {
+    for (const char* name : {"SS", "df", "MS", "F", "p"}) table.columns.push_back(fmt::format("paper_{}", name));
   }
   auto row = table.rows.end() - anova_sources.size();
   for (std::size_t i = 0; i < anova_sources.size(); ++i, ++row) {
@@ -102,7 +102,7 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
   table.name = "table-3";
   table.number = 3;
   table.caption = "position error, angles variation and computing time";
-  table.columns.insert(table.columns.end(), {{"paper_mean"}, {"ratio"}, {"verdict", Align::left}});
+  table.columns.insert(table.columns.end(), {"paper_mean", "ratio", "verdict"});
   const std::vector<Comparison> compared = compare(study, repetitions);  // row by row
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const bool printed = std::isfinite(compared[i].paper_mean);
@@ -127,9 +127,7 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
 Table table_3_as_printed(std::string_view paper) {
   Table table{.name = "table-3-as-printed", .caption = "Table 3 as printed"};
   const CsvTable printed = claims::printed_table(paper, "table-3");
-  for (const std::string& name : printed.header) {
-    table.columns.push_back({name, name == "algorithm" || name == "metric" ? Align::left : Align::right});
-  }
+  table.columns = printed.header;
   for (const std::vector<std::string>& row : printed.rows) table.rows.emplace_back(row.begin(), row.end());
   return table;
 }
@@ -147,7 +145,7 @@ Table printed_anova_table(const StudyResults& study, Metric metric) {
 Table anova_from_printed_table_3(std::string_view paper) {
   Table table{.name = "anova-from-printed-table-3",
               .caption = "Tables 4-6 recomputed from the means and standard deviations printed in Table 3",
-              .columns = {{"metric", Align::left}, {"source", Align::left}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}};
+              .columns = {"metric", "source", "SS", "df", "MS", "F", "p"}};
   for (const Metric metric : paper_metrics) {
     std::vector<GroupSummary> groups;
     for (const PrintedRow& row : claims::printed_rows(paper, "table-3", metric)) groups.push_back(row.summary());
@@ -165,7 +163,7 @@ Table anova_from_printed_table_3(std::string_view paper) {
       table.rows[table.rows.size() - anova_sources.size()].back() = PValue{p};
     }
   }
-  table.columns.push_back({"p_of_paper_F"});
+  table.columns.emplace_back("p_of_paper_F");
   table.notes.emplace_back(
       "This table uses printed numbers only and checks them against each other. The differences come from rounding in "
       "the printed numbers. p_of_paper_F is the upper tail of the F distribution at the printed F.");

@@ -249,17 +249,8 @@ std::optional<Table> table_7(const StudyResults& study) {
               .caption = std::isfinite(tolerance)
                              ? fmt::format("computing time [ms] until the position error is {} cm", tolerance)
                              : "computing time [ms]",
-              .columns = {{"configuration", Align::left},
-                          {"solves"},
-                          {"never_reached"},
-                          {"share_in_time"},
-                          {"mean_ms"},
-                          {"median_ms"},
-                          {"std_ms"},
-                          {"max_ms"},
-                          {"min_ms"},
-                          {"iterations_median"},
-                          {"evaluations_median"}},
+              .columns = {"configuration", "solves", "never_reached", "share_in_time", "mean_ms", "median_ms", "std_ms",
+                          "max_ms", "min_ms", "iterations_median", "evaluations_median"},
               .number = 7};
   for (const TimeAssessment& row : rows) table.rows.push_back(table_7_row(row, printed, tolerance));
   table.notes = table_7_notes(study, rows, printed);
@@ -280,16 +271,8 @@ std::optional<Table> table_7_cost(const StudyResults& measured) {
   Table table{
       .name = "table-7-cost",
       .caption = fmt::format("what {} cm costs in time [ms], unsuccessful solves included", tolerance_cm(study)),
-      .columns = {{"configuration", Align::left},
-                  {"ert_ms"},
-                  {"ert_ms interval"},
-                  {"ert_ratio"},
-                  {"ert_ratio interval"},
-                  {"median_ratio"},
-                  {"A12"},
-                  {"mean_reached_ms"},
-                  {"ratio_reached"},
-                  {"paper_ratio"}},
+      .columns = {"configuration", "ert_ms", "ert_ms interval", "ert_ratio", "ert_ratio interval", "median_ratio",
+                  "A12", "mean_reached_ms", "ratio_reached", "paper_ratio"},
       .number = 7};
   const auto reference = place_of(study, printed.front().solver);
   for (std::size_t i = 0; i < rows.size(); ++i) {

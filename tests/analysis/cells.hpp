@@ -13,7 +13,7 @@
 namespace ikbench {
 
 inline const report::Cell& cell_at(const report::Table& table, std::size_t row, const std::string& column) {
-  const auto found = std::ranges::find(table.columns, column, &report::Column::name);
+  const auto found = std::ranges::find(table.columns, column);
   if (found == table.columns.end()) throw std::invalid_argument("no column " + column);
   return table.rows.at(row).at(static_cast<std::size_t>(found - table.columns.begin()));
 }

@@ -45,7 +45,7 @@ TEST_CASE("each arm has a row, with the share that each solver solves and Wilson
   CHECK(pieces.results == "solve-rates");
   const Table& table = table_of(pieces);
   std::vector<std::string> heads;
-  for (const Column& column : table.columns) heads.push_back(column.name);
+  for (const std::string& column : table.columns) heads.push_back(column);
   CHECK(heads == std::vector<std::string>{"arm", "A", "A, interval", "B", "B, interval"});
   REQUIRE(table.rows.size() == 2);
   const auto number = [&](std::size_t row, std::size_t column) { return std::get<double>(table.rows[row][column]); };

@@ -13,7 +13,7 @@ namespace {
 Table small_table() {
   return {.name = "small",
           .caption = "A <small> table",
-          .columns = {{"solver", Align::left}, {"error_cm"}, {"p"}, {"n"}, {"empty"}},
+          .columns = {"solver", "error_cm", "p", "n", "empty"},
           .rows = {{std::string("a|b"), 0.00019123456789, PValue{1e-310}, std::int64_t{20}, {}},
                    {std::string("[c] & d"), NAN, PValue{NAN}, std::int64_t{-3}, {}}},
           .notes = {"100 % of it"}};
@@ -52,7 +52,7 @@ TEST_CASE("LaTeX has booktabs rules, names its packages and escapes every specia
 TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval", "[table]") {
   const Table table{.name = "t",
                     .caption = "t",
-                    .columns = {{"x"}},
+                    .columns = {"x"},
                     .rows = {{Range{-0.395, -0.108}}, {Range{-2e-9, 3}}, {Range{0, 1}}}};
   const std::string text = to_latex(table);
   CHECK(text.find("\n$-0.395$ to $-0.108$ \\\\\n") != std::string::npos);
@@ -63,7 +63,7 @@ TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval
 TEST_CASE("LaTeX names columns and statistics in words, also where a note speaks of them", "[table]") {
   const Table table{.name = "t",
                     .caption = "t",
-                    .columns = {{"mean_reached_ms"}, {"statistic", Align::left}},
+                    .columns = {"mean_reached_ms", "statistic"},
                     .rows = {{1.0, std::string("chi^2(5) = 3, omega^2 = 0.1")}},
                     .notes = {"mean_reached_ms is of some; not_a_column and mean_reached_ms_too are not."}};
   const std::string text = to_latex(table);
@@ -75,11 +75,11 @@ TEST_CASE("LaTeX names columns and statistics in words, also where a note speaks
 
 TEST_CASE("LaTeX turns a wide table, and divides a long one into pages, the notes on the last", "[table]") {
   Table wide{.name = "t", .caption = "t"};
-  for (int i = 0; i < 20; ++i) wide.columns.push_back({"x"});
+  for (int i = 0; i < 20; ++i) wide.columns.push_back("x");
   wide.rows.emplace_back(20, std::int64_t{12345678});
   CHECK(to_latex(wide).find("% Needs \\usepackage{booktabs,array,adjustbox,rotating}\n\\begin{sidewaystable}\n") == 0);
 
-  Table tall{.name = "t", .caption = "t", .columns = {{"x"}}, .notes = {"a note"}};
+  Table tall{.name = "t", .caption = "t", .columns = {"x"}, .notes = {"a note"}};
   for (int i = 0; i < 100; ++i) tall.rows.push_back({std::int64_t{i}});
   const std::string text = to_latex(tall);
   CHECK(text.find("\\begin{table}[p]\n") != std::string::npos);
@@ -91,14 +91,14 @@ TEST_CASE("LaTeX turns a wide table, and divides a long one into pages, the note
 TEST_CASE("an interval is one column to read and two to compute with", "[table]") {
   const Table table{.name = "t",
                     .caption = "c",
-                    .columns = {{"x", Align::left}, {"interval"}},
+                    .columns = {"x", "interval"},
                     .rows = {{std::string("a"), Range{0.123456, 2}}, {std::string("b"), Cell()}}};
   CHECK(readable(table.rows[0][1]) == "0.123 to 2");
   CHECK(to_csv(table) == "x,interval low,interval high\na,0.123456,2\nb,,\n");
 }
 
 TEST_CASE("LaTeX writes powers of ten as such", "[table]") {
-  const Table table{.name = "t", .caption = "t", .columns = {{"x"}}, .rows = {{7.2225e-24}, {1.0877e8}}};
+  const Table table{.name = "t", .caption = "t", .columns = {"x"}, .rows = {{7.2225e-24}, {1.0877e8}}};
   CHECK(to_latex(table).find("$7.2225 \\times 10^{-24}$") != std::string::npos);
   CHECK(to_latex(table).find("$1.0877 \\times 10^{8}$") != std::string::npos);
 }
