@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "analysis/figures/critical_difference_figure.hpp"
+#include "analysis/figures/differences_figure.hpp"
 #include "analysis/figures/observations_figure.hpp"
-#include "analysis/figures/statistics_figures.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/method.hpp"
@@ -65,25 +65,6 @@ void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
   if (ranks.labels.size() <= most_groups_in_pairs) figures.push_back(critical_difference_figure(ranks));
 }
 
-void add_effects(const Evidence& evidence, std::vector<Figure>& figures) {
-  const std::size_t k = evidence.groups.size();
-  const bool all_pairs = evidence.contrasts.size() == k * (k - 1) / 2;
-  if (evidence.from_summaries || evidence.of_outcomes || !all_pairs || k < 3) return;
-  EffectMatrix matrix{
-      .name = figure_name(evidence, "effects"),
-      .quantity = evidence.quantity,
-      .meaning = evidence.blocks > 0
-                     ? "the share of blocks in which the row is better than the column"
-                     : "Vargha-Delaney A12: the probability that a value of the row is better than one of the column"};
-  matrix.effects.assign(k, std::vector<double>(k, not_defined));
-  for (const GroupEvidence& group : evidence.groups) matrix.labels.push_back(group.name);
-  for (const Contrast& contrast : evidence.contrasts) {
-    matrix.effects[contrast.first][contrast.second] = contrast.superiority.value;
-    matrix.effects[contrast.second][contrast.first] = 1 - contrast.superiority.value;
-  }
-  figures.push_back(effect_matrix_figure(matrix));
-}
-
 // Returns whether at least two groups have different values; otherwise tables are enough.
 bool is_worth_drawing(const Evidence& evidence) {
   if (evidence.from_summaries) return true;
@@ -105,7 +86,6 @@ Assessment assessment_of(const Evidence& evidence) {
   if (!is_worth_drawing(evidence)) return result;
   add_differences(evidence, result.figures);
   add_ranks(evidence, result.figures);
-  add_effects(evidence, result.figures);
   if (evidence.flaws.empty()) return result;
   for (Figure& figure : result.figures) figure.caption += " Flawed: " + words_of(evidence.flaws);
   return result;

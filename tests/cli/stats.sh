@@ -80,7 +80,7 @@ has "$out" "Methods: Studentized bootstrap of the differences within blocks deci
 has "$out" "Friedman's test: F(2, 6) = inf, p = 0.00463" # all four blocks rank alike: 1 / 3!^3
 has "$out" "Caution: no pair can differ by this test. It takes at least 5 blocks, and here are 4." # 5^-4 is below 0.025 / 3
 has_outputs blocks auc groups tests contrasts
-has_figures blocks auc observations differences ranks effects
+has_figures blocks auc observations differences ranks
 
 # Blocks in a column.
 printf 'problem,solver,error\np1,A,1\np1,B,2\np2,A,2\np2,B,3\np3,A,1\np3,B,1.5\np4,A,1\n' >blocks.csv
@@ -308,7 +308,7 @@ mkdir -p deep/here
   [ -z "$(find report/tables report/figures -type f ! -name "statistics-$name-*" ! -name style.gp)" ] ||
     fail "other files: $(find report -type f)"
   has_outputs report $name groups tests contrasts
-  has_figures report $name observations effects
+  has_figures report $name observations
   # The page has scripts of its own, on lines that begin with them.
   ! sed 's/^<script>//' report/report.html | grep '<script>\|<b>or' >/dev/null || fail "the page has HTML of the user's making"
   # In Markdown the command is an indented block, which has no markup.

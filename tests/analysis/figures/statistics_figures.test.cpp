@@ -1,5 +1,3 @@
-#include "analysis/figures/statistics_figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <sstream>
 
 #include "analysis/figures/critical_difference_figure.hpp"
+#include "analysis/figures/differences_figure.hpp"
 #include "analysis/figures/observations_figure.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/text.hpp"
@@ -193,19 +192,6 @@ TEST_CASE("without a critical difference nothing is joined, and ranks that are n
   CHECK(contains(figure.caption, "Only 1 of 4 are shown"));
 }
 
-TEST_CASE("effects out of 0 to 1 or missing are not defined, and 20 groups are shown", "[figure]") {
-  const Figure figure = effect_matrix_figure({.name = "effects",
-                                              .quantity = "error",
-                                              .labels = {"a", "b", "c"},
-                                              .effects = {{0.5, 0.25, NAN}, {0.75, 0.5, 1.5}}});
-  CHECK(lines_below(figure.data, "# column, row, the chance") == Texts{"2 1 0.25", "1 2 0.75"});
-  CHECK(lines_below(figure.data, "# not defined").size() == 7);
-  CHECK(contains(figure.caption, "n.d.: not defined"));
-  CHECK(contains(figure.caption, "Blue: the row tends to be better"));
-  const EffectMatrix large{.name = "effects", .labels = Texts(30, "s")};
-  CHECK(contains(effect_matrix_figure(large).caption, "the first 20 of 30 groups"));
-}
-
 TEST_CASE("figures of a statistical analysis are drawn whatever the names and numbers", "[figure]") {
   check_drawn(observed(groups_named(hostile_names, numbers(8))));
   for (const Values& values : std::vector<Values>{{},
@@ -230,7 +216,6 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
     const Values ranks(n, (static_cast<double>(n) + 1) / 2);
     check_drawn(
         critical_difference_figure({.name = "cd", .labels = labels, .average_ranks = ranks, .critical_difference = 1}));
-    check_drawn(effect_matrix_figure({.name = "effects", .labels = labels, .effects = {n, Values(n, 0.5)}}));
   }
 }
 

@@ -1,5 +1,4 @@
-// Figures of a statistical analysis: the sizes and the strengths of differences between groups. Each caption names what
-// its picture does not show.
+// A forest plot of differences between groups. Its caption names what the picture does not show.
 #pragma once
 
 #include <string>
@@ -27,18 +26,5 @@ struct DifferencesWords {
 
 // A forest plot: intervals of differences; those that exclude zero (ratios: 1) are coloured.
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
-
-struct EffectMatrix {
-  std::string name;
-  std::string quantity;
-  std::vector<std::string> labels;
-  std::string meaning;  // of an effect: "the chance that a value of the row is better than one of the column"
-  // effects[row][column], 0 to 1: of the row against the column.
-  std::vector<std::vector<double>> effects;
-};
-
-constexpr std::size_t most_effect_labels = 20;
-
-Figure effect_matrix_figure(const EffectMatrix& matrix);
 
 }  // namespace ikbench::figures
