@@ -38,7 +38,7 @@ Observations mixed(Observations of_solver, Observations of_others, const std::st
 }  // namespace
 
 std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const StudyResults& study, Metric metric) {
-  const bool is_elsewhere = std::ranges::find(file.not_on, study.facts.path.kind) != file.not_on.end();
+  const bool is_elsewhere = std::ranges::find(file.not_on, study.facts.path) != file.not_on.end();
   return is_elsewhere ? std::vector<PrintedRow>() : printed_rows(study.facts.published, file.means, metric);
 }
 

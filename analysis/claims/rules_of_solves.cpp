@@ -232,7 +232,7 @@ std::vector<Claim> rounding_level(const Case& of) {
   constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
   return first_of(of, [&](const StudyResults& study) -> std::vector<Claim> {
     const CsvTable table = printed_table(study.facts.published, of.entry.table);
-    if (study.facts.path.kind != of.entry.path || study.solves.empty() || table.rows.empty()) return {};
+    if (study.facts.path != of.entry.path || study.solves.empty() || table.rows.empty()) return {};
     std::vector<double> printed, ours;
     for (std::size_t row = 0; row < table.rows.size(); ++row) printed.push_back(table.number(row, "error_cm"));
     for (const Solve& solve : solves_of(study, study.solvers.front())) ours.push_back(solve.position_error_cm);

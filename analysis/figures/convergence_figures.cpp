@@ -166,7 +166,7 @@ std::string problem(const StudyResults& study) {
     words += "; after the first, each solver starts where its previous answer left the arm.";
   }
   if (study.facts.start.empty() && study.points > 1) words += ".";
-  if (!study.facts.path.kind.empty() && !study.facts.draws_targets && study.runs > 1)
+  if (!study.facts.path.empty() && !study.facts.draws_targets && study.runs > 1)
     words += " The runs repeat the same targets.";
   return words;
 }

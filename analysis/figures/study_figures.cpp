@@ -32,27 +32,6 @@ using namespace inference;
 
 namespace {
 
-// The lines of a helix, x, y, z [cm], by its definition (experiments/paths/helix.cpp); empty if the path is no helix,
-// or a user's own.
-std::string helix_lines(const StudyFacts::Path& path) {
-  const std::vector<double>& centre = path.centre_cm;
-  const double turns = path.turns, length = path.length_cm, radius = path.radius_cm;
-  const bool is_helix = path.kind == "helix" && centre.size() == 3 && std::isfinite(length + radius + path.start_deg) &&
-                        std::abs(turns) <= 1000;
-  if (!is_helix) return "";
-  const bool sine_first = path.phase != "cos_sin";
-  const int corners = 1 + static_cast<int>(60 * std::abs(turns));
-  std::string lines;
-  for (int i = 0; i <= corners; ++i) {
-    const double fraction = static_cast<double>(i) / corners;
-    const double t = path.start_deg * std::numbers::pi / 180 + 2 * std::numbers::pi * turns * fraction;
-    const double first = sine_first ? std::sin(t) : std::cos(t), second = sine_first ? std::cos(t) : std::sin(t);
-    lines += fmt::format("{} {} {}\n", text_of(centre[0] + radius * first), text_of(centre[1] + radius * second),
-                         text_of(centre[2] + length * fraction));
-  }
-  return lines;
-}
-
 // Three numbers [m] as a line [cm], which are also added to the coordinates that the axes show.
 std::string line_of(const std::vector<double>& position_m, std::array<std::vector<double>, 3>& shown_cm) {
   std::string line;
@@ -66,19 +45,16 @@ std::string line_of(const std::vector<double>& position_m, std::array<std::vecto
 
 }  // namespace
 
-Figure path_figure(const StudyResults& study, const std::string& name) {
+Figure path_figure(const StudyResults& study, const std::string& name, View view) {
   const std::string solver = solver_of(study, study.solves.front());
-  const bool is_path = !study.facts.draws_targets;
   Figure figure{.name = name,
                 .caption = fmt::format("Targets, and positions that {} reached in its first run.", solver),
                 .height_cm = 8.0};
   figure.data = "# target x, y, z [cm]; reached x, y, z [cm] and position error [cm] of " + one_line(solver) + "\n";
-  std::array<std::vector<double>, 3> coordinates;
+  std::array<std::vector<double>, 3> coordinates, reached;  // the axes are not widened by what was reached
   double largest_error = 0;
   const auto solves = first_run(study, solver);
   for (const auto& [point, solve] : solves) {
-    if (solve->target_position_m.size() != coordinates.size()) continue;
-    std::array<std::vector<double>, 3> reached;  // by which the axes are not widened
     figure.data += line_of(solve->target_position_m, coordinates) + line_of(solve->reached_position_m, reached) +
                    data_number(solve->position_error_cm) + '\n';
     largest_error =
@@ -89,27 +65,30 @@ Figure path_figure(const StudyResults& study, const std::string& name) {
                         : " Some of its answers are not finite.";
   std::vector<std::string> clauses, labels{"target", "reached"};
   const auto add = [&](std::string_view what) { clauses.push_back(fmt::format("'{}.dat' {}", name, what)); };
-  const std::string helix = helix_lines(study.facts.path);
-  figure.data += "\n\n# the path: x, y, z [cm]\n" + (helix.empty() ? "NaN NaN NaN\n" : helix);
-  figure.data += "\n\n# the arm at the first point, from the base to the tool: x, y, z [cm]\n";
-  const std::vector<Point> corners = arm_points(study.facts, solves.begin()->second->answer_rad);
-  for (const Point& corner : corners) {
-    figure.data += line_of({corner.begin(), corner.end()}, coordinates) + '\n';
-  }
-  if (corners.empty()) figure.data += "NaN NaN NaN\n";
-  if (!corners.empty()) {
-    labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
-    add(fmt::format("index 2 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) title '{}'",
-                    labels.back()));
-  }
-  if (is_path) {
+  if (!study.facts.draws_targets) {
     labels.emplace_back("path");
-    add(fmt::format("index {} using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'", helix.empty() ? 0 : 1));
+    add("index 0 using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'");
+  }
+  const std::vector<Point> corners =
+      view == View::with_arm ? arm_points(study.facts, solves.begin()->second->answer_rad) : std::vector<Point>();
+  if (!corners.empty()) {
+    figure.data += "\n\n# the arm at the first point, from the base to the tool: x, y, z [cm]\n";
+    for (const Point& corner : corners) {
+      figure.data += line_of({corner.begin(), corner.end()}, coordinates) + '\n';
+    }
+    labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
+    add(fmt::format("index 1 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) title '{}'",
+                    labels.back()));
   }
   add("index 0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000' title 'target'");
   add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb word(colours, 1) title 'reached'");
-  if (is_path) add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
+  if (!study.facts.draws_targets) {
+    add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
+  }
   figure.settings = space_axes(coordinates);
+  if (view == View::from_above) {
+    figure.settings += "set view noequal\nset view map\nset size ratio -1\nset border 3\nset xlabel offset 0, 0\n";
+  }
   add_legend(figure, labels);
   figure.settings += "set key at screen 0.5, 0.99 top center horizontal maxrows 2\n";  // below, gnuplot cuts it
   figure.plot = plot_command(clauses, "splot");

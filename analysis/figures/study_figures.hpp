@@ -12,7 +12,10 @@
 
 namespace ikbench::figures {
 
-Figure path_figure(const inference::StudyResults& study, const std::string& name);
+// The targets of the first run, joined in their order unless they are drawn at random, and what its first solver
+// reached.
+enum class View { with_arm, from_above };
+Figure path_figure(const inference::StudyResults& study, const std::string& name, View view = View::with_arm);
 // `printed` is drawn in grey, by point.
 Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed = {});

@@ -55,7 +55,7 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
 Blocks blocks_of(const StudyResults& study) {
   const bool starts_anew = study.facts.starts_anew();
   if (study.facts.draws_targets) return starts_anew ? Blocks::drawn_targets : Blocks::runs;
-  if (study.facts.path.kind.empty()) return Blocks::none;
+  if (study.facts.path.empty()) return Blocks::none;
   return starts_anew || study.points == 1 ? Blocks::path_targets : Blocks::none;
 }
 
@@ -207,7 +207,7 @@ Doubts why_not_blocked(const StudyResults& study) {
     return why_not_blocked(of_solvers(study, [&](std::string_view solver) { return !partial.contains(solver); }));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
-    return {{study.facts.path.kind.empty() ? DoubtKind::no_path_for_blocks : DoubtKind::chained_solves}};
+    return {{study.facts.path.empty() ? DoubtKind::no_path_for_blocks : DoubtKind::chained_solves}};
   }
   if (!were_given_the_same(study, blocks)) return {{DoubtKind::other_targets}};
   const std::size_t count = layout(study, blocks).size();

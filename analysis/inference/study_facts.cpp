@@ -29,13 +29,6 @@ double number(const Json& object, const std::string& key) {
   return found != nullptr && found->is_number() ? found->get<double>() : not_defined;
 }
 
-std::vector<double> numbers(const Json& object, const std::string& key) {
-  const Json list = part(object, key);
-  const auto is_number = [](const Json& element) { return element.is_number(); };
-  return list.is_array() && std::ranges::all_of(list, is_number) ? list.get<std::vector<double>>()
-                                                                 : std::vector<double>();
-}
-
 std::set<std::size_t> slides_of(const Json& arm) {
   std::set<std::size_t> slides;
   const Json links = part(arm, "links");
@@ -43,16 +36,6 @@ std::set<std::size_t> slides_of(const Json& arm) {
     if (text(links[joint], "joint") == "slides") slides.insert(joint);
   }
   return slides;
-}
-
-StudyFacts::Path path_of(const Json& path) {
-  return {.kind = text(path, "kind"),
-          .phase = text(path, "phase"),
-          .centre_cm = numbers(path, "centre_cm"),
-          .radius_cm = number(path, "radius_cm"),
-          .length_cm = number(path, "length_cm"),
-          .turns = number(path, "turns"),
-          .start_deg = number(path, "start_deg")};
 }
 
 StudyFacts::Stop stop_of(const Json& stop) {
@@ -104,7 +87,7 @@ StudyFacts facts_of(const Json& all, std::string definition) {
           .repeats = number(all, "repeats"),
           .deadline_ms = number(all, "deadline_ms"),
           .stop = stop_of(part(all, "stop")),
-          .path = path_of(path),
+          .path = text(path, "kind"),
           .out_of_reach = out_of_reach_of(part(all, "out_of_reach")),
           .arm = arm};
 }

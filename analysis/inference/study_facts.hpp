@@ -24,15 +24,6 @@ struct StudyFacts {
     double evaluations = not_defined;
     double seconds = not_defined;
   };
-  struct Path {
-    std::string kind = {};
-    std::string phase = {};
-    std::vector<double> centre_cm = {};  // empty if any is not a number
-    double radius_cm = not_defined;
-    double length_cm = not_defined;
-    double turns = not_defined;
-    double start_deg = not_defined;
-  };
   // Targets out of reach, as the program found before it solved the study.
   struct OutOfReach {
     double points = not_defined;
@@ -58,7 +49,7 @@ struct StudyFacts {
   double repeats = not_defined;
   double deadline_ms = not_defined;
   Stop stop = {};
-  Path path = {};
+  std::string path = {};  // kind of path, or empty
   OutOfReach out_of_reach = {};
   nlohmann::json arm = {};  // null if there is none
 

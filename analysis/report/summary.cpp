@@ -135,7 +135,7 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   std::string run = fmt::format("{}, {}, {}", several(study.solvers.size(), "solver"),
                                 several(static_cast<std::size_t>(study.runs), "run"),
                                 several(static_cast<std::size_t>(study.points), "point"));
-  if (!study.facts.path.kind.empty()) run += fmt::format(" ({})", study.facts.path.kind);
+  if (!study.facts.path.empty()) run += fmt::format(" ({})", study.facts.path);
   if (!study.facts.robot.empty()) run += fmt::format(", {}", study.facts.robot);
   if (std::isfinite(study.facts.seed)) run += fmt::format(", seed {}", study.facts.seed);
   std::vector<std::string> sentences{paper.citation, run + '.', departs_from_paper(study) ? "" : paper.not_reproduced};

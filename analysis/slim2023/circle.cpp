@@ -117,7 +117,7 @@ bool is_table_8(const StudyResults& study) {
 
 }  // namespace
 
-bool is_circle(const StudyResults& study) { return study.facts.path.kind == "circle"; }
+bool is_circle(const StudyResults& study) { return study.facts.path == "circle"; }
 
 std::optional<Table> table_8(const StudyResults& study) {
   if (!is_table_8(study)) return std::nullopt;

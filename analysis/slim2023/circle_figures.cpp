@@ -3,225 +3,97 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <limits>
 #include <map>
-#include <numbers>
+#include <optional>
 
-#include "analysis/figures/arm.hpp"
+#include "analysis/claims/rules_of_solves.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/circle.hpp"
-#include "analysis/slim2023/circle_curves.hpp"
+#include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::slim2023 {
 
 using namespace numerics;
-using namespace results;
 using namespace statistics;
 using namespace inference;
 using namespace figures;
-using namespace report;
 
 namespace {
 
-constexpr std::array<int, 3> arm_colours{2, 3, 4};  // line styles, one per drawn arm
-
-// The solver that figures 14 to 16 show.
-const std::string& shown_solver(const StudyResults& study) { return solver_of(study, study.solves.front()); }
-
-double cm(const std::vector<double>& position_m, std::size_t axis) {
-  return position_m.size() == 3 ? 100 * position_m[axis] : not_defined;
-}
-
-std::string row(std::initializer_list<double> values) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(data_number(value));
-  return fmt::format("{}\n", fmt::join(texts, " "));
-}
-
-std::string largest_error(const StudyResults& study) {
-  double largest = 0;
-  for (const auto& [point, solve] : first_run(study, shown_solver(study))) {
-    const double error = solve->position_error_cm;
-    largest = std::isfinite(error) ? std::max(largest, error) : not_defined;
+// Best error after every iteration, mean over the solves; a solve that ended earlier keeps its last.
+std::vector<double> mean_trace(const StudyResults& study, const std::string& solver) {
+  std::vector<const std::vector<double>*> traces;
+  std::size_t iterations = 0;
+  for (const Solve& solve : solves_of(study, solver)) {
+    if (trace_cm(solve).empty()) continue;
+    traces.push_back(&trace_cm(solve));
+    iterations = std::max(iterations, trace_cm(solve).size());
   }
-  return std::isfinite(largest) ? fmt::format(" The largest error is {} cm.", rounded_number(largest, 2))
-                                : " Some of its answers are not finite.";
-}
-
-// Targets and reached points, x, y, z [cm].
-std::string points_data(const StudyResults& study) {
-  std::string data = "# target x, y, z [cm]; reached x, y, z [cm]; point; position error [cm] of " +
-                     one_line(shown_solver(study)) + "\n";
-  for (const auto& [point, solve] : first_run(study, shown_solver(study))) {
-    const auto& target = solve->target_position_m;
-    const auto& reached = solve->reached_position_m;
-    data += row({cm(target, 0), cm(target, 1), cm(target, 2), cm(reached, 0), cm(reached, 1), cm(reached, 2),
-                 static_cast<double>(point), solve->position_error_cm});
-  }
-  return data;
-}
-
-// The circle of the definition; if it has none, the polygon through the targets.
-std::string circle_data(const StudyResults& study) {
-  const std::vector<double>& centre = study.facts.path.centre_cm;
-  const double radius = study.facts.path.radius_cm;
-  std::string data = "\n\n# the circle: x, y, z [cm]\n";
-  if (centre.size() == 3 && std::isfinite(radius)) {
-    constexpr int corners = 120;
-    for (int i = 0; i <= corners; ++i) {
-      const double t = 2 * std::numbers::pi * i / corners;
-      data += row({centre[0] + radius * std::cos(t), centre[1] + radius * std::sin(t), centre[2]});
+  std::vector<double> result(iterations), at_iteration(traces.size());
+  for (std::size_t i = 0; i < iterations; ++i) {
+    for (std::size_t t = 0; t < traces.size(); ++t) {
+      at_iteration[t] = (*traces[t])[std::min(i, traces[t]->size() - 1)];
     }
-    return data;
-  }
-  std::string first;
-  for (const auto& [point, solve] : first_run(study, shown_solver(study))) {
-    const auto& target = solve->target_position_m;
-    data += row({cm(target, 0), cm(target, 1), cm(target, 2)});
-    if (first.empty()) first = row({cm(target, 0), cm(target, 1), cm(target, 2)});
-  }
-  return data + first;
-}
-
-// Plot clauses for targets and reached points, from the named columns.
-std::string points_clauses(const std::string& target, const std::string& reached) {
-  return fmt::format(
-      "'' index 0 using {} with points pt 7 ps 0.35 lc rgb '#000000' title 'target', \\\n"
-      "  '' index 0 using {} with points pt 6 ps 0.9 lw 0.9 lc rgb word(colours, 1) title 'reached'",
-      target, reached);
-}
-
-// The arm at some of the points, evenly along the path.
-std::map<int, std::vector<Point>> arms(const StudyResults& study) {
-  const auto solves = first_run(study, shown_solver(study));
-  const std::size_t step = (solves.size() + arm_colours.size() - 1) / arm_colours.size();
-  std::map<int, std::vector<Point>> result;
-  std::size_t index = 0;
-  for (const auto& [point, solve] : solves) {
-    if (index++ % step != 0) continue;
-    std::vector<Point> corners = arm_points(study.facts, solve->answer_rad);
-    if (!corners.empty()) result.emplace(point, std::move(corners));
+    result[i] = mean(at_iteration);
   }
   return result;
 }
 
-// The mean target [cm]; 0 if it is not finite.
-Point mean_target_cm(const StudyResults& study) {
-  Point result{};
-  for (std::size_t axis = 0; axis < result.size(); ++axis) {
-    std::vector<double> values;
-    for (const auto& [point, solve] : first_run(study, shown_solver(study))) {
-      values.push_back(cm(solve->target_position_m, axis));
-    }
-    if (const double middle = mean(values); std::isfinite(middle)) result[axis] = middle;
+Figure convergence_figure(const StudyResults& study) {
+  const double rounding_cm = claims::farthest_target_cm(study) * std::numeric_limits<double>::epsilon();
+  Figure figure{
+      .name = "figure-18",
+      .caption = fmt::format(
+          "Best position error [cm] after every iteration, mean over all solves; solves that stop early keep their "
+          "last error. Dashed: {} cm, the rounding level (2^-52 of the farthest target's distance from the base).",
+          rounded_number(rounding_cm, 2))};
+  std::vector<double> all;
+  if (rounding_cm > 0) all.push_back(rounding_cm);
+  std::vector<std::string> clauses, labels;
+  std::size_t iterations = 1;
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    const std::vector<double> curve = mean_trace(study, study.solvers[i]);
+    if (curve.empty()) continue;
+    figure.data += fmt::format("{}# {}\n# iteration, mean of the best position error [cm]\n",
+                               figure.data.empty() ? "" : "\n\n", one_line(study.solvers[i]));
+    for (std::size_t k = 0; k < curve.size(); ++k) figure.data += fmt::format("{} {}\n", k + 1, data_number(curve[k]));
+    all.insert(all.end(), curve.begin(), curve.end());
+    iterations = std::max(iterations, curve.size());
+    labels.push_back(shortened(study.solvers[i], longest_label));
+    clauses.push_back(fmt::format("'{}.dat' index {} using 1:(shown($2)) with lines ls {} lw 1.3 title {}", figure.name,
+                                  clauses.size(), i + 1, gnuplot_string(labels.back())));
   }
-  return result;
+  const Axis axis = value_axis(all, {"average position error", "cm"}, Scale::logarithmic);
+  figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
+  figure.settings =
+      axis.settings + fmt::format("set xlabel 'iteration'\nset xrange [0:{}]\n", std::max<std::size_t>(iterations, 2));
+  if (rounding_cm > 0) {
+    labels.emplace_back("rounding level");
+    clauses.push_back(
+        fmt::format("{} with lines lw 0.9 dt 2 lc rgb '#777777' title 'rounding level'", text_of(rounding_cm)));
+  }
+  add_legend(figure, labels);
+  figure.plot = plot_command(clauses);
+  return figure;
 }
 
 }  // namespace
 
-Figure circle_plane_figure(const StudyResults& study) {
-  Figure figure{
-      .name = "figure-14",
-      .caption = fmt::format("Circle, its points (dots) and positions that {} reached in its first run (rings).{}",
-                             shown_solver(study), largest_error(study)),
-      .height_cm = 8.2};
-  figure.data = points_data(study) + circle_data(study) + "\n\n# labels: x, y [cm], point\n";
-  const auto solves = first_run(study, shown_solver(study));
-  std::array<std::vector<double>, 2> drawn, targets;
-  for (const auto& [point, solve] : solves) {
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      targets[axis].push_back(cm(solve->target_position_m, axis));
-      for (const double at : {targets[axis].back(), cm(solve->reached_position_m, axis)}) {
-        if (std::isfinite(at)) drawn[axis].push_back(at);
-      }
-    }
-  }
-  // A square around all of it; labels stand outside of the circle.
-  std::array<double, 2> middle{};
-  double half = 0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (drawn[axis].empty()) continue;
-    const auto [low, high] = std::ranges::minmax(drawn[axis]);
-    middle[axis] = low / 2 + high / 2;
-    half = std::max(half, 0.65 * (high - low));
-  }
-  if (!(half > 0) || !std::isfinite(half)) half = 1;
-  std::size_t index = 0;
-  for (const auto& [point, solve] : solves) {
-    const double x = targets[0][index], y = targets[1][index];
-    if (index++ % ((solves.size() + 3) / 4) != 0) continue;
-    const double away = std::hypot(x - middle[0], y - middle[1]);
-    const double out = away > 0 ? 1 + 0.12 * half / away : 1;
-    figure.data +=
-        row({middle[0] + out * (x - middle[0]), middle[1] + out * (y - middle[1]), static_cast<double>(point)});
-  }
-  figure.settings = fmt::format(
-      "set size ratio -1\nset xlabel 'x [cm]'\nset ylabel 'y [cm]'\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      text_of(middle[0] - half), text_of(middle[0] + half), text_of(middle[1] - half), text_of(middle[1] + half));
-  add_legend(figure, {"circle", "target", "reached"});
-  figure.plot =
-      plot_command({"'figure-14.dat' index 1 using 1:2 with lines lw 0.7 lc rgb '#888888' title 'circle'",
-                    points_clauses("1:2", "4:5"), "'' index 2 using 1:2:(sprintf('%d', $3)) with labels notitle"});
-  return figure;
-}
-
-Figure circle_space_figure(const StudyResults& study) {
-  const std::map<int, std::vector<Point>> drawn = arms(study);
-  std::vector<int> shown;
-  for (const auto& [point, corners] : drawn) shown.push_back(point);
-  Figure figure{
-      .name = "figure-15",
-      .caption = fmt::format(
-          "Circle in space, its points (dots) and positions that {} reached in its first run (rings){}.{}",
-          shown_solver(study), shown.empty() ? "" : fmt::format(", with the arm at points {}", fmt::join(shown, ", ")),
-          largest_error(study)),
-      .height_cm = 8.0};
-  figure.data = points_data(study) + circle_data(study);
-  std::array<std::vector<double>, 3> coordinates;
-  const Point middle = mean_target_cm(study);
-  std::vector<std::string> clauses;
-  for (const auto& [point, corners] : drawn) {
-    figure.data += fmt::format("\n\n# the arm at point {}, from the base to the tool: x, y, z [cm]\n", point);
-    for (const Point& corner : corners) {
-      for (std::size_t axis = 0; axis < 3; ++axis) coordinates[axis].push_back(100 * corner[axis]);
-      figure.data += row({100 * corner[0], 100 * corner[1], 100 * corner[2]});
-    }
-    const int colour = arm_colours[clauses.size()];
-    const Point& tool = corners.back();
-    const auto outside = [&](std::size_t axis) {
-      return text_of(middle[axis] + 1.45 * (100 * tool[axis] - middle[axis]));
-    };
-    figure.settings += fmt::format("set label '{}' at {}, {}, {} center tc rgb word(colours, {}) front\n", point,
-                                   outside(0), outside(1), outside(2), colour);
-    clauses.push_back(
-        fmt::format("'figure-15.dat' index {} using 1:2:3 with linespoints lw 1.5 pt 7 ps 0.45 lc rgb "
-                    "word(colours, {})",
-                    clauses.size() + 2, colour));
-  }
-  for (const auto& [point, solve] : first_run(study, shown_solver(study))) {
-    for (const auto* position : {&solve->target_position_m, &solve->reached_position_m}) {
-      if (!std::isfinite(cm(*position, 0) + cm(*position, 1) + cm(*position, 2))) continue;
-      for (std::size_t axis = 0; axis < 3; ++axis) coordinates[axis].push_back(cm(*position, axis));
-    }
-  }
-  figure.settings += space_axes(coordinates) + "unset key\n";
-  clauses.push_back("'figure-15.dat' index 1 using 1:2:3 with lines lw 0.7 lc rgb '#888888'");
-  clauses.push_back(points_clauses("1:2:3", "4:5:6"));
-  figure.plot = plot_command(clauses, "splot");
-  return figure;
-}
-
 std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || !is_circle(study)) return {};
-  std::vector<Figure> figures{circle_plane_figure(study), circle_space_figure(study), circle_joints_figure(study),
-                              circle_errors_figure(study)};
+  std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above), path_figure(study, "figure-15")};
+  if (std::optional<Figure> joints = joints_figure(study, "figure-16")) figures.push_back(std::move(*joints));
+  std::map<int, std::vector<double>> printed;
+  for (const PrintedPosture& posture : printed_table_8(study.facts.published)) {
+    printed[posture.point] = {posture.error_cm};
+  }
+  figures.push_back(curves_figure(study, Metric::position_error_cm, "figure-17", printed));
   const auto is_traced = [](const Solve& solve) { return !trace_cm(solve).empty(); };
   if (std::ranges::any_of(study.solves, is_traced)) figures.push_back(convergence_figure(study));
   return figures;

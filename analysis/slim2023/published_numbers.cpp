@@ -18,7 +18,7 @@ const PaperNumbers& paper_numbers(Metric metric) {
 }
 
 std::vector<PrintedRow> printed_table_3(const StudyResults& study, Metric metric) {
-  const std::string& path = study.facts.path.kind;
+  const std::string& path = study.facts.path;
   return path == "circle" || path == "random" ? std::vector<PrintedRow>()
                                               : claims::printed_rows(study.facts.published, "table-3", metric);
 }

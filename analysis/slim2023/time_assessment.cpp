@@ -47,7 +47,7 @@ std::string listed(const std::vector<Row>& rows, Text&& text) {
 }
 
 bool is_time_study(const StudyResults& study) {
-  return study.facts.path.kind == "random" && !printed_table_7(study.facts.published).empty();
+  return study.facts.path == "random" && !printed_table_7(study.facts.published).empty();
 }
 
 std::string verdict(const std::vector<TimeAssessment>& rows, double tolerance,

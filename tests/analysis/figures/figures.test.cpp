@@ -237,21 +237,18 @@ TEST_CASE("the unit of a time is the same on the axis and in the caption", "[fig
   CHECK(contains(logarithmic.settings, "set yrange [1e-1:1e2]"));
 }
 
-TEST_CASE("the path is the helix itself, with the arm at its first point", "[figure]") {
+TEST_CASE("the path is drawn with the arm at its first point", "[figure]") {
   auto solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 1});
   for (SolveRecord& solve : solves) solve.answer_rad = {0};
-  const Figure figure = path_figure(
-      make_study(StudyEntry{.name = "s",
-                            .definition = R"({"path": {"kind": "helix", "centre_cm": [60, 0, 10], "radius_cm": 20,
-                                                       "length_cm": 50, "turns": 2, "start_deg": 0},
+  const Figure figure = path_figure(make_study(StudyEntry{.name = "s",
+                                                          .definition = R"({"path": {"kind": "helix"},
                                               "arm": {"links": [{"joint": "turns", "offset_deg": 0, "d_m": 0.5,
                                                                  "a_m": 0.25, "alpha_deg": 0}],
                                                       "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
                                                       "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}}})",
-                            .series = {}},
-                 solves),
-      "path");
-  CHECK(contains(figure.data, "# the path: x, y, z [cm]\n60 20 10\n"));  // centre + radius (sin 0, cos 0)
+                                                          .series = {}},
+                                               solves),
+                                    "path");
   CHECK(contains(figure.data, "from the base to the tool: x, y, z [cm]\n0 0 0 \n0 0 50 \n25 0 50 \n"));
   for (const char* label : {"'path'", "'target'", "'reached'", "'arm at point 1'"}) CHECK(contains(figure.plot, label));
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "analysis/inference/make_study.hpp"
-#include "analysis/slim2023/circle_curves.hpp"
 #include "analysis/slim2023/circle_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "tests/analysis/cells.hpp"
@@ -124,12 +123,11 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
   const auto figures = circle_figures(circle_study(synthetic::dobot_solves()));
   CHECK(names_of(figures) == std::vector<std::string>{"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"});
   check_drawn(figures);
-  CHECK(contains(figures[1].caption, "with the arm at points 1, 8, 15."));
+  CHECK(contains(figures[0].settings, "set view map"));
+  CHECK(contains(figures[1].plot, "title 'arm at point 1'"));
   CHECK(contains(figures[1].data, "\n0 0 5.8"));  // the shoulder
   CHECK(contains(figures[2].caption,
-                 "joint limits within the axis; those of joints 1 to 3 are -90 to 90 deg, 0 to 85 "
-                 "deg, -10 to 95 deg."));
-  CHECK(contains(figures[2].plot, "title 'joint 4'"));
+                 "the joint limits, -90 to 90 deg (joint 1); -10 to 95 deg (joint 3); 0 to 85 deg (joint 2)."));
   CHECK(contains(figures[3].data, "\n12 9.61e-14\n"));
 }
 
@@ -146,14 +144,14 @@ TEST_CASE("the convergence is the mean over the solves, one that ended keeps its
   solves[0].trace_cm = {8, 4, 1};
   solves[1].trace_cm = {2};
   solves[2].trace_cm = {};
-  const Figure figure = convergence_figure(circle_study(solves));
+  const Figure figure = circle_figures(circle_study(solves)).back();
   CHECK(contains(figure.data, "# iteration, mean of the best position error [cm]\n1 5\n2 3\n3 1.5\n"));
 }
 
 TEST_CASE("the order of rounding is 2^-52 of the farthest target's distance", "[circle]") {
   std::vector<SolveRecord> solves = synthetic::dobot_solves(1);
   solves[0].target_position_m = {0.03, 0.04, 0};  // 5 cm
-  const Figure figure = convergence_figure(circle_study(solves));
+  const Figure figure = circle_figures(circle_study(solves)).back();
   CHECK(contains(figure.caption, "Dashed: 1.1e-15 cm"));  // 5 / 4503599627370496 = 1.1102e-15
   CHECK(contains(figure.plot, "1.1102230246251565e-15 with lines"));
 }
