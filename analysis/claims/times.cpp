@@ -9,27 +9,21 @@ namespace ikbench::claims {
 using namespace statistics;
 using namespace inference;
 
-double most_error_cm(const StudyResults& study) {
-  constexpr double verifier_rounding_cm = 1e-7;
-  return tolerance_cm(study) + verifier_rounding_cm;
-}
-
 std::vector<TimeAssessment> assess_times(const StudyResults& measured, double limit_ms) {
   constexpr double ms_in_s = 1000;
   const StudyResults study = at_median_speed(measured);
-  const double most = most_error_cm(study);
+  constexpr double verifier_rounding_cm = 1e-7;
+  const double most = tolerance_cm(study) + verifier_rounding_cm;
   std::vector<TimeAssessment> rows;
   for (const std::string& solver : study.solvers) {
     TimeAssessment row{.solver = solver};
-    std::vector<double> times, times_reached, iterations, iterations_reached, evaluations;
+    std::vector<double> times, iterations, evaluations;
     for (const Solve& solve : solves_of(study, solver)) {
       const double time_ms = ms_in_s * seconds_of(study, solve);
       times.push_back(time_ms);
       iterations.push_back(static_cast<double>(solve.iterations));
       evaluations.push_back(static_cast<double>(solve.evaluations));
       if (solve.position_error_cm <= most) {
-        times_reached.push_back(time_ms);
-        iterations_reached.push_back(static_cast<double>(solve.iterations));
         if (time_ms < limit_ms) ++row.in_time;
       } else {
         ++row.never_reached;  // also an answer that is not finite
@@ -37,9 +31,7 @@ std::vector<TimeAssessment> assess_times(const StudyResults& measured, double li
     }
     row.solves = static_cast<int>(times.size());
     row.time_ms = describe(times);
-    row.reached_ms = describe(times_reached);
     row.iterations_median = describe(iterations).median;
-    row.iterations_reached_median = describe(iterations_reached).median;
     row.evaluations_median = describe(evaluations).median;
     rows.push_back(row);
   }

@@ -10,16 +10,11 @@
 
 namespace ikbench::claims {
 
-// The largest error of a solve that reaches the tolerance, including the verifier's rounding.
-double most_error_cm(const inference::StudyResults& study);
-
 // The times of one solver of a study.
 struct TimeAssessment {
   std::string solver;
   statistics::Description time_ms = {};  // of all solves, at the solver's median speed (analysis/inference/times.hpp)
-  statistics::Description reached_ms = {};  // only those that reached the tolerance, at the median speed
   double iterations_median = statistics::not_defined;
-  double iterations_reached_median = statistics::not_defined;
   double evaluations_median = statistics::not_defined;
   int solves = 0;
   int never_reached = 0;

@@ -35,7 +35,7 @@ struct Paper {
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
   ReportPlan sections = {};                                 // places the pieces
-  std::function<std::vector<std::string>(const Reported&)> summary = {};  // for a study with solves
+  std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
   // Printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/ranking.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -41,20 +44,7 @@ std::string no_tolerance_sentence(const StudyResults& study) {
          "answer is inside the joint limits, however far it is from the target.";
 }
 
-// Sentences of a study without a paper.
-std::vector<std::string> rankings(const Reported& reported) {
-  std::vector<std::string> sentences;
-  for (const Metric metric : reported_metrics()) {
-    sentences.push_back(metric == Metric::seconds && !times_are_comparable(reported.study)
-                            ? times_sentence(reported.study)
-                            : ranking_sentence(reported.study, metric));
-    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(reported.study));
-  }
-  return sentences;
-}
-
-}  // namespace
-
+// The solvers that have a mean of the metric.
 std::vector<Standing> standings(const StudyResults& study, Metric metric) {
   std::vector<Standing> result;
   for (const Sample& sample : samples(study, quantity_of(study, metric, Estimand::mean).value)) {
@@ -63,6 +53,8 @@ std::vector<Standing> standings(const StudyResults& study, Metric metric) {
   }
   return ranked(std::move(result));
 }
+
+}  // namespace
 
 std::string ranking_sentence(const StudyResults& study, Metric metric) {
   const std::string_view name = info_of(metric).name;
@@ -119,9 +111,12 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   const StudyResults& study = reported.study;
   if (study.solves.empty()) return {"This study has no solves yet."};
   std::vector<std::string> sentences{departures_sentence(study)};
-  for (std::string& sentence : paper.summary ? paper.summary(reported) : rankings(reported)) {
-    sentences.push_back(std::move(sentence));
+  for (const Metric metric : reported_metrics()) {
+    const bool is_ranked = metric != Metric::seconds || times_are_comparable(study);
+    sentences.push_back(is_ranked ? ranking_sentence(study, metric) : times_sentence(study));
+    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
   }
+  if (paper.summary) std::ranges::move(paper.summary(reported), std::back_inserter(sentences));
   sentences.push_back(no_tolerance_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
   std::erase(sentences, "");

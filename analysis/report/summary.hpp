@@ -4,20 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/ranking.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/paper.hpp"
 
 namespace ikbench::report {
 
-// Sentences, the most important first; plain text. A paper's sentences stand among those of any study.
+// Sentences, the most important first; plain text. Those of the paper follow the rankings.
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);
 
 // One sentence each: whose paper, what was run, and what of the paper was not.
 std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
 
-// The parts of a summary follow; each is empty if there is nothing to say. The solvers that have a mean of the metric.
-std::vector<inference::Standing> standings(const inference::StudyResults& study, inference::Metric metric);
+// The parts of a summary follow; each is empty if there is nothing to say.
 std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric);
 // Doubts of solvers that claimed an error which the verifier does not confirm, and how often.
 inference::Doubts wrong_claims(const inference::StudyResults& study);

@@ -14,10 +14,11 @@
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/agreement.hpp"
+#include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
-#include "analysis/slim2023/paper_summary.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/slim2023/time_assessment.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::slim2023 {
@@ -31,8 +32,8 @@ namespace {
 
 // True for pieces that only a companion study has.
 bool is_of_companions(const std::string& piece) {
-  constexpr std::array<std::string_view, 8> names{"table-7",   "table-7-cost", "table-8",   "figure-14",
-                                                  "figure-15", "figure-16",    "figure-17", "figure-18"};
+  constexpr std::array<std::string_view, 7> names{"table-7",   "table-8",   "figure-14", "figure-15",
+                                                  "figure-16", "figure-17", "figure-18"};
   return std::ranges::find(names, piece) != names.end();
 }
 
@@ -89,6 +90,11 @@ StudyPieces pieces(const Reported& reported) {
   return all;
 }
 
+std::vector<std::string> summary(const Reported& reported) {
+  return {real_time_verdict(reported.study), printed_angles_verdict(reported.study),
+          agreement_sentence(agreements(reported.study, reported.repetitions))};
+}
+
 ReportPlan sections() {
   return {
       .results = {{"Table 3", "", {"overview", "agreement|table-3"}, {"table-3", "table-3-as-printed"}},
@@ -102,7 +108,7 @@ ReportPlan sections() {
       .further = {{"Table 7: real time",
                    "How long a swarm of a given size takes to come within 0.1 cm of the target.",
                    {"table-7"},
-                   {"table-7-cost"}},
+                   {}},
                   {"Dobot Magician: Table 8, Figures 14 to 18",
                    "The paper's second arm on a circle, computed; no real arm moved.",
                    {"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"},
@@ -114,7 +120,7 @@ ReportPlan sections() {
 void complete(Paper& paper) {
   paper.pieces = pieces;
   paper.sections = sections();
-  paper.summary = paper_summary;
+  paper.summary = summary;
 }
 
 }  // namespace ikbench::slim2023

@@ -14,10 +14,6 @@ constexpr double real_time_ms = 50;  // shorter solves leave room for 20 per sec
 // Nothing unless the study has random targets and a printed Table 7.
 std::optional<report::Table> table_7(const inference::StudyResults& study);
 
-// The cost of the tolerance, by expected running times with intervals, beside the paper's ratios. Nothing if there is
-// no Table 7, if the study has no tolerance, or if times are not comparable.
-std::optional<report::Table> table_7_cost(const inference::StudyResults& study);
-
 // The number of solves that reached the tolerance in real time, and those that did not; empty if there is no Table 7.
 std::string real_time_verdict(const inference::StudyResults& study);
 

@@ -122,8 +122,6 @@ TEST_CASE("where the plan says 0.05, p = 0.027 decides", "[judge]") {
   const Judged told = told_at({.study = 0.05, .companion = 0.05});
   CHECK(told.relations == std::vector<std::string>(5, "first is better"));
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "holds");
-  CHECK(contains(told.text, "Here it is smaller than that of MO-PSO"));
-  CHECK(contains(told.text, "the solvers differ"));
   CHECK(is_regression(told.compared));
 }
 
@@ -136,8 +134,6 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
                        Significance{.study = 0.05, .companion = 0.05, .given = 0.01}));
   CHECK(told.relations == std::vector<std::string>(5, "undecided"));
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "undecided");
-  CHECK(contains(told.text, "Against MO-PSO (99 %) it is undecided (studentized bootstrap, p &gt;= 0.01)"));
-  CHECK(!contains(told.text, "the solvers differ"));
   for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
   CHECK(told.compared.contrast.relation == Relation::undecided);
 }

@@ -80,7 +80,6 @@ StudyResults times_to_tolerance(std::vector<SolveRecord> solves) {
 std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
   std::vector<std::string> all = verdicts(study);
   all.push_back(real_time_verdict(study));
-  all.push_back(table_7_cost(study)->notes.front());  // the scaling, to its last digit
   const StudyResults undisturbed = at_median_speed(study);
   for (const Finding& pair : compare_costs(undisturbed, Metric::seconds, Clusters(undisturbed))) {
     all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.relation), pair.second));
