@@ -1,6 +1,7 @@
 #include "analysis/figures/axis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,66 +18,153 @@ using namespace inference;
 namespace {
 
 constexpr double spread_for_logarithmic = 30;
+constexpr std::size_t longest_quantity = 60;  // characters of a label
+constexpr double smallest_range = 1e-290;     // of a linear axis: denormal numbers have no round steps
 
-struct Drawn {
-  double smallest, largest, factor, least;
-  bool room_for_least;
+struct DrawnUnit {
+  std::string unit;
+  double factor = 1;  // drawn by given value
 };
-
-std::string logarithmic_settings(const Drawn& of) {
-  // Whole decades, at most 300 either way, since gnuplot works in doubles.
-  int low = static_cast<int>(std::floor(std::log10(std::max(of.factor * of.smallest, 1e-300))));
-  const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(of.factor * of.largest, 1e300)))));
-  if (of.room_for_least) low -= 1;
-  const int decades_per_tick = 1 + (high - low - 1) / 7;
-  // Too small values are drawn at the lower edge, which says so; the ticks are those of the decades above.
-  const std::string edge = !of.room_for_least
-                               ? ""
-                               : fmt::format("set ytics add ('{}' 1e{})\n",
-                                             of.least > 0 ? "≤" + rounded_number(of.factor * of.least, 2) : "0", low);
-  return fmt::format(
-      "set logscale y\nset format y '10^{{%T}}'\nset yrange [1e{0}:1e{1}]\nset ytics 1e{2}\nset mytics {3}\n"
-      "{6}shown(y) = y > {5} ? y * {4} : (y <= {5} ? 1e{0} : NaN)\n",
-      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(of.factor), text_of(of.least), edge);
-}
-
-}  // namespace
 
 DrawnUnit drawn_unit(const std::string& unit, double largest) {
   if (unit != "s" || !(largest > 0) || largest >= 0.1) return {.unit = unit};
   return largest < 1e-4 ? DrawnUnit{.unit = "µs", .factor = 1e6} : DrawnUnit{.unit = "ms", .factor = 1e3};
 }
 
-Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least) {
-  std::vector<double> finite;
-  std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
-  if (std::ranges::none_of(finite, [&](double value) { return value > least; })) least = 0;
-  std::vector<double> positive;
-  std::ranges::copy_if(finite, std::back_inserter(positive), [&](double value) { return value > least; });
+// The smallest of 1, 2 and 5 times a power of ten that marks no more than `places` places of an axis.
+double round_step(double span, double places) {
+  const double least = span / places, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1, 2, 5}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
+}
 
-  Axis axis{.has_values = !finite.empty(), .least = least};
-  const double largest = finite.empty() ? 1.0 : std::ranges::max(finite);
-  const double smallest = finite.empty() ? 0.0 : std::ranges::min(finite);
+// Whole decades around two drawn values. Values that are too small are drawn at the lower edge, which says so; the
+// ticks are those of the decades above.
+void add_decades(Axis& axis, char letter, double smallest, double largest, double factor) {
+  int low = static_cast<int>(std::floor(std::log10(std::max(factor * smallest, 1 / largest_drawable))));
+  const int high =
+      std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(factor * largest, largest_drawable)))));
+  if (axis.shows_at_edge) low -= 1;
+  const int decades_per_tick = 1 + (high - low - 1) / 7;
+  const std::string edge = !axis.shows_at_edge
+                               ? ""
+                               : fmt::format("set {}tics add ('{}' 1e{})\n", letter,
+                                             axis.least > 0 ? "≤" + rounded_number(factor * axis.least, 2) : "0", low);
+  axis.low = std::pow(10, low);
+  axis.high = std::pow(10, high);
+  axis.settings = fmt::format(
+      "set logscale {7}\nset format {7} '10^{{%T}}'\nset {7}range [1e{0}:1e{1}]\nset {7}tics 1e{2}\nset m{7}tics {3}\n"
+      "{6}shown({7}) = {7} > {5} ? {7} * {4} : ({7} <= {5} ? 1e{0} : NaN)\n",
+      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(factor), text_of(axis.least), edge, letter);
+}
+
+void add_from_zero(Axis& axis, double smallest, double largest, double factor) {
+  axis.low = std::min(0.0, 1.05 * factor * smallest);
+  axis.high = largest > 0 ? 1.05 * factor * largest : 1.0;
+  axis.settings =
+      fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n", text_of(axis.low), text_of(axis.high), text_of(factor));
+}
+
+// A round step, and as many digits as tell its multiples apart.
+void add_around(Axis& axis, double smallest, double largest, double factor) {
+  smallest *= factor;
+  largest *= factor;
+  const double magnitude = std::max(std::abs(smallest), std::abs(largest));
+  const double room = std::max({0.06 * (largest - smallest), 1e-13 * magnitude, smallest_range});
+  const double around = largest > smallest ? room : (magnitude > 0 ? std::max(0.1 * magnitude, smallest_range) : 1.0);
+  axis.low = smallest - around;
+  axis.high = largest + around;
+  const double span = axis.high - axis.low;
+  const int digits = std::clamp(
+      2 + static_cast<int>(std::ceil(std::log10(std::max(std::abs(axis.low), std::abs(axis.high)) / span))), 6, 17);
+  axis.settings = fmt::format("set format x '%.{}g'\n{}set xrange [{}:{}]\nset xtics {}\nshown(x) = x * {}\n", digits,
+                              digits > 6 ? "set rmargin 8\n" : "", text_of(axis.low), text_of(axis.high),
+                              text_of(round_step(span, digits > 6 ? 3 : 7)), text_of(factor));
+}
+
+Axis axis_of(char letter, std::span<const double> values, const NameWithUnit& quantity, Scale scale, double least) {
+  std::vector<double> drawable, positive;
+  std::ranges::copy_if(values, std::back_inserter(drawable), is_drawable);
+  if (std::ranges::none_of(drawable, [&](double value) { return value > least; })) least = 0;
+  std::ranges::copy_if(drawable, std::back_inserter(positive), [&](double value) { return value > least; });
+  Axis axis{.least = least};
+  const double largest = drawable.empty() ? 1.0 : std::ranges::max(drawable);
+  const double smallest = drawable.empty() ? 0.0 : std::ranges::min(drawable);
+  const double smallest_positive = positive.empty() ? largest : std::ranges::min(positive);
   const auto [unit, factor] = drawn_unit(quantity.unit, largest);
+  const bool is_spread = smallest >= 0 && largest > spread_for_logarithmic * smallest_positive;
   axis.quantity = text_of({quantity.name, unit});
-  if (!positive.empty() && scale != Scale::linear) {
-    const double smallest_shown = std::ranges::min(positive);
-    axis.logarithmic = scale == Scale::logarithmic || largest > spread_for_logarithmic * smallest_shown;
-  }
+  axis.logarithmic = !positive.empty() && (scale == Scale::logarithmic || (scale == Scale::by_spread && is_spread));
   if (axis.logarithmic) {
-    axis.shows_at_edge = positive.size() < finite.size();
-    axis.settings = logarithmic_settings({.smallest = std::ranges::min(positive),
-                                          .largest = largest,
-                                          .factor = factor,
-                                          .least = least,
-                                          .room_for_least = axis.shows_at_edge});
+    axis.shows_at_edge = positive.size() < drawable.size();
+    add_decades(axis, letter, smallest_positive, largest, factor);
   } else {
-    const double top = largest > 0 ? 1.05 * factor * largest : 1.0;
-    axis.settings = fmt::format("set yrange [{}:{}]\nshown(y) = y * {}\n",
-                                text_of(std::min(0.0, 1.05 * factor * smallest)), text_of(top), text_of(factor));
+    (letter == 'y' ? add_from_zero : add_around)(axis, smallest, largest, factor);
   }
-  axis.settings += fmt::format("set ylabel {}\n", gnuplot_string(axis.quantity));
-  if (!axis.has_values) axis.settings += "unset ytics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n";
+  axis.settings +=
+      fmt::format("set {}label {} noenhanced\n", letter, gnuplot_string(shortened(axis.quantity, longest_quantity)));
+  if (drawable.empty()) {
+    axis.settings += fmt::format("unset {}tics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n", letter);
+  }
+  return axis;
+}
+
+// Round ratios between two: powers of ten; 1, 2 and 5 times these; or round steps, by how far apart they are.
+std::vector<double> ratio_ticks(double low, double high) {
+  std::vector<double> ticks;
+  const double decades = std::log10(high) - std::log10(low);
+  if (decades < 0.7) {
+    const double step = round_step(high - low, 5);
+    for (double tick = std::ceil(low / step); tick * step <= high; ++tick) ticks.push_back(tick * step);
+    return ticks;
+  }
+  const int every = 1 + static_cast<int>(decades / 7);
+  for (int exponent = static_cast<int>(std::floor(std::log10(low))); std::pow(10, exponent) <= high; ++exponent) {
+    if (exponent % every != 0) continue;
+    for (const double multiple : {1.0, 2.0, 5.0}) {
+      const double tick = multiple * std::pow(10, exponent);
+      if (tick >= low && tick <= high && (multiple == 1 || decades <= 3)) ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+}  // namespace
+
+bool is_drawable(double value) { return std::abs(value) <= largest_drawable; }
+
+Axis value_axis(std::span<const double> values, const NameWithUnit& quantity, Scale scale, double least) {
+  return axis_of('y', values, quantity, scale, least);
+}
+
+Axis row_axis(std::span<const double> values, const NameWithUnit& quantity, Scale scale) {
+  return axis_of('x', values, quantity, scale, 0);
+}
+
+Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
+  Axis axis{.logarithmic = true, .low = 1, .high = 10, .quantity = quantity};
+  std::vector<std::string> ticks;
+  if (smallest > 0 && largest >= smallest && std::isfinite(largest)) {
+    const auto drawable = [](double x) { return std::clamp(x, 1 / largest_drawable, largest_drawable); };
+    const double room = std::max(1.01, std::pow(largest, 0.05) * std::pow(smallest, -0.05));
+    axis.low = drawable(drawable(smallest) / room);
+    axis.high = drawable(drawable(largest) * room);
+    const bool has_many_decades = axis.high / 1e3 > axis.low;
+    for (const double tick : ratio_ticks(axis.low, axis.high)) {
+      const std::string label = tick == 1          ? "1"
+                                : has_many_decades ? fmt::format("10^{{{:.0f}}}", std::log10(tick))
+                                                   : fmt::format("{:.4g}", tick);
+      ticks.push_back(fmt::format("'{}' {}", label, text_of(tick)));
+    }
+  }
+  axis.settings = fmt::format(
+      "set logscale x\nset xrange [{0}:{1}]\n{2}set xlabel {3} noenhanced\n"
+      "shown_x(x) = x < {0} ? {0} : (x > {1} ? {1} : x)\n",
+      text_of(axis.low), text_of(axis.high),
+      ticks.empty() ? "unset xtics\n" : fmt::format("set xtics enhanced ({})\n", fmt::join(ticks, ", ")),
+      gnuplot_string(shortened(quantity, longest_quantity)));
   return axis;
 }
 

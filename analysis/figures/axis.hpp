@@ -1,4 +1,4 @@
-// The value axis of a figure as gnuplot commands: linear from zero, or logarithmic with whole decades.
+// The value axes of figures as gnuplot commands.
 #pragma once
 
 #include <span>
@@ -8,27 +8,30 @@
 
 namespace ikbench::figures {
 
-enum class Scale { linear, logarithmic, by_spread };  // by_spread: logarithmic if values differ by more than 30 times
+constexpr double largest_drawable = 1e300;  // gnuplot works in doubles
 
-// The unit that values are drawn in: small seconds as [ms] or [µs].
-struct DrawnUnit {
-  std::string unit;
-  double factor = 1;  // drawn by given value
-};
-DrawnUnit drawn_unit(const std::string& unit, double largest);
+// True for a value that is finite and not too large for an axis.
+bool is_drawable(double value);
+
+// by_spread: logarithmic if values differ by more than 30 times and none is negative.
+enum class Scale { linear, logarithmic, by_spread };
 
 struct Axis {
   bool logarithmic = false;
-  bool has_values = false;     // any finite ones
   bool shows_at_edge = false;  // values <= `least`, which a logarithmic axis cannot show
   double least = 0;
-  std::string quantity = {};  // with its drawn unit
-  // Sets label, range and ticks of y, and the function shown(y), the drawn place of y.
-  std::string settings = {};
+  double low = 0, high = 1;   // its range
+  std::string quantity = {};  // with its drawn unit: small seconds become [ms] or [µs]
+  std::string settings = {};  // label, range, ticks, and the function shown(), the drawn place of a value
 };
 
-// The axis of `quantity`; small seconds become [ms] or [µs]. A logarithmic axis cannot show values up to `least`,
+// The y axis: linear from zero, or logarithmic with whole decades. A logarithmic axis cannot show values up to `least`,
 // unless all are.
 Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least = 0);
+// The x axis: linear around the values, or logarithmic with whole decades.
+Axis row_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale);
+// A logarithmic x axis of ratios or costs, with round ticks: 0.5, 1, 2. Its function shown_x() draws values outside at
+// its ends. No ticks unless both are positive numbers.
+Axis ratio_axis(double smallest, double largest, const std::string& quantity);
 
 }  // namespace ikbench::figures

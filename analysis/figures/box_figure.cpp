@@ -5,196 +5,177 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
-#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/row_chart.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/quantile.hpp"
-#include "numerics/number.hpp"
 
 namespace ikbench::figures {
 
-using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
 
 namespace {
 
-// Quartiles of so few values say nothing: draws each value.
-bool are_few(const Box& box) { return box.n < 5; }
+constexpr std::size_t most_strip_values = 200;
 
-bool is_below_resolution(const Mark& mark) { return mark.min <= 0 && mark.resolution > 0; }
+// Heights of the parts, measured from the middle of a row, downwards.
+constexpr double row_cm = 0.6, box_middle = -0.14, box_half = 0.1, strip_middle = 0.2, strip_half = 0.12,  // in rows
+    marks_middle = 0.4;
 
-double least_of(const Mark& mark) { return is_below_resolution(mark) ? mark.resolution : mark.min; }
-
-// The marks' lines: position, smallest, median, largest, and how far an arrow points below the smallest.
-std::string marks_data(const StudyResults& study, const std::vector<Mark>& marks) {
-  std::string data;
-  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-    const auto mark = std::ranges::find(marks, study.solvers[i], &Mark::solver);
-    if (mark == marks.end()) continue;
-    data += fmt::format("{} {} {} {} {}\n", i + 1, data_number(least_of(*mark)), data_number(mark->median),
-                        data_number(mark->max), is_below_resolution(*mark) ? "0.3" : "NaN");
-  }
-  return data;
+std::vector<double> drawable_values(const Group& group) {
+  std::vector<double> values;
+  std::ranges::copy_if(group.values, std::back_inserter(values), is_drawable);
+  std::ranges::sort(values);
+  return values;
 }
 
-std::string data_of(const StudyResults& study, const std::vector<Box>& boxes, const std::string& marks) {
-  std::string data =
-      "# solver's position, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n";
-  std::string outliers;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    data += fmt::format("# {}\n{} {} {} {} {} {} {} {}\n", one_line(study.solvers[i]), i + 1,
-                        data_number(b.whisker_low), data_number(b.q1), data_number(b.median), data_number(b.q3),
-                        data_number(b.whisker_high), b.n, b.not_finite);
-    for (const double value : b.outliers) outliers += fmt::format("{} {}\n", i + 1, data_number(value));
+// All sorted values, or as many as fit at even ranks, including the extremes.
+std::vector<double> strip_values(const std::vector<double>& sorted) {
+  if (sorted.size() <= most_strip_values) return sorted;
+  std::vector<double> chosen;
+  for (std::size_t i = 0; i < most_strip_values; ++i) {
+    chosen.push_back(sorted[i * (sorted.size() - 1) / (most_strip_values - 1)]);
   }
-  if (outliers.empty()) outliers = "1 NaN\n";
-  data += fmt::format("\n\n# outliers: solver's position, value\n{}", outliers);
-  return marks.empty()
-             ? data
-             : data +
-                   "\n\n# as printed: solver's position, smallest, median, largest; arrow to this part of the "
-                   "smallest, which is an upper limit\n" +
-                   marks;
+  return chosen;
 }
 
-// Labels above boxes: how many observations a box does not show.
-std::string counts_above(const std::vector<Box>& boxes) {
-  std::string counts;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    if (b.not_finite == 0 && b.n > 0) continue;
-    const std::string words = b.n == 0 ? "nothing" : fmt::format("{} not", b.not_finite);
-    counts += fmt::format("set label \"{}\\n{}\" at {}, graph 1 center offset 0, 1.1 font ',6'\n", words,
-                          b.n == 0 ? "solved" : "finite", i + 1);
+std::string strip_block(std::size_t row, const std::vector<double>& sorted) {
+  constexpr double golden_ratio = 0.6180339887498949;  // multiples of it fill an interval evenly
+  std::string block;
+  std::size_t i = 0;
+  for (const double value : strip_values(sorted)) {
+    const double jitter = 2 * std::fmod(golden_ratio * static_cast<double>(++i), 1.0) - 1;
+    block +=
+        fmt::format("{} {:.4f}\n", data_number(value), static_cast<double>(row) + strip_middle + strip_half * jitter);
   }
-  return counts.empty() ? counts : counts + "set tmargin 2.5\n";
+  return block.empty() ? "NaN NaN\n" : block;
 }
 
-// The solvers' labels below their boxes. Labels lie flat if they have room (about 6 characters per centimetre), else
-// they stand, and the figure becomes higher.
-std::string label_settings(const StudyResults& study, Figure& figure) {
-  const std::size_t n = study.solvers.size();
-  std::size_t longest = 0;
-  std::string ticks, margin;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::string label = shortened(study.solvers[i], longest_label);
-    longest = std::max(longest, character_count(label));
-    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", tick_label(label), i + 1);
+// Draws no box if a part of it cannot be drawn: it would seem to end where the rest does.
+std::string box_line(std::size_t row, Box b) {
+  if (!is_drawable(b.q1) || !is_drawable(b.q3) || !is_drawable(b.whisker_low) || !is_drawable(b.whisker_high)) {
+    b.whisker_low = b.q1 = b.median = b.q3 = b.whisker_high = not_defined;
   }
-  const double room = (figure.width_cm - 1.8) / static_cast<double>(n) * 6;
-  const bool standing = static_cast<double>(longest) > room;
-  if (standing) {
-    const double label_cm = 0.13 * static_cast<double>(longest) + 0.4;
-    figure.height_cm += label_cm;
-    margin = fmt::format("set bmargin at screen {}\n", text_of(label_cm / figure.height_cm));
-  }
-  return margin + fmt::format(
-                      "unset key\nset grid noxtics ytics\nset xrange [0.4:{}.6]\nset xtics font ',7' {}({})\n"
-                      "set boxwidth 0.5\nset style fill solid 0.25 border\n",
-                      n, standing ? "rotate by 90 right " : "", ticks);
+  return fmt::format("{} {} {} {} {} {} {} {}\n", row, data_number(b.whisker_low), data_number(b.q1),
+                     data_number(b.median), data_number(b.q3), data_number(b.whisker_high), b.n, b.not_finite);
 }
 
-std::string plot_of(const std::vector<Box>& boxes, const std::string& name, bool has_marks) {
+std::string marks_block(std::span<const Group> groups, const std::vector<Mark>& marks) {
+  std::string block = "\n\n# marks: row, smallest, median, largest\n";
+  for (const Mark& mark : marks) {
+    const auto group = std::ranges::find(groups, mark.group, &Group::name);
+    if (group == groups.end()) continue;
+    block += fmt::format("{} {} {} {}\n", group - groups.begin() + 1, data_number(mark.min), data_number(mark.median),
+                         data_number(mark.max));
+  }
+  return block;
+}
+
+// The parts of group `row`, whose box is a line of block 0 and whose values are block `row`.
+std::vector<std::string> clauses_of(const std::string& name, std::size_t row) {
+  const std::string colour = fmt::format("lc rgb word(colours, {})", (row - 1) % 7 + 1);
+  const std::string box_data = fmt::format("'{}.dat' index 0 every ::{}::{} using", name, row - 1, row - 1);
   std::vector<std::string> clauses;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (are_few(boxes[i])) {
-      clauses.push_back(
-          fmt::format("'{}.dat' index 1 using ($1 == {} ? $1 : NaN):(shown($2)) with points ls {} pt 7 ps 0.8", name,
-                      i + 1, i + 1));
-      continue;
-    }
-    if (!boxes[i].drawable()) continue;
-    clauses.push_back(
-        fmt::format("'{}.dat' index 0 every ::{}::{} using 1:(shown($3)):(shown($2)):(shown($6)):(shown($5)) with "
-                    "candlesticks ls {} "
-                    "dt 1 whiskerbars 0.5",
-                    name, i, i, i + 1));
-  }
   clauses.push_back(
-      fmt::format("'{}.dat' index 0 using ($1-0.25):(shown($4)):(0.5):(0) with vectors nohead ls 101", name));
+      fmt::format("'{}.dat' index {} using (shown($1)):2 with points pt 6 ps 0.3 lw 0.7 {}", name, row, colour));
+  clauses.push_back(fmt::format("{} (shown($2)):($1+{}):(shown($6)-shown($2)):(0) with vectors nohead lw 0.9 {}",
+                                box_data, box_middle, colour));
   clauses.push_back(
-      fmt::format("'{}.dat' index 1 using 1:(shown($2)) with points pt 6 ps 0.4 lw 0.8 lc rgb '#000000'", name));
-  if (has_marks) {
-    clauses.push_back(fmt::format(
-        "'{0}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($4)-shown($2)) with vectors nohead lw 1.6 lc rgb "
-        "'#808080', '' index 2 using ($1+0.29):(shown($3)):(0.14):(0) with vectors nohead lw 1.6 lc rgb '#404040'",
-        name));
-    clauses.push_back(fmt::format(
-        "'{}.dat' index 2 using ($1+0.36):(shown($2)):(0):(shown($2*$5)-shown($2)) with vectors head filled size "
-        "graph 0.015, 25 lw 1.2 lc rgb '#808080'",
-        name));
-    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#808080' title 'as printed: minimum to maximum'");
-    clauses.emplace_back("keyentry with lines lw 1.6 lc rgb '#404040' title 'median'");
-  }
-  return plot_command(clauses);
-}
-
-// Explains the grey marks.
-std::string printed_note(const BoxRequest& request) {
-  std::string note = fmt::format(" Grey: {}.", request.printed_words);
-  for (const Mark& mark : request.printed) {
-    if (!is_below_resolution(mark)) continue;
-    note += fmt::format(" The printed minimum of {} is 0, so below {} (arrow).", mark.solver, text_of(mark.resolution));
-  }
-  return note;
+      fmt::format("{0} (shown($4)):($1+{1}):(shown($3)):(shown($5)):($1+{2}):($1+{3}) with boxxyerror fs "
+                  "solid 0.15 border lw 0.9 {4}",
+                  box_data, box_middle, box_middle - box_half, box_middle + box_half, colour));
+  clauses.push_back(fmt::format("{} (shown($4)):($1+{}):(0):({}) with vectors nohead lw 1.6 lc rgb '#000000'", box_data,
+                                box_middle - box_half, 2 * box_half));
+  return clauses;
 }
 
 }  // namespace
 
-Figure box_figure(const StudyResults& study, const BoxRequest& request) {
-  Figure figure{.name = request.name};
-  std::vector<Box> boxes;
+Figure box_figure(const Observations& observations, QuantileType quartiles, const std::string& name,
+                  const std::vector<Mark>& marks) {
+  const std::size_t n = std::min(observations.groups.size(), most_rows);
+  const std::span<const Group> groups(observations.groups.data(), n);
+  std::vector<std::string> labels;
   std::vector<double> all;
-  for (const Sample& sample : samples(study, request.metric)) {
-    Box& drawn = boxes.emplace_back(box(sample.values, quantile_type(study.plan.quartiles)));
-    if (are_few(drawn)) {
-      drawn.outliers = sample.values;
-      std::erase_if(drawn.outliers, [](double value) { return !std::isfinite(value); });
+  for (const Group& group : groups) {
+    labels.push_back(group.name);
+    all.insert(all.end(), group.values.begin(), group.values.end());
+  }
+  for (const Mark& mark : marks) all.insert(all.end(), {mark.min, mark.median, mark.max});
+  Figure figure{.name = name};
+  add_rows(figure, labels, row_cm);
+  const Axis axis = row_axis(all, {split_unit(observations.quantity).name, observations.unit}, Scale::by_spread);
+  figure.settings += axis.settings;
+
+  std::string boxes = "# row, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n";
+  std::string blocks;
+  std::vector<std::string> clauses;
+  bool thinned = false;
+  bool undrawn = false;
+  for (std::size_t row = 1; row <= n; ++row) {
+    const Group& group = groups[row - 1];
+    const std::vector<double> sorted = drawable_values(group);
+    const std::size_t lost = group.values.size() - sorted.size();
+    thinned = thinned || sorted.size() > most_strip_values;
+    undrawn = undrawn || lost > 0 || sorted.empty();
+    const std::string title = one_line(group.name);
+    boxes += fmt::format("# {}\n{}", title, box_line(row, box(group.values, quartiles)));
+    blocks += fmt::format("\n\n# values of {}: value, height\n{}", title, strip_block(row, sorted));
+    if (lost > 0 || sorted.empty()) {
+      const std::string words = group.values.empty() ? "no\\nvalues" : fmt::format("{} not\\ndrawn", lost);
+      figure.settings +=
+          fmt::format("set label \"{}\" at graph 1, first {} left offset 0.6, 0 font ',6'\n", words, row);
     }
-    all.insert(all.end(), sample.values.begin(), sample.values.end());
+    for (std::string& clause : clauses_of(name, row)) clauses.push_back(std::move(clause));
   }
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    if (!b.drawable()) continue;
-    const auto words = [&](double value) { return value_words(request.metric, value); };
-    figure.told.push_back(
-        {.series = shortened(study.solvers[i], longest_label),
-         .words = {fmt::format("median {}, quartiles {} and {}, whiskers {} and {}", words(b.median), words(b.q1),
-                               words(b.q3), words(b.whisker_low), words(b.whisker_high))}});
-  }
-  const std::string marks = marks_data(study, request.printed);
+  if (clauses.empty()) clauses.emplace_back("NaN notitle");
+  figure.data = boxes + blocks;
   if (!marks.empty()) {
-    for (const Mark& mark : request.printed) {
-      if (std::ranges::find(study.solvers, mark.solver) == study.solvers.end()) continue;
-      all.insert(all.end(), {least_of(mark), mark.median, mark.max});
-    }
+    figure.data += marks_block(groups, marks);
+    const std::string source = fmt::format("'{}.dat' index {} using", name, n + 1);
+    clauses.push_back(
+        fmt::format("{} (shown($2)):($1+{}):(shown($4)-shown($2)):(0) with vectors nohead lw 1.6 lc rgb '#808080'",
+                    source, marks_middle));
+    clauses.push_back(fmt::format("{} (shown($3)):($1+{}):(0):(0.12) with vectors nohead lw 1.6 lc rgb '#404040'",
+                                  source, marks_middle - 0.06));
   }
-  const Axis axis = value_axis(all, with_unit(request.metric), Scale::by_spread);
-  figure.caption = with_notes(
-      fmt::format("{}: box plots over the {}. Quartiles: Hyndman-Fan type {}. Whiskers: last value within 1.5 box "
-                  "heights.{}",
-                  capitalised(axis.quantity),
-                  study.plan.unit == Unit::point ? "points"
-                  : is_of_run(request.metric)    ? "runs"
-                                                 : fmt::format("run {}s", average_name(request.metric)),
-                  study.plan.quartiles,
-                  (std::ranges::any_of(boxes, are_few) ? " Of fewer than five values each is a point." : "") +
-                      (marks.empty() ? std::string() : printed_note(request))),
-      study, request.metric, axis);
-  if (boxes.size() > 8) figure.width_cm = two_columns_cm;
-  figure.data = data_of(study, boxes, marks);
-  figure.settings = axis.settings + counts_above(boxes) + label_settings(study, figure);
-  if (!marks.empty()) {
-    figure.settings += "set key noautotitle\n";
-    add_legend(figure, {"as printed: minimum to maximum", "median"});
+  figure.plot = plot_command(clauses);
+
+  if (undrawn) figure.settings += "set rmargin 6\n";
+
+  figure.caption = capitalised(observations.quantity.empty() ? "values" : axis.quantity) + ": ";
+  figure.caption +=
+      fmt::format("box plot (quartiles: Hyndman-Fan type {}; whiskers: last value within 1.5 box heights) and ",
+                  static_cast<int>(quartiles));
+  figure.caption += thinned
+                        ? fmt::format("the values; of more than {0} in a group, {0} at even ranks.", most_strip_values)
+                        : "every value.";
+  if (!observations.replicate.empty()) figure.caption += fmt::format(" One value is {}.", observations.replicate);
+  if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
+  if (undrawn)
+    figure.caption +=
+        " Values beyond 1e300 and values that are not finite are not drawn; the row gives their number. They keep "
+        "their ranks, and values that are not a number rank last. If a quartile is one of them, there is no box.";
+  if (n < observations.groups.size()) {
+    figure.caption += fmt::format(" Only the first {} of {} groups are shown.", n, observations.groups.size());
   }
-  figure.plot = plot_of(boxes, figure.name, !marks.empty());
+  if (!observations.flaws.empty()) figure.caption += fmt::format(" Flawed: {}", words_of(observations.flaws));
   return figure;
+}
+
+Figure box_figure(const StudyResults& study, Metric metric, const std::string& name, const std::vector<Mark>& marks) {
+  const NameWithUnit quantity = with_unit(metric);
+  Observations observations{.name = name, .quantity = text_of(quantity), .unit = quantity.unit};
+  for (const Sample& sample : samples(study, metric)) observations.groups.push_back({sample.solver, sample.values});
+  observations.replicate = study.plan.unit == Unit::point ? "a point"
+                           : is_of_run(metric)            ? "that of a run"
+                                                          : fmt::format("the {} of a run", average_name(metric));
+  if (info_of(metric).kind == Kind::time) observations.flaws = times_doubts(study);
+  return box_figure(observations, quantile_type(study.plan.quartiles), name, marks);
 }
 
 }  // namespace ikbench::figures

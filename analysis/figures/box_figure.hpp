@@ -1,28 +1,27 @@
-// Box plots of one metric, one box per solver.
+// Box plots with the values of groups, a row each.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/observations.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::figures {
 
-// Numbers of a solver from elsewhere, drawn in grey beside its box.
+// Numbers of a group from elsewhere, drawn in grey below its values.
 struct Mark {
-  std::string solver;
+  std::string group;
   double min, median, max;
-  double resolution = 0;  // a smallest value of 0 means: below this
 };
 
-// The plan gives unit and quartiles.
-struct BoxRequest {
-  std::string name;
-  inference::Metric metric = inference::Metric::position_error_cm;
-  std::vector<Mark> printed = {};
-  std::string printed_words = "printed minimum, median and maximum";
-};
-Figure box_figure(const inference::StudyResults& study, const BoxRequest& request);
+// The axis is logarithmic if the values differ by more than 30 times.
+Figure box_figure(const inference::Observations& observations, statistics::QuantileType quartiles,
+                  const std::string& name, const std::vector<Mark>& marks = {});
+// A metric of each solver. The plan gives unit and quartiles.
+Figure box_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
+                  const std::vector<Mark>& marks = {});
 
 }  // namespace ikbench::figures

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/share_curves.hpp"
 #include "analysis/inference/clusters.hpp"
@@ -100,8 +101,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
       dependence(study), without_trace(study));
   const Axis axis = value_axis(all, {error, "cm"}, Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
-  figure.settings =
-      axis.settings + cost_axis(positions.front(), positions.back()).settings + "set xlabel 'evaluations'\n";
+  figure.settings = axis.settings + ratio_axis(positions.front(), positions.back(), "evaluations").settings;
   add_legend(figure, labels);
   std::vector<std::string> clauses{"NaN notitle"};
   if (has_bands) clauses.insert(clauses.end(), fills.begin(), fills.end());
@@ -184,8 +184,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   const std::string_view name = !cost ? "error" : in_seconds ? "seconds" : "evaluations";
   const std::string_view words = !cost ? "position error" : in_seconds ? "time" : "number of evaluations";
   ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", cost ? name : words),
-                     .share_of = "share of problems",
-                     .is_ratio = true};
+                     .share_of = "share of problems"};
   const std::vector<std::size_t> clusters_of_problems = clusters.of(profile.solves);
   for (const auto& ratios : profile.ratios) {
     shares.curves.push_back(banded_shares({.values = ratios, .clusters = clusters_of_problems}, clusters));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/text.hpp"
@@ -41,8 +42,9 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   }
   Figure figure{.name = words.name};
   add_rows(figure, labels, 0.42);
-  const RowAxis axis =
-      words.are_ratios ? ratio_axis(all, words.quantity) : row_axis(all, {words.quantity, ""}, Scale::linear);
+  const auto [smallest, largest] = std::ranges::minmax(all);
+  const Axis axis = words.are_ratios ? ratio_axis(smallest, largest, words.quantity)
+                                     : row_axis(all, {words.quantity, ""}, Scale::linear);
   const bool room_at_right = words.are_ratios ? axis.high * axis.low > 1 : axis.high > -axis.low;
   figure.settings += axis.settings;
   if (n > 0)

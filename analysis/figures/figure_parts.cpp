@@ -136,12 +136,4 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm)
          "set tics textcolor rgb '#000000'\nset grid xtics ytics ztics\n";
 }
 
-double round_step(double span) {
-  const double least = span / 5, power = std::pow(10, std::floor(std::log10(least)));
-  for (const double digit : {1, 2, 5}) {
-    if (digit * power >= least) return digit * power;
-  }
-  return 10 * power;
-}
-
 }  // namespace ikbench::figures

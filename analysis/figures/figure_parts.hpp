@@ -46,7 +46,4 @@ std::map<int, const results::SolveRecord*> first_run(const inference::StudyResul
 // All joints [deg] at each point; not defined if an answer has fewer joints than another.
 std::map<int, std::vector<double>> joint_angles_deg(const std::map<int, const results::SolveRecord*>& solves);
 
-// The smallest of 1, 2 and 5 times a power of ten that marks no more than five places of an axis.
-double round_step(double span);
-
 }  // namespace ikbench::figures

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
@@ -15,69 +16,6 @@ namespace ikbench::figures {
 using namespace numerics;
 using namespace results;
 using namespace inference;
-
-namespace {
-
-constexpr double cost_spread_for_logarithmic = 4;
-constexpr double decades_for_powers = 2;  // these contain at least two powers
-constexpr double margin = 0.02;           // of the axis
-
-CostAxis axis_between(double left, double right, std::string ticks) {
-  return {.left = left,
-          .right = right,
-          .settings = fmt::format("{0}set xrange [{1}:{2}]\nshown_x(x) = x < {1} ? {1} : (x > {2} ? {2} : x)\n", ticks,
-                                  text_of(left), text_of(right))};
-}
-
-// Ticks at 1, 2 and 5 times every power of ten within the axis.
-std::string round_ticks(double smallest, double largest) {
-  std::vector<std::string> ticks;
-  for (int decade = static_cast<int>(std::floor(std::log10(smallest))); std::pow(10, decade) <= largest; ++decade) {
-    for (const int digit : {1, 2, 5}) ticks.push_back(fmt::format("{}e{}", digit, decade));
-  }
-  return fmt::format("set format x '%g'\nset xtics ({})\n", fmt::join(ticks, ", "));
-}
-
-}  // namespace
-
-CostAxis cost_axis(double smallest, double largest) {
-  if (!(smallest > 0) || !(largest >= smallest) || !std::isfinite(largest)) return axis_between(1, 10, "unset xtics\n");
-  // gnuplot works in doubles: 300 decades either way.
-  smallest = std::clamp(smallest, 1e-300, 1e300);
-  largest = std::clamp(largest, 1e-300, 1e300);
-  if (largest < cost_spread_for_logarithmic * smallest) {
-    const double room = largest > smallest ? margin * (largest - smallest) : 0.5 * smallest;
-    const double left = smallest - room, right = largest + room;
-    return axis_between(left, right,
-                        fmt::format("set format x '%g'\nset xtics {}\n", text_of(round_step(right - left))));
-  }
-  const double decades = std::log10(largest) - std::log10(smallest);
-  const double room = std::pow(10, margin * decades);
-  if (decades <= decades_for_powers) {
-    return axis_between(smallest / room, largest * room, "set logscale x\n" + round_ticks(smallest, largest));
-  }
-  const int step = 1 + static_cast<int>(decades / 8);
-  // From a decade below the axis on: gnuplot 5.4 counts ticks without a start from the wrong place.
-  const int first = step * static_cast<int>(std::floor((std::log10(smallest) - 1) / step));
-  return axis_between(
-      smallest / room, largest * room,
-      fmt::format("set logscale x\nset xtics enhanced 1e{}, 1e{}\nset format x '10^{{%T}}'\nset mxtics {}\n", first,
-                  step, step == 1 ? 10 : 1));
-}
-
-CostAxis ratio_axis(double largest) {
-  constexpr double powers_of_two = 12;  // beyond, powers of ten are easier to read
-  const double powers = std::clamp(std::ceil(std::log2(std::max(largest, 1.0))), 1.0, 990.0);
-  const double decades = std::ceil(std::log10(std::max(largest, 10.0)));
-  if (powers > powers_of_two) {
-    return axis_between(std::pow(10, -margin * decades), std::pow(10, std::min(decades, 299.0)),
-                        fmt::format("set logscale x\nset xtics enhanced 1, 1e{}\nset format x '10^{{%T}}'\n",
-                                    1 + static_cast<int>(decades) / 8));
-  }
-  return axis_between(std::exp2(-margin * powers), std::exp2(powers),
-                      fmt::format("set logscale x 2\nset xtics enhanced 1, 2**{}\nset format x '2^{{%L}}'\n",
-                                  1 + static_cast<int>(powers) / 8));
-}
 
 void add_curve(std::vector<std::string>& clauses, const DrawnCurve& curve) {
   const std::size_t interval = std::max<std::size_t>(1, curve.rows / 9);
@@ -112,18 +50,18 @@ struct Corners {
   }
 };
 
-Corners corners_of(const std::vector<Share>& curve, const CostAxis& axis) {
+Corners corners_of(const std::vector<Share>& curve, const Axis& axis) {
   Corners corners;
   corners.has_band = std::ranges::any_of(curve, [](const Share& share) { return std::isfinite(share.low); });
-  Share before{.at = axis.left, .share = 0, .low = 0, .high = 0};
-  corners.add(std::min(axis.left, curve.front().at), before);
+  Share before{.at = axis.low, .share = 0, .low = 0, .high = 0};
+  corners.add(std::min(axis.low, curve.front().at), before);
   for (const Share& share : curve) {
     corners.add(share.at, before);
     const bool is_step = share.share != before.share;
     before = share;
     if (is_step) corners.add(share.at, before);
   }
-  corners.add(axis.right, before);
+  corners.add(axis.high, before);
   return corners;
 }
 
@@ -137,10 +75,9 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
       largest = std::max(largest, share.at);
     }
   }
-  const CostAxis axis = shares.is_ratio ? ratio_axis(largest) : cost_axis(smallest, largest);
-  figure.settings =
-      axis.settings + fmt::format("set xlabel {}\nset ylabel {}\nset yrange [-0.02:1.02]\nset ytics 0.2\n",
-                                  gnuplot_string(shares.label), gnuplot_string(shares.share_of));
+  const Axis axis = ratio_axis(smallest, largest, shares.label);
+  figure.settings = axis.settings + fmt::format("set ylabel {}\nset yrange [-0.02:1.02]\nset ytics 0.2\n",
+                                                gnuplot_string(shares.share_of));
   std::vector<std::string> fills{"NaN notitle"}, lines, labels = study.solvers;
   int block = 0;
   for (std::size_t i = 0; i < shares.curves.size(); ++i) {

@@ -14,18 +14,6 @@ namespace ikbench::figures {
 
 constexpr std::size_t most_bands = 6;  // more would cover each other
 
-// The axis below; values outside are drawn at its edges.
-struct CostAxis {
-  double left = 1;
-  double right = 10;
-  std::string settings = {};  // range, ticks and the function shown_x(x), the drawn place of x
-};
-// Logarithmic, or linear if the largest is less than four times the smallest. No ticks unless both are positive
-// numbers.
-CostAxis cost_axis(double smallest, double largest);
-// An axis from 1, in powers of 2.
-CostAxis ratio_axis(double largest);
-
 // A curve in the data file of a figure.
 struct DrawnCurve {
   std::string source;      // "'NAME.dat' index 0 using 1:2"
@@ -43,7 +31,6 @@ struct ShareCurves {
   std::vector<std::vector<inference::Share>> curves;  // one per solver; empty if there is nothing to show
   std::string label;                                  // label of the axis below
   std::string share_of;                               // label of the axis at the left
-  bool is_ratio = false;                              // costs are ratios to the smallest, from 1 on
 };
 // Adds settings, data and plot to a figure, whose name and width must be set. Draws intervals of shares as bands behind
 // the curves if there are at most most_bands solvers; the data file always has them.

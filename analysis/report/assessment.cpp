@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/differences_figure.hpp"
-#include "analysis/figures/observations_figure.hpp"
 #include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/method.hpp"
@@ -104,9 +104,8 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found) && !found.of_outcomes) {
-    result.figures.insert(result.figures.begin(),
-                          observations_figure(told(observations), quantile_type(found.plan.quartiles),
-                                              figure_name(found, "observations")));
+    result.figures.insert(result.figures.begin(), box_figure(told(observations), quantile_type(found.plan.quartiles),
+                                                             figure_name(found, "observations")));
   }
   return result;
 }

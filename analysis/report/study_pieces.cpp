@@ -32,7 +32,7 @@ StudyPieces study_pieces(const StudyResults& study) {
   for (const Metric metric : metrics.judged) {
     const std::string name(info_of(metric).slug);
     if (has_points && !is_of_run(metric)) pieces.figures.push_back(curves_figure(study, metric, name));
-    pieces.figures.push_back(box_figure(study, {.name = name + "-boxes", .metric = metric}));
+    pieces.figures.push_back(box_figure(study, metric, name + "-boxes"));
   }
   return pieces;
 }

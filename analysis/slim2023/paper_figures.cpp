@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/comparable.hpp"
@@ -46,28 +48,30 @@ std::string printed_ratios(const StudyResults& study) {
   return ratios.empty() ? "" : fmt::format(" Printed mean times by {}'s: {}.", time_reference, fmt::join(ratios, ", "));
 }
 
-}  // namespace
-
-Figure printed_box_figure(const StudyResults& study, BoxRequest request) {
-  request.name = fmt::format("figure-{}", paper_numbers(request.metric).box_figure);
-  const double scale = request.metric == Metric::seconds ? time_scale(study) : 1;
-  if (study.plan.unit == Unit::run && std::isfinite(scale)) {
-    for (const PrintedRow& row : printed_table_3(study, request.metric)) {
-      request.printed.push_back({.solver = row.algorithm,
-                                 .min = scale * row.printed.min,
-                                 .median = scale * row.printed.median,
-                                 .max = scale * row.printed.max,
-                                 .resolution = scale * claims::half_unit(row.digits.back())});
-    }
+// figure-10, 11, 12, with the printed numbers beside the boxes. A printed minimum of 0 is below half a unit of its
+// digits.
+Figure printed_box_figure(const StudyResults& study, Metric metric) {
+  const bool is_time = metric == Metric::seconds;
+  const double scale = is_time ? time_scale(study) : 1;
+  std::vector<Mark> marks;
+  std::string below;
+  for (const PrintedRow& row : printed_table_3(study, metric)) {
+    const bool is_drawn = study.plan.unit == Unit::run && std::isfinite(scale);
+    if (!is_drawn || std::ranges::count(study.solvers, row.algorithm) == 0) continue;
+    const double resolution = claims::half_unit(row.digits.back());
+    const double least = row.printed.min > 0 ? row.printed.min : resolution;
+    marks.push_back({row.algorithm, scale * least, scale * row.printed.median, scale * row.printed.max});
+    if (row.printed.min > 0) continue;
+    below += fmt::format(" The printed minimum of {} is 0, so below {}.", row.algorithm, rounded_number(least, 3));
   }
-  if (request.metric == Metric::seconds) {
-    request.printed_words = fmt::format(
-        "printed minimum, median and maximum times, scaled so that the median of {} is ours", time_reference);
+  Figure figure = box_figure(study, metric, fmt::format("figure-{}", paper_numbers(metric).box_figure), marks);
+  if (!marks.empty()) {
+    figure.caption += fmt::format(
+        " Grey: printed minimum, median and maximum{}.{}",
+        is_time ? fmt::format(" times, scaled so that the median of {} is ours", time_reference) : "", below);
   }
-  return box_figure(study, request);
+  return figure;
 }
-
-namespace {
 
 std::vector<OverviewMark> printed_means(const StudyResults& study) {
   std::vector<OverviewMark> marks;
@@ -94,7 +98,7 @@ std::vector<Figure> paper_figures(const StudyResults& study) {
   }
   if (std::optional<Figure> joints = joints_figure(study, "figure-9")) figures.push_back(std::move(*joints));
   for (const Metric metric : paper_metrics) {
-    figures.push_back(printed_box_figure(study, {.metric = metric}));
+    figures.push_back(printed_box_figure(study, metric));
   }
   for (Figure& figure : circle_figures(study)) figures.push_back(std::move(figure));
   return figures;

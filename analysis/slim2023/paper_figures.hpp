@@ -4,13 +4,10 @@
 
 #include <vector>
 
-#include "analysis/figures/box_figure.hpp"
+#include "analysis/figures/figure.hpp"
 #include "analysis/inference/study.hpp"
 
 namespace ikbench::slim2023 {
-
-// figure-10, 11, 12, with the printed numbers beside the boxes.
-figures::Figure printed_box_figure(const inference::StudyResults& study, figures::BoxRequest request);
 
 // All of them in the paper's order; none if nothing was solved.
 std::vector<figures::Figure> paper_figures(const inference::StudyResults& study);

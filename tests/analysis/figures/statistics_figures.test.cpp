@@ -5,9 +5,9 @@
 #include <numbers>
 #include <sstream>
 
+#include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/differences_figure.hpp"
-#include "analysis/figures/observations_figure.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/text.hpp"
 #include "tests/analysis/folder.hpp"
@@ -39,8 +39,8 @@ Texts lines_below(const std::string& data, const std::string& comment) {
 }
 
 Figure observed(std::vector<Group> groups) {
-  return observations_figure({.name = "error", .quantity = "position error [cm]", .groups = std::move(groups)},
-                             QuantileType::type_7, "rain");
+  return box_figure({.name = "error", .quantity = "position error [cm]", .groups = std::move(groups)},
+                    QuantileType::type_7, "rain");
 }
 
 Values numbers(std::size_t count) {
@@ -122,11 +122,10 @@ TEST_CASE("of more than 200 groups the first 200 are shown", "[figure]") {
 }
 
 TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
-  const Figure figure =
-      observations_figure({.quantity = "x",
-                           .groups = {{"a", {1, 2}}},
-                           .flaws = {{.kind = DoubtKind::said_elsewhere, .what = "20 rows share run 1"}}},
-                          QuantileType::type_7, "rain");
+  const Figure figure = box_figure({.quantity = "x",
+                                    .groups = {{"a", {1, 2}}},
+                                    .flaws = {{.kind = DoubtKind::said_elsewhere, .what = "20 rows share run 1"}}},
+                                   QuantileType::type_7, "rain");
   CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
 }
 
