@@ -112,8 +112,8 @@ const JudgedStudy* Case::companion() const {
 std::optional<Evidence> Case::evidence(Metric metric) const {
   const JudgedStudy* const other = companion();
   if (!entry.study.empty() && other == nullptr) return std::nullopt;
-  const JudgedStudy& of_solver = other != nullptr && entry.take != Take::others ? *other : study();
-  const JudgedStudy& of_others = other != nullptr && entry.take != Take::solver ? *other : study();
+  const JudgedStudy& of_solver = other != nullptr && entry.take != FromCompanion::others ? *other : study();
+  const JudgedStudy& of_others = other != nullptr && entry.take != FromCompanion::solver ? *other : study();
   std::optional<Evidence> found;
   if (&of_solver == &of_others && entry.against.empty()) {
     found = of_solver.evidence(metric);
@@ -135,13 +135,13 @@ std::optional<Evidence> Case::evidence(Metric metric) const {
   return found->groups.size() >= 2 && has_solver && is_complete ? found : std::nullopt;
 }
 
-void Found::add(Relation relation) {
+void PairCounts::add(Relation relation) {
   better += relation == Relation::better ? 1 : 0;
   worse += relation == Relation::worse ? 1 : 0;
   open += is_difference(relation) ? 0 : 1;
 }
 
-Verdict verdict_on(const Found& found) {
+Verdict verdict_on(const PairCounts& found) {
   if (found.worse > 0) return Verdict::fails;
   if (found.open == 0) return Verdict::holds;
   return found.better > 0 ? Verdict::in_part : Verdict::undecided;
@@ -154,9 +154,9 @@ Verdict verdict_on(const std::vector<Verdict>& verdicts) {
   return count(Verdict::fails) > 0 ? Verdict::fails : Verdict::undecided;
 }
 
-Against against(const Evidence& evidence, const std::string& solver, Should should) {
-  Against result;
-  const double sign = should == Should::be_smallest ? 1 : -1;
+ComparedWithOthers compared_with_others(const Evidence& evidence, const std::string& solver, Extreme claimed) {
+  ComparedWithOthers result;
+  const double sign = claimed == Extreme::smallest ? 1 : -1;
   for (const GroupEvidence& group : evidence.groups) {
     const double mean = group.described.mean;
     if (group.name == solver) {

@@ -17,6 +17,8 @@
 
 namespace ikbench::claims {
 
+using Claims = std::vector<report::Claim>;
+
 // A solver with observations here and a printed row.
 struct Pair {
   std::string solver;
@@ -57,25 +59,26 @@ std::optional<statistics::AnovaTable> printed_anova(const ClaimsFile& file, cons
                                                     inference::Metric metric);
 
 // Counts of one solver's comparisons with others.
-struct Found {
+struct PairCounts {
   int better = 0, worse = 0, open = 0;
 
   void add(inference::Relation relation);
   int all() const { return better + worse + open; }
 };
 // Holds if better than all, fails if worse than one; in between it holds in part if better than some.
-report::Verdict verdict_on(const Found& found);
+report::Verdict verdict_on(const PairCounts& found);
 // The verdict on several questions: all hold, some, or none.
 report::Verdict verdict_on(const std::vector<report::Verdict>& verdicts);
 
 // Compares a solver with each other group of an evidence. If it should be the largest, the others are better.
-enum class Should { be_smallest, be_largest };
-struct Against {
-  Found found = {};
+enum class Extreme { smallest, largest };
+struct ComparedWithOthers {
+  PairCounts found = {};
   std::string nearest = {};  // the nearest other, by the mean
   double own_mean = statistics::not_defined, nearest_mean = statistics::not_defined;
 };
-Against against(const inference::Evidence& evidence, const std::string& solver, Should should = Should::be_smallest);
+ComparedWithOthers compared_with_others(const inference::Evidence& evidence, const std::string& solver,
+                                        Extreme claimed = Extreme::smallest);
 
 std::string in_brackets(double p);  // " (p = 0.01)"
 std::string with_unit(double value, std::string_view unit);

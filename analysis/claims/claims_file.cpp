@@ -37,7 +37,7 @@ bool is_snake_case(std::string_view id) {
 bool can_be_counted(const ClaimEntry& entry) {
   const bool has_effect = entry.rule == "has_effect";
   return (has_effect || entry.rule == "smallest") && !entry.solver.empty() && has_effect == !entry.dimension.empty() &&
-         entry.metrics.size() == 1 && is_of_universes(entry.metrics.front()) && entry.take == Take::all;
+         entry.metrics.size() == 1 && is_of_universes(entry.metrics.front()) && entry.take == FromCompanion::all;
 }
 
 ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
@@ -54,7 +54,9 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
   reader.text("against", entry.against, "");
   reader.chosen("metrics", entry.metrics, metric_choices(), "");
   reader.text("study", entry.study, "");
-  reader.choice("take", entry.take, {{"all", Take::all}, {"solver", Take::solver}, {"others", Take::others}}, "");
+  reader.choice("take", entry.take,
+                {{"all", FromCompanion::all}, {"solver", FromCompanion::solver}, {"others", FromCompanion::others}},
+                "");
   reader.chosen("universes", entry.universes, {{"mean", JudgedBy::mean}, {"typical", JudgedBy::typical}}, "");
   reader.text("dimension", entry.dimension, "");
   reader.text("table", entry.table, "");

@@ -14,7 +14,7 @@
 namespace ikbench::claims {
 
 // The solvers whose numbers come from the companion that a claim names; those of the rest come from the study itself.
-enum class Take { all, solver, others };
+enum class FromCompanion { all, solver, others };
 
 struct ClaimEntry {
   std::string id, sentence, section, decides;
@@ -24,7 +24,7 @@ struct ClaimEntry {
   std::string against;  // one solver; empty: all others
   std::vector<inference::Metric> metrics;
   std::string study;  // "limits" of the companion NAME-limits; empty: the study itself
-  Take take = Take::all;
+  FromCompanion take = FromCompanion::all;
   // The numbers by which every universe of the paper's open points judges it too (docs/multiverse.md); none: not judged
   // there. Only "smallest" and "has_effect" can be, with one solver and one metric that universes have.
   std::vector<inference::JudgedBy> universes;

@@ -122,7 +122,7 @@ Verdicts verdicts_in(const ClaimsFile& file, const Multiverse& universe, const A
 }
 
 // The verdicts that differ from the usual ones; all if there are none.
-std::string told(const Verdicts& verdicts, const Verdicts& usual) {
+std::string changed_verdicts(const Verdicts& verdicts, const Verdicts& usual) {
   std::string words;
   for (const auto& each : verdicts) {
     if (std::ranges::find(usual, each) != usual.end()) continue;
@@ -132,33 +132,6 @@ std::string told(const Verdicts& verdicts, const Verdicts& usual) {
 }
 
 Cell rounded(double value) { return std::isfinite(value) ? std::round(value * 1000) / 1000 + 0.0 : value; }
-
-// Compares a universe with the default one.
-class AgainstDefault {
- public:
-  AgainstDefault(const ClaimsFile& file, const Multiverse& usual) : file_(file), usual_(usual) {}
-
-  // Adds, for one metric, our mean of a solver, its log ratio, and how far the choice moved that.
-  void add(std::vector<Cell>& row, const Multiverse& universe, std::size_t solver, Metric metric) const {
-    const double now = log_ratio(file_, universe, solver, metric);
-    row.emplace_back(pooled_mean(values_of(own_of(universe, solver), metric)));
-    add(row, now, log_ratio(file_, usual_, solver, metric), universe);
-  }
-  // Adds the same for all solvers, which have no mean.
-  void add(std::vector<Cell>& row, const Multiverse& universe, Metric metric) const {
-    row.emplace_back();
-    add(row, distance(file_, universe, metric), distance(file_, usual_, metric), universe);
-  }
-
- private:
-  void add(std::vector<Cell>& row, double now, double before, const Multiverse& universe) const {
-    row.push_back(rounded(now));
-    row.push_back(&universe == &usual_ ? Cell() : rounded(now - before));
-  }
-
-  const ClaimsFile& file_;
-  const Multiverse& usual_;
-};
 
 }  // namespace
 
@@ -176,7 +149,6 @@ Table one_at_a_time(const ClaimsFile& file, const Multiverse& multiverse, const 
   const std::vector<std::vector<int>> explained = explained_numbers(file, universes);
   const Multiverse& usual = universes.front();
   const Verdicts verdicts = verdicts_in(file, usual, plan);
-  const AgainstDefault against_default(file, usual);
   for (std::size_t u = 0; u < universes.size(); ++u) {
     const Multiverse& universe = universes[u];
     const std::optional<Choice> choice = departure_of(universe);
@@ -188,12 +160,18 @@ Table one_at_a_time(const ClaimsFile& file, const Multiverse& multiverse, const 
       std::vector<Cell>& row = table.rows.emplace_back(head);
       row.emplace_back(label);
       for (const Metric metric : compared_metrics) {
-        solver ? against_default.add(row, universe, *solver, metric) : against_default.add(row, universe, metric);
+        const auto against_print = [&](const Multiverse& of) {
+          return solver ? log_ratio(file, of, *solver, metric) : distance(file, of, metric);
+        };
+        row.push_back(solver ? Cell(pooled_mean(values_of(own_of(universe, *solver), metric))) : Cell());
+        row.push_back(rounded(against_print(universe)));
+        row.push_back(u == 0 ? Cell() : rounded(against_print(universe) - against_print(usual)));
       }
       row.push_back(explained.empty() ? Cell()
                     : solver          ? Cell(std::int64_t{explained[u][*solver]})
                              : Cell(std::accumulate(explained[u].begin(), explained[u].end(), std::int64_t{})));
-      row.push_back(solver ? Cell() : Cell(told(verdicts_in(file, universe, plan), choice ? verdicts : Verdicts())));
+      row.push_back(solver ? Cell()
+                           : Cell(changed_verdicts(verdicts_in(file, universe, plan), choice ? verdicts : Verdicts())));
     };
     add("all", std::nullopt);
     for (std::size_t s = 0; s < universe.solvers.size(); ++s) {

@@ -6,10 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/claims/rules_of_arms.hpp"
 #include "analysis/claims/rules_of_means.hpp"
 #include "analysis/claims/rules_of_solves.hpp"
-
 namespace ikbench::claims {
 
 using namespace inference;
@@ -33,7 +31,7 @@ constexpr std::pair<std::string_view, Rule> rules[]{{"smallest", smallest},
                                                     {"rounding_level", rounding_level},
                                                     {"rate_as_printed", rate_as_printed},
                                                     {"solves_more", solves_more},
-                                                    {"untested", [](const Case&) { return std::vector<Claim>(); }}};
+                                                    {"untested", [](const Case&) { return Claims(); }}};
 
 // A claim that no data here can decide.
 Claim untested(const Case& of) {
@@ -60,11 +58,11 @@ std::vector<std::string> rule_names() {
   return names;
 }
 
-std::vector<Claim> judged(const ClaimsFile& file, const Reported& reported) {
-  std::vector<Claim> claims;
+Claims judged(const ClaimsFile& file, const Reported& reported) {
+  Claims claims;
   for (const ClaimEntry& entry : file.entries) {
     const Case of{file, entry, reported};
-    std::vector<Claim> found = rule_of(entry.rule)(of);
+    Claims found = rule_of(entry.rule)(of);
     const bool is_of_many = entry.sentence.find('{') != std::string::npos;
     if (found.empty() && of.is_of_means() && entry.by == By::paper && !is_of_many) found.push_back(untested(of));
     std::ranges::move(found, std::back_inserter(claims));

@@ -11,12 +11,12 @@ namespace ikbench::claims {
 
 // A rule returns no claim if the report has nothing to judge, and several if the sentence is about many: "{solver} on
 // the {arm}".
-using Rule = std::vector<report::Claim> (*)(const Case& of);
+using Rule = Claims (*)(const Case& of);
 Rule rule_of(std::string_view name);  // null if there is none of that name
 std::vector<std::string> rule_names();
 
 // The judged claims. For a study that is compared with the paper's means: all claims of the paper, untested ones
 // included. Our claims, and claims about another study, only if there are numbers for them.
-std::vector<report::Claim> judged(const ClaimsFile& file, const report::Reported& reported);
+Claims judged(const ClaimsFile& file, const report::Reported& reported);
 
 }  // namespace ikbench::claims

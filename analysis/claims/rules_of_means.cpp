@@ -34,7 +34,7 @@ namespace {
 std::string named(Metric metric) { return inference::capitalised(info_of(metric).name); }
 
 // "0.0017 cm, K-ABC 0.208"; times in ms.
-std::string number_of(const Against& ours, Metric metric) {
+std::string number_of(const ComparedWithOthers& ours, Metric metric) {
   const double unit = metric == Metric::seconds ? 1000 : 1;
   return fmt::format("{}, {} {}", with_unit(unit * ours.own_mean, unit == 1000 ? "ms" : info_of(metric).unit),
                      ours.nearest, short_number(unit * ours.nearest_mean));
@@ -74,7 +74,7 @@ std::vector<Pair> printed_of(const Case& of, Metric metric) {
   return all;
 }
 
-std::vector<Claim> compared(const Case& of, Should should) {
+Claims compared(const Case& of, Extreme claimed) {
   const ClaimEntry& entry = of.entry;
   Claim claim = of.begun();
   std::vector<Verdict> here, in_print;
@@ -84,7 +84,7 @@ std::vector<Claim> compared(const Case& of, Should should) {
     const auto found = of.evidence(metric);
     const bool has_print = !of.file.means.empty() && entry.study.empty();
     if (!found || (has_print && printed.size() < 2)) return {};
-    const Against ours = against(*found, entry.solver, should);
+    const ComparedWithOthers ours = compared_with_others(*found, entry.solver, claimed);
     here.push_back(verdict_on(ours.found));
     const bool is_judged = !found->contrasts.empty() || metric != Metric::seconds;
     if (is_judged) {
@@ -99,7 +99,7 @@ std::vector<Claim> compared(const Case& of, Should should) {
     }
     if (printed.empty()) continue;
     const Evidence of_print = of.printed_evidence(printed);
-    in_print.push_back(verdict_on(against(of_print, entry.solver, should).found));
+    in_print.push_back(verdict_on(compared_with_others(of_print, entry.solver, claimed).found));
     printed_lists +=
         fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, entry.solver, info_of(metric).unit));
     if (!test.empty()) test = how_tested(*found, of_print);
@@ -116,8 +116,8 @@ std::vector<Claim> compared(const Case& of, Should should) {
 
 }  // namespace
 
-std::vector<Claim> smallest(const Case& of) {
-  std::vector<Claim> claims = compared(of, Should::be_smallest);
+Claims smallest(const Case& of) {
+  Claims claims = compared(of, Extreme::smallest);
   const ClaimEntry& entry = of.entry;
   const bool is_of_all = entry.metrics.size() == 1 && entry.study.empty() && entry.against.empty();
   const Metric metric = entry.metrics.front();
@@ -137,13 +137,13 @@ std::vector<Claim> smallest(const Case& of) {
   return claims;
 }
 
-std::vector<Claim> largest(const Case& of) { return compared(of, Should::be_largest); }
+Claims largest(const Case& of) { return compared(of, Extreme::largest); }
 
 namespace {
 
 // The number of pairs that a test finds in the printed order, and in the reverse one.
 struct FoundOrder {
-  Found pairs;
+  PairCounts pairs;
   bool first_leads = true;  // the printed first is found ahead of every other
 };
 
@@ -162,7 +162,7 @@ FoundOrder found_order(const Evidence& tested, const std::vector<Pair>& printed)
 
 // One rule for our numbers and the printed ones.
 Verdict verdict_on(const FoundOrder& order) {
-  const Found& pairs = order.pairs;
+  const PairCounts& pairs = order.pairs;
   if (pairs.better == pairs.all()) return Verdict::holds;
   if (order.first_leads || 2 * pairs.better > pairs.all()) return Verdict::in_part;
   return pairs.worse > pairs.better ? Verdict::fails : Verdict::undecided;
@@ -186,7 +186,7 @@ std::string our_ranking(const std::vector<Pair>& pairs, Metric metric) {
 
 }  // namespace
 
-std::vector<Claim> ranking(const Case& of) {
+Claims ranking(const Case& of) {
   const Metric metric = of.entry.metrics.front();
   const std::vector<Pair> printed = of.pairs(metric);
   if (printed.size() < 2) return {};
@@ -219,14 +219,14 @@ namespace {
 
 // Better in one metric and worse in none, or the other way round.
 Relation dominance(const std::vector<Evidence>& metrics, const std::string& one, const std::string& other) {
-  Found found;
+  PairCounts found;
   for (const Evidence& evidence : metrics) found.add(judge(evidence, one, other).relation);
   if (found.better > 0 && found.worse == 0) return Relation::better;
   return found.worse > 0 && found.better == 0 ? Relation::worse : Relation::undecided;
 }
 
 struct Front {
-  Found found;                     // of the solver against each other one
+  PairCounts found;                // of the solver against each other one
   std::vector<std::string> names;  // solvers that nobody dominates
 };
 
@@ -247,7 +247,7 @@ Front front_of(const std::vector<Evidence>& metrics, const std::vector<Pair>& so
 
 }  // namespace
 
-std::vector<Claim> compromise(const Case& of) {
+Claims compromise(const Case& of) {
   std::vector<Evidence> here, in_print;
   std::vector<Pair> solvers;
   Claim claim = of.begun();
@@ -280,7 +280,7 @@ std::vector<Claim> compromise(const Case& of) {
   return {claim};
 }
 
-std::vector<Claim> differ(const Case& of) {
+Claims differ(const Case& of) {
   const StudyResults& study = of.study();
   std::vector<std::string> list;
   std::vector<Verdict> here, in_print;
@@ -320,7 +320,7 @@ Verdict verdict_on(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
   std::vector<double> p;
   for (const Spread& spread : spreads) p.push_back(spread.p);
   p = adjusted(p, Correction::holm);
-  Found found;
+  PairCounts found;
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     spreads[i].p = p[i];
     const bool is_smaller = spreads[i].own < spreads[i].others;
@@ -339,7 +339,7 @@ std::string spread_words(const std::vector<Spread>& spreads, const std::string& 
 
 }  // namespace
 
-std::vector<Claim> least_spread(const Case& of) {
+Claims least_spread(const Case& of) {
   const StudyResults& study = of.study();
   const Metric metric = of.entry.metrics.front();
   if (!of.has_solver() || study.plan.unit == Unit::point) return {};
@@ -389,7 +389,7 @@ std::vector<double> largest_moves_deg(const StudyResults& study, const std::stri
 
 }  // namespace
 
-std::vector<Claim> smoothest(const Case& of) {
+Claims smoothest(const Case& of) {
   const StudyResults& study = of.study();
   if (!of.has_solver() || study.plan.unit == Unit::point || study.points < 3) return {};
   Claim claim = of.begun();
@@ -401,7 +401,8 @@ std::vector<Claim> smoothest(const Case& of) {
     Observations observed{.name = "smoothness", .quantity = fmt::format("{} [deg]", words), .unit = "deg"};
     for (const std::string& solver : study.solvers) observed.groups.push_back({solver, values_of(study, solver)});
     if (std::ranges::any_of(observed.groups, [](const Group& group) { return group.values.empty(); })) return {};
-    const Against ours = against(tested(observed, feasible(study.plan, observed)), of.entry.solver);
+    const ComparedWithOthers ours =
+        compared_with_others(tested(observed, feasible(study.plan, observed)), of.entry.solver);
     verdicts.push_back(verdict_on(ours.found));
     const std::string number =
         fmt::format("{} deg, {} {}", short_number(ours.own_mean), ours.nearest, short_number(ours.nearest_mean));
