@@ -46,15 +46,16 @@ struct PrintedSolver {
 // By solver; without runs if the paper has none of that name.
 std::vector<PrintedSolver> printed_solvers(const ClaimsFile& file, const Multiverse& multiverse) {
   std::vector<PrintedSolver> all(multiverse.solvers.size());
-  for (std::size_t i = 0; i < numbers_of_solver; ++i) {
-    const std::size_t statistic = i % predicted_statistics;
-    for (const PrintedRow& row : printed_rows(file.paper, file.means, explained_metrics[i / predicted_statistics])) {
+  for (std::size_t m = 0; m < explained_metrics.size(); ++m) {
+    for (const PrintedRow& row : printed_rows(file.paper, file.means, explained_metrics[m])) {
       const auto solver = std::ranges::find(multiverse.solvers, row.algorithm);
       if (solver == multiverse.solvers.end()) continue;
       PrintedSolver& printed = all[static_cast<std::size_t>(solver - multiverse.solvers.begin())];
       printed.runs = static_cast<std::size_t>(row.printed.n);
-      const std::string& digits = row.digits[statistic];
-      printed.numbers[i] = {digits, row.printed.*printed_statistics[statistic].second, half_unit(digits)};
+      for (std::size_t i = 0; i < predicted_statistics; ++i) {
+        printed.numbers[m * predicted_statistics + i] = {row.digits[i], row.printed.*printed_statistics[i].second,
+                                                         half_unit(row.digits[i])};
+      }
     }
   }
   return all;
@@ -98,17 +99,24 @@ Explained explained_numbers(const PrintedSolver& printed, const Ranges& ranges) 
 // Indexed by choice of the study, by solver, by its own choice.
 using ExplainedBy = std::vector<std::vector<std::vector<Explained>>>;
 
-// Sums over all universes by their weights, and over the best by their number.
+// The universes with one alternative of a dimension.
+struct AlternativeSupport {
+  double explained = 0, weight = 0;  // sum of their explained numbers by their weights, and of the weights
+  int most = 0;                      // explained numbers at most
+  double best = 0;                   // number of the best universes among them
+};
+
+// The universes that explain one printed number.
+struct NumberSupport {
+  double weight = 0, best = 0;  // their weight, and the number of the best universes among them
+};
+
 struct Support {
-  std::vector<double> universes;             // weights, by the number of explained numbers
-  std::vector<std::vector<double>> mean_of;  // by dimension, alternative: explained numbers on average
-  std::vector<std::vector<int>> best_of;     // and at most
-  std::vector<std::vector<double>> in_best;  // and the number of the best universes that have it
-  std::vector<std::array<double, numbers_of_solver>> share_of;  // by solver: share of universes that explain a number
-  std::vector<std::array<double, numbers_of_solver>> share_of_best;
-  int most = 0;
+  std::vector<std::vector<AlternativeSupport>> alternatives;          // by dimension
+  std::vector<std::array<NumberSupport, numbers_of_solver>> numbers;  // by solver
+  double more = 0, all = 0;  // weights of the universes that explain more numbers than the default, and of all
+  int by_default = 0, most = 0;
   double best = 0;  // number of universes that explain the most
-  double all = 0;   // the weight of all
 };
 
 int count_of(const Explained& explained) { return static_cast<int>(explained.count()); }
@@ -158,81 +166,56 @@ StudySums sums_of(const std::vector<std::vector<Explained>>& solvers) {
   return sums;
 }
 
-// The sum of weights and of weighted numbers.
-struct Weighted {
-  double sum = 0, weight = 0;
-};
-
-class SupportCount {
- public:
-  explicit SupportCount(const Multiverse& multiverse) : multiverse_(multiverse) {
-    for (const Multiverse::Dimension& each : multiverse.dimensions) {
-      const std::size_t size = each.alternatives.size();
-      means_.emplace_back(size);
-      support_.best_of.emplace_back(size);
-      support_.in_best.emplace_back(size);
-    }
-    support_.share_of.resize(multiverse.solvers.size());
-    support_.share_of_best.resize(multiverse.solvers.size());
+// Adds the universes of one choice of the study.
+void add_study(Support& support, const Multiverse::OfStudy& study,
+               const std::vector<std::vector<Explained>>& explained) {
+  const StudySums sums = sums_of(explained);
+  const std::vector<double> spread = spread_of(explained);
+  for (std::size_t i = static_cast<std::size_t>(support.by_default) + 1; i < spread.size(); ++i) {
+    support.more += spread[i] * study.weight / sums.universes;
   }
-
-  Support of(const ExplainedBy& explained) {
-    for (const auto& study : explained) support_.most = std::max(support_.most, sums_of(study).best);
-    support_.universes.resize(multiverse_.solvers.size() * numbers_of_solver + 1);
-    for (std::size_t g = 0; g < explained.size(); ++g) add(multiverse_.studies[g], explained[g]);
-    for (const std::vector<Weighted>& of_dimension : means_) {
-      auto& means = support_.mean_of.emplace_back();
-      for (const Weighted& each : of_dimension) means.push_back(each.sum / each.weight);
-    }
-    return support_;
+  const bool has_best = sums.best == support.most;
+  support.all += study.weight;
+  if (has_best) support.best += sums.attaining;
+  // Universes of that weight explain `mean` numbers on average and `most` at most; `best` of them are among the best.
+  const auto count = [&](const Multiverse::Choice& choice, double mean, double weight, int most, double best) {
+    AlternativeSupport& of = support.alternatives[choice.dimension][choice.alternative];
+    of.explained += mean * weight;
+    of.weight += weight;
+    of.most = std::max(of.most, most);
+    of.best += best;
+  };
+  for (const Multiverse::Choice& each : study.chosen) {
+    count(each, sums.mean, study.weight, sums.best, has_best ? sums.attaining : 0);
   }
-
- private:
-  void add(const Multiverse::OfStudy& study, const std::vector<std::vector<Explained>>& explained) {
-    const StudySums sums = sums_of(explained);
-    const std::vector<double> spread = spread_of(explained);
-    for (std::size_t i = 0; i < spread.size(); ++i) {
-      support_.universes[i] += spread[i] * study.weight / sums.universes;
-    }
-    const bool has_best = sums.best == support_.most;
-    support_.all += study.weight;
-    if (has_best) support_.best += sums.attaining;
-    for (const Multiverse::Choice& each : study.chosen) {
-      count(each, {sums.mean, study.weight}, sums.best, has_best ? sums.attaining : 0);
-    }
-    for (std::size_t s = 0; s < explained.size(); ++s) {
-      const double weight = study.weight / static_cast<double>(explained[s].size());
-      for (std::size_t a = 0; a < explained[s].size(); ++a) {
-        const int ours = count_of(explained[s][a]);
-        const bool is_best = has_best && ours == sums.bests[s];
-        const double best = is_best ? sums.attaining / sums.how_many[s] : 0;
-        for (const Multiverse::Choice& each : study.solvers[s][a].chosen) {
-          count(each, {sums.mean - sums.means[s] + ours, weight}, sums.best - sums.bests[s] + ours, best);
-        }
-        for (std::size_t i = 0; i < numbers_of_solver; ++i) {
-          if (!explained[s][a][i]) continue;
-          support_.share_of[s][i] += weight;
-          support_.share_of_best[s][i] += best;
-        }
+  for (std::size_t s = 0; s < explained.size(); ++s) {
+    const double weight = study.weight / static_cast<double>(explained[s].size());
+    for (std::size_t a = 0; a < explained[s].size(); ++a) {
+      const int ours = count_of(explained[s][a]);
+      const double best = has_best && ours == sums.bests[s] ? sums.attaining / sums.how_many[s] : 0;
+      for (const Multiverse::Choice& each : study.solvers[s][a].chosen) {
+        count(each, sums.mean - sums.means[s] + ours, weight, sums.best - sums.bests[s] + ours, best);
+      }
+      for (std::size_t i = 0; i < numbers_of_solver; ++i) {
+        if (!explained[s][a][i]) continue;
+        support.numbers[s][i].weight += weight;
+        support.numbers[s][i].best += best;
       }
     }
   }
+}
 
-  // Counts a choice: universes of that weight explain `mean` numbers on average and `most` at most; `best` of them are
-  // among the best.
-  void count(const Multiverse::Choice& choice, Weighted mean, int most, double best) {
-    Weighted& sum = means_[choice.dimension][choice.alternative];
-    sum.sum += mean.sum * mean.weight;
-    sum.weight += mean.weight;
-    int& known = support_.best_of[choice.dimension][choice.alternative];
-    known = std::max(known, most);
-    support_.in_best[choice.dimension][choice.alternative] += best;
+Support support_of(const Multiverse& multiverse, const ExplainedBy& explained) {
+  Support support;
+  support.numbers.resize(multiverse.solvers.size());
+  for (const Multiverse::Dimension& each : multiverse.dimensions) {
+    support.alternatives.emplace_back(each.alternatives.size());
   }
-
-  const Multiverse& multiverse_;
-  std::vector<std::vector<Weighted>> means_;
-  Support support_;
-};
+  for (const std::vector<Explained>& of_solver : explained.front()) support.by_default += count_of(of_solver.front());
+  for (const auto& study : explained) support.most = std::max(support.most, sums_of(study).best);
+  for (std::size_t g = 0; g < explained.size(); ++g) add_study(support, multiverse.studies[g], explained[g]);
+  return support;
+}
 
 Cell rounded_percent(double share) { return std::round(1000 * share) / 10 + 0.0; }
 
@@ -245,9 +228,10 @@ Table alternatives_support(const Multiverse& multiverse, const Support& support,
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
+      const AlternativeSupport& of = support.alternatives[d][a];
       table.rows.push_back({dimension.alternatives[a].set, dimension.section, a == 0 ? Cell("default") : Cell(),
-                            std::round(10 * support.mean_of[d][a]) / 10, std::int64_t{support.best_of[d][a]},
-                            rounded_percent(support.in_best[d][a] / support.best)});
+                            std::round(10 * of.explained / of.weight) / 10, std::int64_t{of.most},
+                            rounded_percent(of.best / support.best)});
     }
   }
   table.notes.emplace_back(
@@ -273,8 +257,8 @@ Table numbers_support(const Multiverse& multiverse, const std::vector<PrintedSol
       table.rows.push_back({multiverse.solvers[s], std::string(name_of(explained_metrics[i / predicted_statistics])),
                             std::string(printed_statistics[i % predicted_statistics].first), printed[s].numbers[i].text,
                             Range{of_default[i].low, of_default[i].high}, explained[i] ? "inside" : "outside",
-                            rounded_percent(support.share_of[s][i] / support.all),
-                            rounded_percent(support.share_of_best[s][i] / support.best)});
+                            rounded_percent(support.numbers[s][i].weight / support.all),
+                            rounded_percent(support.numbers[s][i].best / support.best)});
     }
   }
   return table;
@@ -291,7 +275,7 @@ std::string unexplained_sentence(const Multiverse& multiverse, const std::vector
   std::vector<std::string> none;
   for (std::size_t s = 0; s < printed.size(); ++s) {
     for (std::size_t i = 0; i < numbers_of_solver && printed[s].runs > 0; ++i) {
-      if (support.share_of[s][i] == 0) none.push_back(number_words(multiverse, s, i));
+      if (support.numbers[s][i].weight == 0) none.push_back(number_words(multiverse, s, i));
     }
   }
   if (none.empty()) return "Each printed number is explained by some interpretation.";
@@ -307,7 +291,8 @@ std::string best_sentence(const Multiverse& multiverse, const Support& support) 
   std::vector<std::string> shared;
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     for (std::size_t a = 0; a < multiverse.dimensions[d].alternatives.size(); ++a) {
-      if (support.in_best[d][a] == support.best) shared.push_back(multiverse.dimensions[d].alternatives[a].set);
+      if (support.alternatives[d][a].best == support.best)
+        shared.push_back(multiverse.dimensions[d].alternatives[a].set);
     }
   }
   return fmt::format("The best explain {}: {} interpretations{}.", support.most, count_words(support.best),
@@ -338,18 +323,12 @@ void add_printed(MultiverseReport& report, const ClaimsFile& file, const Multive
       }
     }
   }
-  const Support support = SupportCount(multiverse).of(explained);
-  int by_default = 0;
-  for (const std::vector<Explained>& of_solver : explained.front()) by_default += count_of(of_solver.front());
-  double more = 0, rest = 0;
-  for (std::size_t i = 0; i < support.universes.size(); ++i) {
-    (i > static_cast<std::size_t>(by_default) ? more : rest) += support.universes[i];
-  }
+  const Support support = support_of(multiverse, explained);
   const int numbers = static_cast<int>(solvers) * static_cast<int>(numbers_of_solver);
   report.sentences.push_back(fmt::format(
       "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
       "of a study of 20 runs); {} of the interpretations explain more.",
-      numbers, by_default, share_words(more / (more + rest))));
+      numbers, support.by_default, share_words(support.more / support.all)));
   report.sentences.push_back(best_sentence(multiverse, support));
   report.sentences.push_back(unexplained_sentence(multiverse, printed, support));
   report.tables.push_back(alternatives_support(multiverse, support, numbers));
