@@ -48,7 +48,8 @@ std::string without_trace(const StudyResults& study) {
   return missing == 0 ? "" : fmt::format(" {} solves without a trace are left out.", missing);
 }
 
-std::optional<Figure> convergence_figure(const StudyResults& study, const std::vector<Solves>& traces) {
+std::optional<Figure> convergence_figure(const StudyResults& study, const Clusters&, Metric) {
+  const std::vector<Solves> traces = traced_by_solver(study);
   const std::vector<double> positions = evaluations_axis(study, traces);
   if (positions.empty()) return std::nullopt;
   Figure figure{.name = "statistics-convergence"};
@@ -110,19 +111,30 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const std::v
   return figure;
 }
 
+// The shares of each solver's values that are at most so large, with the intervals that the clusters give.
+template <class ValuesOf>
+std::vector<std::vector<Share>> shares_of(const std::vector<Solves>& by_solver, const Clusters& clusters,
+                                          ValuesOf&& values_of) {
+  std::vector<std::vector<Share>> curves;
+  for (const Solves& solves : by_solver) {
+    ClusteredValues all;
+    for (const Solve* solve : solves) {
+      const std::vector<double> values = values_of(*solve);
+      all.values.insert(all.values.end(), values.begin(), values.end());
+      all.clusters.insert(all.clusters.end(), values.size(), clusters.of(*solve));
+    }
+    curves.push_back(banded_shares(all, clusters));
+  }
+  return curves;
+}
+
 Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
   const std::vector<double> targets = target_errors_cm(study);
-  ShareCurves shares{.label = quantity(cost), .share_of = "share of solves and targets"};
-  for (const Solves& solves : traced_by_solver(study)) {
-    ClusteredValues costs;
-    costs.values.reserve(solves.size() * targets.size());
-    for (const Solve* solve : solves) {
-      const std::vector<double> of_solve = costs_to_targets(study, *solve, targets, cost);
-      costs.values.insert(costs.values.end(), of_solve.begin(), of_solve.end());
-      costs.clusters.insert(costs.clusters.end(), of_solve.size(), clusters.of(*solve));
-    }
-    shares.curves.push_back(banded_shares(costs, clusters));
-  }
+  const ShareCurves shares{
+      .curves = shares_of(traced_by_solver(study), clusters,
+                          [&](const Solve& solve) { return costs_to_targets(study, solve, targets, cost); }),
+      .label = quantity(cost),
+      .share_of = "share of solves and targets"};
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   Figure figure{.name = fmt::format("statistics-ecdf-{}", name_of(cost))};
   figure.caption = fmt::format(
@@ -140,20 +152,17 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metri
 }
 
 Figure error_figure(const StudyResults& study, const Clusters& clusters) {
-  ShareCurves shares{.label = quantity(Metric::position_error_cm), .share_of = "share of solves"};
-  bool has_zero = false;
-  for (const Solves& solves : solves_by_solver(study)) {
-    ClusteredValues errors{.values = {}, .clusters = clusters.of(solves)};
-    for (const Solve* solve : solves) errors.values.push_back(std::max(0.0, final_error_cm(*solve)));
-    shares.curves.push_back(banded_shares(errors, clusters));
-    has_zero |= !shares.curves.back().empty() && shares.curves.back().front().at == 0;
-  }
+  const auto error_of = [](const Solve& solve) { return std::vector{std::max(0.0, final_error_cm(solve))}; };
+  const ShareCurves shares{.curves = shares_of(solves_by_solver(study), clusters, error_of),
+                           .label = quantity(Metric::position_error_cm),
+                           .share_of = "share of solves"};
   Figure figure{.name = "statistics-ecdf-error",
                 .caption =
                     "Share of solves with at most this position error. An answer that is not finite counts as a solve "
                     "without an error." +
                     bands(study, clusters)};
-  if (has_zero) figure.caption += " Errors of zero are drawn at the left edge.";
+  const auto has_zero = [](const auto& curve) { return !curve.empty() && curve.front().at == 0; };
+  if (std::ranges::any_of(shares.curves, has_zero)) figure.caption += " Errors of zero are drawn at the left edge.";
   draw_shares(figure, study, shares);
   return figure;
 }
@@ -214,14 +223,15 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
 
 // Success against time or budget.
 Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
-  ShareCurves shares{.label = quantity(cost), .share_of = "share of solves that are ok"};
-  for (const Solves& solves : solves_by_solver(study)) {
-    ClusteredValues costs{.values = {}, .clusters = clusters.of(solves)};
-    for (const Solve* solve : solves) {
-      costs.values.push_back(is_ok(*solve) ? total_cost(study, *solve, cost) : censored);
-    }
-    shares.curves.push_back(banded_shares(costs, clusters));
-    if (!solves.empty() && shares.curves.back().empty()) shares.curves.back().push_back({.at = 0, .share = 0});
+  const std::vector<Solves> by_solver = solves_by_solver(study);
+  const auto cost_of = [&](const Solve& solve) {
+    return std::vector{is_ok(solve) ? total_cost(study, solve, cost) : censored};
+  };
+  ShareCurves shares{.curves = shares_of(by_solver, clusters, cost_of),
+                     .label = quantity(cost),
+                     .share_of = "share of solves that are ok"};
+  for (std::size_t i = 0; i < by_solver.size(); ++i) {
+    if (!by_solver[i].empty() && shares.curves[i].empty()) shares.curves[i].push_back({.at = 0, .share = 0});
   }
   Figure figure{.name = fmt::format("statistics-solved-{}", name_of(cost))};
   figure.caption =
@@ -237,35 +247,26 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric
 
 std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured), of_evaluations = compared_in(study, Metric::evaluations),
-                     of_seconds = compared_in(study, Metric::seconds);
-  const bool has_clean_times = times_are_comparable(study);
-  const Clusters clusters(study), clusters_of_evaluations(of_evaluations, &clusters),
-      clusters_of_seconds(of_seconds, &clusters);
+  const StudyResults study = at_median_speed(measured);
+  const Clusters clusters(study);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
-  const auto add_of_evaluations = [&](auto draw) {
-    if (of_evaluations.solves.empty()) return;
-    std::optional<Figure> figure = draw(of_evaluations, clusters_of_evaluations);
-    if (!figure) return;
-    if (const std::string note = words_of(left_out(study, Metric::evaluations).doubts); !note.empty())
-      figure->caption += " " + note;
-    add(std::move(figure));
-  };
-  const auto add_of_both = [&](auto draw) {
-    add_of_evaluations(
-        [&](const StudyResults& known, const Clusters& drawn) { return draw(known, drawn, Metric::evaluations); });
-    if (!has_clean_times) return;
-    std::optional<Figure> figure = draw(of_seconds, clusters_of_seconds, Metric::seconds);
-    const std::string note = words_of(left_out(study, Metric::seconds).doubts);
+  const auto add_of = [&](Metric cost, auto draw) {
+    const StudyResults compared = compared_in(study, cost);
+    if (compared.solves.empty()) return;
+    std::optional<Figure> figure = draw(compared, Clusters(compared, &clusters), cost);
+    const std::string note = words_of(left_out(study, cost).doubts);
     if (figure && !note.empty()) figure->caption += " " + note;
     add(std::move(figure));
   };
+  const auto add_of_both = [&](auto draw) {
+    add_of(Metric::evaluations, draw);
+    if (times_are_comparable(study)) add_of(Metric::seconds, draw);
+  };
   if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
-    add_of_evaluations(
-        [](const StudyResults& known, const Clusters&) { return convergence_figure(known, traced_by_solver(known)); });
+    add_of(Metric::evaluations, convergence_figure);
     if (!study.facts.pose) add_of_both(runtime_figure);  // traces of poses have another error than the tolerance
   }
   add(error_figure(study, clusters));
