@@ -31,15 +31,6 @@ DrawnUnit drawn_unit(const std::string& unit, double largest) {
   return largest < 1e-4 ? DrawnUnit{.unit = "µs", .factor = 1e6} : DrawnUnit{.unit = "ms", .factor = 1e3};
 }
 
-// The smallest of 1, 2 and 5 times a power of ten that marks no more than `places` places of an axis.
-double round_step(double span, double places) {
-  const double least = span / places, power = std::pow(10, std::floor(std::log10(least)));
-  for (const double digit : {1, 2, 5}) {
-    if (digit * power >= least) return digit * power;
-  }
-  return 10 * power;
-}
-
 // Whole decades around two drawn values. Values that are too small are drawn at the lower edge, which says so; the
 // ticks are those of the decades above.
 void add_decades(Axis& axis, char letter, double smallest, double largest, double factor) {
@@ -132,6 +123,14 @@ std::vector<double> ratio_ticks(double low, double high) {
 }
 
 }  // namespace
+
+double round_step(double span, double places) {
+  const double least = span / places, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1, 2, 5}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
+}
 
 bool is_drawable(double value) { return std::abs(value) <= largest_drawable; }
 

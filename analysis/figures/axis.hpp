@@ -13,6 +13,9 @@ constexpr double largest_drawable = 1e300;  // gnuplot works in doubles
 // True for a value that is finite and not too large for an axis.
 bool is_drawable(double value);
 
+// The smallest of 1, 2 and 5 times a power of ten that marks no more than `places` places of an axis.
+double round_step(double span, double places);
+
 // by_spread: logarithmic if values differ by more than 30 times and none is negative.
 enum class Scale { linear, logarithmic, by_spread };
 

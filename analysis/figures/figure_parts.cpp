@@ -59,12 +59,7 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
 }
 
 std::string point_axis(int points) {
-  int step = 1;
-  for (int decade = 1; points > 10 * step; decade *= 10) {
-    for (const int round : {1, 2, 5}) {
-      if (points > 5 * step) step = decade * round;
-    }
-  }
+  const double step = points <= 10 ? 1 : round_step(points, 5);
   return fmt::format("set xlabel 'point'\nset xrange [0.5:{}.5]\nset xtics {}\n{}", points, step,
                      step > 1 ? "set xtics add ('1' 1)\n" : "");
 }
@@ -122,13 +117,11 @@ std::string space_axes(const std::array<std::vector<double>, 3>& coordinates_cm)
     longest = std::max(longest, high - low);
   }
   const double half = longest > 0 ? 0.55 * longest : 1;
-  const double decade = std::pow(10, std::floor(std::log10(2 * half / 3)));
-  const double rest = 2 * half / 3 / decade;
-  const double step = decade * (rest > 7 ? 10 : rest > 3.5 ? 5 : rest > 1.5 ? 2 : 1);
   std::string settings;
   for (std::size_t axis = 0; axis < coordinates_cm.size(); ++axis) {
-    settings += fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis],
-                            text_of(centre[axis] - half), text_of(centre[axis] + half), text_of(step));
+    settings +=
+        fmt::format("set {0}range [{1}:{2}]\nset {0}tics {3} offset 0, 0\n", "xyz"[axis], text_of(centre[axis] - half),
+                    text_of(centre[axis] + half), text_of(round_step(2 * half, 5)));
   }
   return settings +
          "set xlabel 'x [cm]' offset -1, 0.3\nset ylabel 'y [cm]'\nset zlabel 'z [cm]' rotate parallel offset 1, 0\n"
