@@ -1,4 +1,4 @@
-// Where the joints of a study's arm are, so that it can be drawn.
+// The places of the joints of a study's arm, for drawing it.
 #pragma once
 
 #include <array>

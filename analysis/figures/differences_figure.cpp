@@ -22,7 +22,7 @@ namespace {
 
 enum class Zero { inside, outside, unknown };
 
-// Whether the interval holds `none`, the difference (0) or ratio (1) of equals.
+// Returns whether the interval holds `none`, the difference (0) or ratio (1) of equals.
 Zero zero_of(const DifferenceRow& row, double none) {
   if (!is_drawable(row.low) || !is_drawable(row.high) || !is_drawable(row.difference)) return Zero::unknown;
   if (none == 1 && !(row.low > 0)) return Zero::unknown;  // a logarithmic axis cannot show it

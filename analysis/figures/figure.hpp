@@ -10,9 +10,8 @@ namespace ikbench::figures {
 
 constexpr double two_columns_cm = 17.0;  // of a journal
 
-// Texts for a reader who points at a series: for a curve one per drawn marker, for a box one. `series` is the title of
-// the curve, or the tick below the box.
-struct Told {
+// Texts for a reader who points at a curve, one per drawn marker. `series` is the title of the curve.
+struct HoverTexts {
   std::string series;
   std::vector<std::string> words = {};
 };
@@ -25,7 +24,7 @@ struct Figure {
   std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_string
   std::string plot = {};      // the one plot or splot command, or those from "set multiplot" on; reads NAME.dat
   std::string data = {};      // the numbers as drawn; comment lines start with '#'
-  std::vector<Told> told = {};
+  std::vector<HoverTexts> hover_texts = {};
 };
 
 struct RenderOptions {

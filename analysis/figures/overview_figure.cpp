@@ -126,7 +126,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
     if (has_rings) clauses.push_back(points(1, shape - 1) + " lw 1.2 notitle");
     clauses.push_back(fmt::format("{} title {}", points(0, shape), gnuplot_string(label)));
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
-    figure.told.push_back({.series = label,
+    figure.hover_texts.push_back({.series = label,
                            .words = {fmt::format("error {}, variation {}, time {}",
                                                  value_words(Metric::position_error_cm, ours[i].error_cm),
                                                  value_words(Metric::variation_deg, ours[i].variation_deg),

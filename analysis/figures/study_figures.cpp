@@ -87,7 +87,9 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
   }
   figure.settings = space_axes(coordinates);
   if (view == View::from_above) {
-    figure.settings += "set view noequal\nset view map\nset size ratio -1\nset border 3\nset xlabel offset 0, 0\n";
+    figure.settings +=
+        "set view noequal\nset view map\nset size ratio -1\nset border 3\nset xlabel offset 0, 0\n"
+        "set ylabel offset -1.5, 0\n";
   }
   add_legend(figure, labels);
   figure.settings += "set key at screen 0.5, 0.99 top center horizontal maxrows 2\n";  // below, gnuplot cuts it
@@ -173,11 +175,11 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
                       figure.name, band, band + 1, i + 1));
     }
     const std::string label = shortened(study.solvers[i], longest_label);
-    Told& told = figure.told.emplace_back(Told{.series = label});
+    HoverTexts& texts = figure.hover_texts.emplace_back(HoverTexts{.series = label});
     for (std::size_t point = 0; point < curves.averages[i].size(); ++point) {
       const double average = curves.averages[i][point];
       if (!std::isfinite(average)) continue;
-      told.words.push_back(fmt::format("point {}: {}", point + 1, value_words(metric, average)));
+      texts.words.push_back(fmt::format("point {}: {}", point + 1, value_words(metric, average)));
     }
     if (std::ranges::any_of(curves.averages[i], [](double value) { return std::isfinite(value); })) {
       lines.push_back(

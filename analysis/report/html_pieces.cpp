@@ -210,8 +210,8 @@ Data HtmlPieces::figure_data(const ReportFigure& piece) {
   data.set("left_out", piece.drawn && !svg);
   left_out_ += piece.drawn && !svg ? 1 : 0;
   Json& series = told_[id] = Json::array();
-  for (const Told& told : piece.figure.told) {
-    series.push_back({{"series", one_line(told.series)}, {"words", told.words}});
+  for (const HoverTexts& texts : piece.figure.hover_texts) {
+    series.push_back({{"series", one_line(texts.series)}, {"words", texts.words}});
   }
   if (!svg || series.empty()) told_.erase(id);
   return data;

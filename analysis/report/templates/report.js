@@ -129,11 +129,7 @@
       const marks = all('use', drawn.find(each => each.name === name)?.group ?? document.createElement('g'));
       if (marks.length === words.length || marks.length === words.length + 1) {  // one more is in the legend
         words.forEach((text, i) => spots.push({ name, text: `${name}, ${text}`, place: at(marks[i]) }));
-        continue;
       }
-      const tick = all('text', drawing(image)).find(text => text.textContent.trim() === name);
-      const place = at(tick?.parentNode);
-      if (place && words.length === 1) spots.push({ name, text: `${name}: ${words[0]}`, place: [place[0], null] });
     }
     return spots.filter(({ place }) => place);
   }
@@ -155,8 +151,7 @@
       tip.hidden = mark.hidden = !spot;
       if (!spot) return;
       const [width, height] = size(), [x, y] = spot.place;
-      const left = 100 * x / width, top = 100 * (y ?? height / 4) / height;
-      mark.hidden = y === null;
+      const left = 100 * x / width, top = 100 * y / height;
       for (const element of [mark, tip]) {
         element.style.left = `${element === tip ? Math.min(Math.max(left, 25), 75) : left}%`;
         element.style.top = `${top}%`;
@@ -168,7 +163,7 @@
       const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
       let best = null, least = 15;  // points of the picture
       for (const spot of known()) {
-        const distance = Math.hypot(spot.place[0] - x, spot.place[1] === null ? 0 : spot.place[1] - y);
+        const distance = Math.hypot(spot.place[0] - x, spot.place[1] - y);
         if (distance < least) [best, least] = [spot, distance];
       }
       show(best);
