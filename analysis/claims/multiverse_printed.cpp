@@ -61,7 +61,7 @@ std::vector<PrintedSolver> printed_solvers(const ClaimsFile& file, const Multive
   return all;
 }
 
-using Ranges = std::array<Interval, numbers_of_solver>;
+using Ranges = std::array<Estimate, numbers_of_solver>;
 
 // Known ranges by their values, since many universes share a series.
 class KnownRanges {

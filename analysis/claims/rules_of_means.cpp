@@ -353,7 +353,7 @@ Claims least_spread(const Case& of) {
     const std::array<std::vector<double>, 2> two{values[own.solver], values[other.solver]};
     const std::array<GroupSummary, 2> in_print{own.printed, other.printed};
     here.push_back({other.solver, own.ours.std, other.ours.std, brown_forsythe(two).p});
-    printed.push_back({other.solver, own.printed.std, other.printed.std, bartlett_from_summaries(in_print).p});
+    printed.push_back({other.solver, own.printed.std, other.printed.std, bartlett(in_print).p});
   }
   Claim claim = of.begun();
   claim.verdict = verdict_on(here, study.plan);

@@ -59,7 +59,7 @@ constexpr Function of_groups[]{
     {"anova_f", 3, [](const Rows& rows) { return anova_from_summaries(groups_of(rows)).F; }},
     {"anova_level", 3, [](const Rows& rows) { return level_of_anova(groups_of(rows), 0.05); }},
     {"anova_slack", 5, anova_slack},
-    {"welch_f", 3, [](const Rows& rows) { return welch_anova(groups_of(rows)).F; }},
+    {"welch_f", 3, [](const Rows& rows) { return welch_anova(groups_of(rows)).statistic; }},
     {"welch_p", 3, [](const Rows& rows) { return welch_anova(groups_of(rows)).p; }},
     {"tukey_p", 4, [](const Rows& rows) { return p_of_pair(rows, tukey(groups_of(rows), 0.95)); }},
     {"games_howell_p", 4, [](const Rows& rows) { return p_of_pair(rows, games_howell(groups_of(rows), 0.95)); }}};

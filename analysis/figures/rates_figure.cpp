@@ -29,9 +29,9 @@ Figure rates_figure(const std::vector<std::string>& rows, const std::vector<Rate
     const RateSeries& one = series[k];
     figure.data += fmt::format("{}# {}\n", k == 0 ? "" : "\n\n", one_line(one.name));
     for (std::size_t row = 0; row < n; ++row) {
-      const statistics::Proportion& share = one.shares[row];
+      const statistics::Estimate& share = one.shares[row];
       const double place = static_cast<double>(row + 1) + step * (static_cast<double>(k) + 0.5) - 0.4;
-      figure.data += fmt::format("{} {} {} {}\n", text_of(place), data_number(100 * share.estimate),
+      figure.data += fmt::format("{} {} {} {}\n", text_of(place), data_number(100 * share.value),
                                  data_number(100 * share.low), data_number(100 * share.high));
     }
     const std::string block = fmt::format("'{}.dat' index {}", words.name, k);

@@ -13,7 +13,7 @@ struct RateSeries {
   std::string name;
   int colour = 1;                              // line style; a printed number has that of ours
   bool is_ring = false;                        // drawn like printed numbers
-  std::vector<statistics::Proportion> shares;  // one per row; undefined shares and intervals are not drawn
+  std::vector<statistics::Estimate> shares;  // one per row; undefined shares and intervals are not drawn
 };
 
 struct RatesWords {

@@ -132,8 +132,7 @@ std::optional<Anytime> anytime(const StudyResults& study, const Clusters& cluste
     for (std::size_t i = 0; i < solvers.size(); ++i) {
       AtBudget& standing = result.standings[k].emplace_back();
       if (!solvers[i].has_values) continue;
-      const Interval interval = clusters.interval(column(solvers[i].replicates, k));
-      standing.share = {.value = solvers[i].shares[k], .low = interval.low, .high = interval.high};
+      standing.share = clusters.estimate(solvers[i].shares[k], column(solvers[i].replicates, k));
       if (i == leaders[k]) continue;
       standing.leader = finding_of(found, quantity_at(k), study.solvers[leaders[k]], study.solvers[i]);
     }

@@ -112,26 +112,28 @@ std::string_view Clusters::noun() const { return are_runs_ ? "runs" : "targets";
 
 double Clusters::level() const { return 1 - study_.plan.significance; }
 
-Interval Clusters::interval(std::vector<double> statistic) const {
-  return expanded_percentiles(std::move(statistic), drawn_at_once_, level());
+Estimate Clusters::estimate(double value, std::vector<double> replicates) const {
+  return expanded_percentiles(value, std::move(replicates), drawn_at_once_, level());
 }
 
 bool Clusters::are_copies(std::string_view solver) const { return are_runs_ && repeats_itself(study_, solver); }
 
 std::vector<Finding> findings(std::vector<Difference> family, Better better, const Clusters& clusters) {
-  Family numbers{.estimates = {}, .replicates = {}, .clusters = clusters.drawn_at_once()};
+  std::vector<double> values;
+  std::vector<std::vector<double>> replicates;
   for (Difference& difference : family) {
-    numbers.estimates.push_back(difference.value);
-    numbers.replicates.push_back(std::move(difference.replicates));
+    values.push_back(difference.value);
+    replicates.push_back(std::move(difference.replicates));
   }
-  const std::vector<Interval> intervals = simultaneous_intervals(numbers, clusters.level());
+  const std::vector<Estimate> estimates =
+      simultaneous_intervals(values, replicates, clusters.drawn_at_once(), clusters.level());
   std::vector<Finding> found;
   for (std::size_t i = 0; i < family.size(); ++i) {
-    const auto& [low, high] = intervals[i];
+    const double low = estimates[i].low, high = estimates[i].high;
     Finding& finding = found.emplace_back(Finding{.quantity = std::move(family[i].quantity),
                                                   .first = std::move(family[i].first),
                                                   .second = std::move(family[i].second),
-                                                  .estimate = {.value = numbers.estimates[i], .low = low, .high = high},
+                                                  .estimate = estimates[i],
                                                   .method = fmt::format("bootstrap of the {}", clusters.noun())});
     if (std::isnan(low)) {
       finding.why = clusters.undefined().empty() ? "not every sample has a value" : clusters.undefined();
@@ -183,9 +185,9 @@ std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clus
   for (std::size_t i = 0; i < shares.size(); ++i) {
     std::vector<double> values;
     for (const std::vector<double>& replicate : replicates) values.push_back(replicate[i]);
-    const Interval interval = clusters.interval(std::move(values));
-    shares[i].low = interval.low;
-    shares[i].high = interval.high;
+    const Estimate share = clusters.estimate(shares[i].share, std::move(values));
+    shares[i].low = share.low;
+    shares[i].high = share.high;
   }
   return shares;
 }

@@ -46,8 +46,8 @@ class Clusters {
   // Whether the clusters are runs, and those of the solver copies of one.
   bool are_copies(std::string_view solver) const;
 
-  // expanded_percentiles of a statistic, one of each replicate.
-  statistics::Interval interval(std::vector<double> statistic) const;
+  // A statistic with the expanded_percentiles of its replicates.
+  Estimate estimate(double value, std::vector<double> replicates) const;
 
  private:
   const StudyResults& study_;

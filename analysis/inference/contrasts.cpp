@@ -45,26 +45,21 @@ Estimate share_of_blocks(const std::vector<double>& first, const std::vector<dou
     wins += first[i] < second[i] ? 1 : 0;
     ties += first[i] == second[i] ? 1 : 0;
   }
-  Estimate result{.value = (wins + 0.5 * ties) / static_cast<double>(first.size())};
-  if (ties > 0) return result;
-  const Proportion interval = wilson({.successes = wins, .trials = static_cast<int>(first.size())}, level);
-  result.low = interval.low;
-  result.high = interval.high;
-  return result;
+  if (ties > 0) return {.value = (wins + 0.5 * ties) / static_cast<double>(first.size())};
+  return wilson({.successes = wins, .trials = static_cast<int>(first.size())}, level);
 }
 
 Estimate superiority(const Evidence& evidence, const std::vector<double>& first, const std::vector<double>& second) {
   const double level = 1 - evidence.plan.significance;
   if (first.empty() || second.empty()) return {};
   if (evidence.blocks > 0) return share_of_blocks(first, second, level);
-  const EffectSize found = vargha_delaney(second, first, level);  // the chance that second is larger, so first better
-  return {.value = found.value, .low = found.low, .high = found.high};
+  return vargha_delaney(second, first, level);  // the chance that second is larger, so first better
 }
 
 // Probability that all values of two equal groups agree by chance: within blocks, that no difference has the other
 // sign; else by Fisher's exact test.
 double chance_of_unanimity(const Evidence& evidence, int n, int m) {
-  return evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m}).p;
+  return evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m});
 }
 
 // Corrects a probability for all pairs of the family (Bonferroni).
@@ -231,11 +226,11 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, cons
     if (evidence.decides_within_blocks()) {
       const double std =
           standard_deviation(differences_without_rounding(values[contrast.first], values[contrast.second]));
-      return pairs_to_see(plausible_deviation(std, first.n, probability), to_see, goal).n;
+      return pairs_to_see(plausible_deviation(std, first.n, probability), to_see, goal);
     }
     first.std = plausible_deviation(first.std, first.n, probability);
     second.std = plausible_deviation(second.std, second.n, probability);
-    return runs_to_see(first, second, to_see, goal).n;
+    return runs_to_see(first, second, to_see, goal);
   };
   const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
   const double low = std::fmax(runs(outside), fewest), high = runs(1 - outside);
@@ -286,6 +281,9 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
   if (!all([](double value) { return std::isfinite(value); })) return {};
   const bool are_negative = !is_log && all([](double value) { return value < 0; });
   if (!is_log && !are_negative && !all([](double value) { return value > 0; })) return {};
+  const auto exponential = [](const Estimate& of) {
+    return Estimate{.value = std::exp(of.value), .low = std::exp(of.low), .high = std::exp(of.high)};
+  };
   const auto logarithms = [&](const std::vector<double>& values) {
     std::vector<double> result;
     for (const double value : values)
@@ -295,14 +293,12 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
   const std::vector<double> one = logarithms(first), other = logarithms(second);
   const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
   if (!evidence.decides_within_blocks()) {
-    const Shift shift = hodges_lehmann(one, other, level);
-    return {.value = std::exp(shift.estimate), .low = std::exp(shift.low), .high = std::exp(shift.high)};
+    return exponential(hodges_lehmann(one, other, level));
   }
   std::vector<double> differences;
   for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
   std::ranges::sort(differences);
-  const MedianInterval interval = median_interval(differences, level);
-  return {.value = std::exp(median(differences)), .low = std::exp(interval.low), .high = std::exp(interval.high)};
+  return exponential(median_interval(differences, level));
 }
 
 void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contrast) {

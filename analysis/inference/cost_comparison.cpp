@@ -15,16 +15,8 @@ namespace {
 
 constexpr std::size_t most_for_all_pairs = 20;
 
-// By sums within clusters.
-std::vector<RunningTime> replicates_of(const std::vector<CensoredCost>& costs, const std::vector<std::size_t>& cluster,
-                                       const Clusters& clusters) {
-  std::vector<RunningTime> sums(clusters.drawn_at_once());
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    RunningTime& sum = sums[cluster[i]];
-    ++sum.trials;
-    sum.successes += costs[i].reached ? 1 : 0;
-    sum.spent += costs[i].spent;
-  }
+// Sums over the clusters that each replicate has drawn, from sums within clusters.
+std::vector<RunningTime> replicates_of(const std::vector<RunningTime>& sums, const Clusters& clusters) {
   std::vector<RunningTime> result;
   for (const std::vector<double>& drawn : clusters.replicates()) {
     RunningTime& all = result.emplace_back();
@@ -89,24 +81,30 @@ bool is_finite(const Difference& difference) {
 
 }  // namespace
 
-Interval SolverCost::interval(const Clusters& clusters) const {
-  std::vector<double> expected;
-  for (const RunningTime& replicate : replicates) expected.push_back(replicate.expected());
-  return clusters.interval(std::move(expected));
+Estimate SolverCost::expected(const Clusters& clusters) const {
+  std::vector<double> of_replicates;
+  for (const RunningTime& replicate : replicates) of_replicates.push_back(replicate.expected());
+  return clusters.estimate(time.expected(), std::move(of_replicates));
 }
 
 std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters,
                                  const Success& is_success) {
   std::vector<SolverCost> result;
   for (const Solves& solves : solves_by_solver(study)) {
-    std::vector<CensoredCost> costs;
+    SolverCost& solver = result.emplace_back();
+    std::vector<RunningTime> sums(clusters.drawn_at_once());
     for (const Solve* solve : solves) {
-      costs.push_back({.spent = total_cost(study, *solve, cost), .reached = is_success(*solve)});
+      const double spent = total_cost(study, *solve, cost);
+      solver.time.add(spent, is_success(*solve));
+      sums[clusters.of(*solve)].add(spent, is_success(*solve));
     }
-    SolverCost& solver = result.emplace_back(SolverCost{.undefined = wrong_with(costs)});
-    if (!solver.undefined.empty()) continue;
-    solver.time = running_time(costs);
-    solver.replicates = replicates_of(costs, clusters.of(solves), clusters);
+    if (solves.empty()) {
+      solver.undefined = "there are no trials";
+    } else if (!std::isfinite(solver.time.spent)) {
+      solver.undefined = "a cost is not finite, or their sum is too large";
+    }
+    if (solver.undefined.empty()) solver.replicates = replicates_of(sums, clusters);
+    if (!solver.undefined.empty()) solver.time = {};
   }
   return result;
 }

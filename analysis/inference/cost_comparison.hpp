@@ -21,8 +21,7 @@ struct SolverCost {
   std::vector<statistics::RunningTime> replicates = {};  // none where there are too few clusters
   std::string undefined = {};                            // why there is no running time; empty where there is
 
-  // Of the expected running time.
-  statistics::Interval interval(const Clusters& clusters) const;
+  Estimate expected(const Clusters& clusters) const;  // expected running time
 };
 // In the order of the study's solvers. A solve that does not succeed is given up at its cost.
 using Success = std::function<bool(const Solve&)>;

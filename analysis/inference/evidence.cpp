@@ -100,34 +100,6 @@ Evidence begin(const Given& given, const AnalysisPlan& plan) {
   return evidence;
 }
 
-Estimate interval_of(const GroupSummary& summary, double level) {
-  const MeanInterval found = mean_interval(summary, level);
-  return {.value = summary.mean, .low = found.low, .high = found.high};
-}
-
-TestResult of_bartlett(std::span<const GroupSummary> summaries) {
-  const Bartlett test = bartlett_from_summaries(summaries);
-  return {.test = std::string(bartlett_name),
-          .role = Role::assumption,
-          .symbol = "chi^2",
-          .statistic = test.chi_squared,
-          .df = static_cast<double>(test.df),
-          .p = test.p,
-          .undefined = test.undefined};
-}
-
-TestResult of_brown_forsythe(std::span<const std::vector<double>> values) {
-  const BrownForsythe test = brown_forsythe(values);
-  return {.test = std::string(brown_forsythe_name),
-          .role = Role::assumption,
-          .symbol = "F",
-          .statistic = test.F,
-          .df = static_cast<double>(test.df_between),
-          .df_within = static_cast<double>(test.df_within),
-          .p = test.p,
-          .undefined = test.undefined};
-}
-
 // Skips the bootstrap for many values: their mean is normal anyway.
 bool bootstraps_means(const Evidence& evidence) {
   constexpr int most_values = 2000;  // over all groups: takes about a second
@@ -141,9 +113,8 @@ void bootstrap_means(Evidence& evidence, const Samples& values) {
   constexpr std::size_t fewest_values = 5;  // fewer values have too few different resamples
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
-    const MeanInterval found = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
-    evidence.groups[i].bootstrapped = {
-        .value = evidence.groups[i].described.mean, .low = found.low, .high = found.high};
+    evidence.groups[i].bootstrapped = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
+    evidence.groups[i].bootstrapped.value = evidence.groups[i].described.mean;
   }
 }
 
@@ -169,7 +140,10 @@ void add_average_ranks(Evidence& evidence, const Samples& ranked) {
 // Adds the tests of all groups: equal variances, the paper's analysis, the one of the deciding method, and the rank
 // test.
 void add_tests(Evidence& evidence, const Groups& groups) {
-  evidence.tests = {groups.values.empty() ? of_bartlett(groups.summaries) : of_brown_forsythe(groups.values)};
+  evidence.tests = {
+      groups.values.empty()
+          ? TestResult{bartlett(groups.summaries), std::string(bartlett_name), "chi^2", Role::assumption}
+          : TestResult{brown_forsythe(groups.values), std::string(brown_forsythe_name), "F", Role::assumption}};
   std::vector<const Method*> shown{&paper_method(), evidence.method};
   if (!groups.values.empty() && evidence.groups.size() > 2) shown.push_back(&rank_method(evidence));
   for (auto method = shown.begin(); method != shown.end(); ++method) {
@@ -185,14 +159,13 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   GroupEvidence result{.name = group.name, .described = describe(group.values)};
   const double level = 1 - plan.significance;
   const Description& of = result.described;
-  result.mean = interval_of({.mean = of.mean, .std = of.std, .n = of.n}, level);
+  result.mean = mean_interval({.mean = of.mean, .std = of.std, .n = of.n}, level);
   const std::vector<double> ranked = ranked_values(group.values);
   const QuantileType type = quantile_type(plan.quartiles);
   const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
   result.q1 = q1;
   result.q3 = q3;
-  const MedianInterval median = median_interval(ranked, level);
-  result.median = {.value = of.median, .low = median.low, .high = median.high};
+  result.median = median_interval(ranked, level);
   return result;
 }
 
@@ -264,7 +237,7 @@ Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
     summary.std = without_rounding(summary.std, std::abs(summary.mean));
     result.groups.push_back({.name = group.name,
                              .described = {.n = summary.n, .mean = summary.mean, .std = summary.std},
-                             .mean = interval_of(summary, 1 - plan.significance)});
+                             .mean = mean_interval(summary, 1 - plan.significance)});
   }
   check_control(result);
   choose_method(result);
@@ -332,9 +305,9 @@ void make_tests(Evidence& result, const Observations& observations) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     summaries.push_back(summarise(values[i]));
     if (result.of_outcomes) continue;
-    const ShapiroWilk normal = shapiro_wilk(values[i]);
+    const Test normal = shapiro_wilk(values[i]);
     result.groups[i].normality = normal.p;
-    result.groups[i].normality_w = normal.W;
+    result.groups[i].normality_w = normal.statistic;
   }
   if (result.of_outcomes) describe_shares(result, values);
   if (result.groups.size() < 2) return;

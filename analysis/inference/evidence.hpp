@@ -36,19 +36,14 @@ struct GroupEvidence {
 // assumption: checks what other tests assume. paper: the usual analysis of papers. robust: needs fewer assumptions.
 enum class Role { assumption, paper, robust };
 
-struct TestResult {
+struct TestResult : statistics::Test {
   std::string test;
-  bool decides = false;      // it goes with the method that decides the pairs
-  std::string without = {};  // names the groups that it had to leave out
-  Role role = Role::robust;
   std::string symbol = {};  // of the statistic: "F", "H"
-  double statistic = statistics::not_defined;
-  double df = statistics::not_defined;
-  double df_within = statistics::not_defined;  // second degrees of freedom, if the statistic has two
-  double p = statistics::not_defined;
+  Role role = Role::robust;
   std::string effect_symbol = {};
   double effect = statistics::not_defined;
-  std::string undefined = {};  // why there is no p
+  bool decides = false;      // it goes with the method that decides the pairs
+  std::string without = {};  // names the groups that it had to leave out
 };
 
 // Position of a difference's whole interval relative to the plan's margin. across: it favours the better group but lies

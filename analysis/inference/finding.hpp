@@ -10,12 +10,7 @@
 
 namespace ikbench::inference {
 
-// A number with its interval, which may be not defined.
-struct Estimate {
-  double value = statistics::not_defined;
-  double low = statistics::not_defined;
-  double high = statistics::not_defined;
-};
+using statistics::Estimate;
 
 struct Finding {
   std::string quantity;

@@ -113,8 +113,8 @@ std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<Mea
   for (const MeanDifference& each : differences) {
     result.push_back({.p = each.p,
                       .p_alone = each.p_alone,
-                      .ahead = sign * sign_of(each.difference),
-                      .difference = {.value = each.difference, .low = each.low, .high = each.high},
+                      .ahead = sign * sign_of(each.difference.value),
+                      .difference = each.difference,
                       .undefined = each.undefined});
   }
   return result;

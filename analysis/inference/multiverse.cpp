@@ -35,10 +35,11 @@ class PairJudge {
   Relation operator()(const GroupSummary& first, const GroupSummary& second) const {
     const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
     if (is_number != other_is_number) return is_number ? Relation::better : Relation::worse;
-    const WelchTest test = welch(first, second);
-    const double p = range_.upper_tail(std::abs(test.t) * std::numbers::sqrt2, test.df);
+    const Test test = welch(first, second);
+    const double p = range_.upper_tail(std::abs(test.statistic) * std::numbers::sqrt2, test.df);
     if (std::isnan(p)) return Relation::undecided;
-    return relation_of({.p_better = test.t < 0 ? p : 1, .p_worse = test.t > 0 ? p : 1}, plan_.significance);
+    return relation_of({.p_better = test.statistic < 0 ? p : 1, .p_worse = test.statistic > 0 ? p : 1},
+                       plan_.significance);
   }
 
  private:

@@ -50,9 +50,9 @@ Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contras
     const int differ = counts.first_only + counts.second_only;
     if (differ > 0) fewest = std::ceil(fewest * counts.trials() / differ);
     const double std = standard_deviation(differences_without_rounding(first, second));
-    return takes(fewest, pairs_to_see(std, evidence.plan.margin, goal).n);
+    return takes(fewest, pairs_to_see(std, evidence.plan.margin, goal));
   }
-  return takes(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal).n);
+  return takes(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal));
 }
 
 bool are_outcomes(const Observations& observations) {
@@ -67,7 +67,7 @@ bool are_outcomes(const Observations& observations) {
   return zeros && ones;
 }
 
-Proportion solve_rate(const StudyResults& study, std::string_view solver, double level) {
+Estimate solve_rate(const StudyResults& study, std::string_view solver, double level) {
   Successes count;
   for (const Solve& solve : solves_of(study, solver)) {
     ++count.trials;
@@ -78,8 +78,7 @@ Proportion solve_rate(const StudyResults& study, std::string_view solver, double
 
 void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const Proportion share = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
-    evidence.groups[i].mean = {.value = share.estimate, .low = share.low, .high = share.high};
+    evidence.groups[i].mean = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
     evidence.groups[i].median = {};
   }
 }

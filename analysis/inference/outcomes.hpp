@@ -18,7 +18,7 @@ bool are_outcomes(const Observations& observations);
 
 // Share of a solver's solves with status ok, with Wilson's interval. The interval assumes independent solves, such as
 // one per run.
-statistics::Proportion solve_rate(const StudyResults& study, std::string_view solver, double level);
+Estimate solve_rate(const StudyResults& study, std::string_view solver, double level);
 
 statistics::Successes successes_of(const std::vector<double>& values);
 statistics::PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second);

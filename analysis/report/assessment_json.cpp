@@ -24,8 +24,7 @@ Json estimate(const Estimate& of) {
 
 Json effect_of(const Evidence& evidence, const Contrast& contrast) {
   const int n = evidence.groups[contrast.first].described.n, other_n = evidence.groups[contrast.second].described.n;
-  const EffectSize g = hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance);
-  return estimate({.value = g.value, .low = g.low, .high = g.high});
+  return estimate(hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance));
 }
 
 void add_reason(Json& object, const std::string& undefined) {

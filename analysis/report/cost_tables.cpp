@@ -53,9 +53,9 @@ Table cost_table(const StudyResults& study, Metric cost, const Clusters& cluster
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
   for (std::size_t i = 0; i < costs.size(); ++i) {
     const RunningTime& time = costs[i].time;
-    const Interval interval = costs[i].interval(clusters);
+    const Estimate ert = costs[i].expected(clusters);
     table.rows.push_back({study.solvers[i], count_of(time.trials), count_of(time.successes), number_of(time.expected()),
-                          time.successes > 0 ? range_of(interval.low, interval.high) : Cell()});
+                          time.successes > 0 ? range_of(ert.low, ert.high) : Cell()});
     if (!costs[i].undefined.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], costs[i].undefined));
   }
   table.notes = {

@@ -22,7 +22,7 @@ namespace {
 
 Cell percentage(double share) { return std::isfinite(share) ? Cell(100 * share) : Cell(); }
 
-Proportion rate_within(const StudyResults& study, std::string_view solver, int iterations, double level) {
+Estimate rate_within(const StudyResults& study, std::string_view solver, int iterations, double level) {
   Successes count;
   for (const Solve& solve : solves_of(study, solver)) {
     ++count.trials;
@@ -41,7 +41,7 @@ Rate rate_of(const StudyResults& study, const std::string& solver, double printe
   Rate rate{.solver = solver, .printed = printed, .ours = solve_rate(study, solver, plan.level)};
   const int most = most_iterations(study);
   for (const int iterations : plan.iterations) {
-    rate.within.push_back(iterations <= most ? rate_within(study, solver, iterations, plan.level) : Proportion{});
+    rate.within.push_back(iterations <= most ? rate_within(study, solver, iterations, plan.level) : Estimate{});
   }
   const int longest = plan.iterations.empty() ? 0 : std::min(most, plan.iterations.back());
   for (int iterations = 1; iterations <= longest; ++iterations) {
@@ -63,7 +63,7 @@ std::optional<std::size_t> row_of(const CsvTable& printed, const std::string& ar
 
 // Returns whether any arm has solves of the solver with this index.
 bool is_here(const std::vector<RatesOfArm>& arms, std::size_t solver) {
-  return std::ranges::any_of(arms, [&](const RatesOfArm& arm) { return arm.rates[solver].ours.undefined.empty(); });
+  return std::ranges::any_of(arms, [&](const RatesOfArm& arm) { return !std::isnan(arm.rates[solver].ours.value); });
 }
 
 Table rates_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
@@ -87,7 +87,7 @@ Table rates_table(const std::vector<RatesOfArm>& arms, const RatesPlan& plan) {
       const Rate& rate = arms[row].rates[i];
       if (is_printed) table.rows[row].push_back(percentage(rate.printed));
       if (!is_here(arms, i)) continue;
-      table.rows[row].push_back(percentage(rate.ours.estimate));
+      table.rows[row].push_back(percentage(rate.ours.value));
       table.rows[row].emplace_back(Range{100 * rate.ours.low, 100 * rate.ours.high});
     }
   }
@@ -104,9 +104,9 @@ Table iterations_table(const std::vector<RatesOfArm>& arms, const RatesPlan& pla
   table.columns.push_back("as printed within");
   for (const RatesOfArm& arm : arms) {
     for (const Rate& rate : arm.rates) {
-      if (!rate.ours.undefined.empty()) continue;
+      if (std::isnan(rate.ours.value)) continue;
       std::vector<Cell> row{arm.arm, rate.solver, percentage(rate.printed)};
-      for (const Proportion& ours : rate.within) row.push_back(percentage(ours.estimate));
+      for (const Estimate& ours : rate.within) row.push_back(percentage(ours.value));
       row.emplace_back(rate.first == 0 ? std::string("none of these")
                                        : fmt::format("{} to {} iterations", rate.first, rate.last));
       table.rows.push_back(std::move(row));
@@ -128,7 +128,7 @@ figures::Figure rates_figure(const std::vector<RatesOfArm>& arms, const RatesPla
     printed.is_ring = true;
     for (const RatesOfArm& arm : arms) {
       here.shares.push_back(arm.rates[i].ours);
-      printed.shares.push_back({.estimate = arm.rates[i].printed, .undefined = {}});
+      printed.shares.push_back({.value = arm.rates[i].printed});
     }
     series.push_back(std::move(here));
     if (!plan.table.empty()) series.push_back(std::move(printed));

@@ -29,8 +29,8 @@ struct RatesPlan {
 struct Rate {
   std::string solver;
   double printed = statistics::not_defined;
-  statistics::Proportion ours = {};  // in all iterations, with Wilson's interval; undefined if not solved here
-  std::vector<statistics::Proportion> within = {};  // one per plan's `iterations`
+  statistics::Estimate ours = {};  // in all iterations, with Wilson's interval; undefined if not solved here
+  std::vector<statistics::Estimate> within = {};  // one per plan's `iterations`
   int first = 0,
       last = 0;  // first and last iteration count at which our interval contains the printed share; 0 if none
 

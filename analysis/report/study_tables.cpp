@@ -154,8 +154,8 @@ Table solved_table(const StudyResults& study) {
                              : trials == Trials::targets ? static_cast<int>(own_targets.size())
                                                          : solver.solves;
     const int solved = solver.of(Status::ok);
-    const Proportion share = wilson_of_mean(static_cast<double>(solved) / solver.solves, independent, level);
-    table.rows.push_back({solver.solver, count(solver.solves), count(solved), share.estimate,
+    const Estimate share = wilson_of_mean(static_cast<double>(solved) / solver.solves, independent, level);
+    table.rows.push_back({solver.solver, count(solver.solves), count(solved), share.value,
                           std::isfinite(share.low) ? Cell(Range{share.low, share.high}) : Cell()});
   }
   table.notes.push_back(

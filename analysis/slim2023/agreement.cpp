@@ -13,7 +13,7 @@
 #include "analysis/slim2023/paper_tables.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/predictive_interval.hpp"
+#include "analysis/statistics/predictive_study.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -110,7 +110,7 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
         const auto& [name, field] = printed_statistics[s];
         std::vector<double> values;
         for (const Description& seed : seeds) values.push_back(seed.*field);
-        const Interval expected = predictive_interval(values, predictive_level);
+        const Estimate expected = predictive_interval(values, predictive_level);
         const double printed = row.printed.*field, rounding = half_unit(row.digits[s]);
         result.push_back({.solver = row.algorithm,
                           .metric = metric,

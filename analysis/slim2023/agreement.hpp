@@ -22,7 +22,7 @@ struct Agreement {
   std::string printed;    // its digits
   double ours = statistics::not_defined;
   double ratio = statistics::not_defined;  // ours by the printed; not defined if that is 0
-  statistics::Interval expected = {};
+  statistics::Estimate expected = {};
   bool is_expected = false;  // a number that rounds to the printed digits is in the range
 };
 

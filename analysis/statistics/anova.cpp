@@ -35,10 +35,8 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
     }
     if (!table.undefined.empty()) return table;
   }
-  if (groups.size() < 2) {
-    table.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
-    return table;
-  }
+  table.undefined = too_few_groups(groups.size());
+  if (!table.undefined.empty()) return table;
 
   table.df_between = static_cast<int>(groups.size()) - 1;
   table.df_within = static_cast<int>(n) - static_cast<int>(groups.size());
@@ -90,11 +88,10 @@ AnovaTable anova(std::span<const std::vector<double>> groups) {
     std::vector<double> shifted;
     shifted.reserve(group.size());
     for (const double value : group) shifted.push_back(value - shift);
-    const bool finite = std::ranges::all_of(group, [](double value) { return std::isfinite(value); });
     moments.push_back({.n = static_cast<double>(group.size()),
                        .shifted_mean = mean(shifted),
                        .squares = sum_of_squares(shifted),
-                       .std = !finite             ? not_defined
+                       .std = !all_finite(group)  ? not_defined
                               : group.size() == 1 ? 0.0
                                                   : standard_deviation(group)});
   }

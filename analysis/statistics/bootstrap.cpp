@@ -10,7 +10,6 @@
 
 #include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
-#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -44,10 +43,10 @@ std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const 
   return replicates;
 }
 
-Interval expanded_percentiles(std::vector<double> replicates, std::size_t clusters, double level) {
+Estimate expanded_percentiles(double estimate, std::vector<double> replicates, std::size_t clusters, double level) {
   check_level(level);
   const auto is_nan = [](double value) { return std::isnan(value); };
-  if (clusters < 2 || replicates.empty() || std::ranges::any_of(replicates, is_nan)) return {};
+  if (clusters < 2 || replicates.empty() || std::ranges::any_of(replicates, is_nan)) return {.value = estimate};
   const double outside = normal_two_sided(expanded(normal_critical(level), clusters)) / 2;
   const auto last = static_cast<std::ptrdiff_t>(replicates.size()) - 1;
   const auto skipped = static_cast<std::ptrdiff_t>(outside * static_cast<double>(last));
@@ -56,32 +55,35 @@ Interval expanded_percentiles(std::vector<double> replicates, std::size_t cluste
     std::ranges::nth_element(replicates, place);
     return *place;
   };
-  return {at(skipped), at(last - skipped)};
+  return {.value = estimate, .low = at(skipped), .high = at(last - skipped)};
 }
 
-std::vector<Interval> simultaneous_intervals(const Family& family, double level) {
+std::vector<Estimate> simultaneous_intervals(std::span<const double> estimates,
+                                             std::span<const std::vector<double>> replicates, std::size_t clusters,
+                                             double level) {
   check_level(level);
   std::vector<double> spreads, largest;
-  for (std::size_t i = 0; i < family.estimates.size(); ++i) {
-    const std::vector<double>& replicates = family.replicates[i];
-    const double spread = standard_deviation(replicates);
-    spreads.push_back(std::isfinite(family.estimates[i] + spread) ? spread : not_defined);
-    largest.resize(std::max(largest.size(), replicates.size()));
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const double spread = standard_deviation(replicates[i]);
+    spreads.push_back(std::isfinite(estimates[i] + spread) ? spread : not_defined);
+    largest.resize(std::max(largest.size(), replicates[i].size()));
     if (!(spreads.back() > 0)) continue;
-    for (std::size_t b = 0; b < replicates.size(); ++b) {
-      largest[b] = std::max(largest[b], std::abs(replicates[b] - family.estimates[i]) / spread);
+    for (std::size_t b = 0; b < replicates[i].size(); ++b) {
+      largest[b] = std::max(largest[b], std::abs(replicates[i][b] - estimates[i]) / spread);
     }
   }
-  std::vector<Interval> intervals(spreads.size());
-  if (family.clusters < 2 || largest.empty()) return intervals;
+  std::vector<Estimate> result;
+  for (const double estimate : estimates) result.push_back({.value = estimate});
+  if (clusters < 2 || largest.empty()) return result;
   std::ranges::sort(largest);
-  const double critical = expanded(quantile(largest, level, QuantileType::type_7), family.clusters);
+  const double critical = expanded(quantile(largest, level, QuantileType::type_7), clusters);
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     if (std::isnan(spreads[i])) continue;
     const double half = spreads[i] > 0 ? critical * spreads[i] : 0;
-    intervals[i] = {family.estimates[i] - half, family.estimates[i] + half};
+    result[i].low = estimates[i] - half;
+    result[i].high = estimates[i] + half;
   }
-  return intervals;
+  return result;
 }
 
 }  // namespace ikbench::statistics

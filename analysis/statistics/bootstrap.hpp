@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
@@ -22,26 +23,18 @@ struct Resampling {
 // std::invalid_argument for no cluster or fewer than two resamples.
 std::vector<std::vector<double>> resampled_clusters(std::size_t clusters, const Resampling& settings);
 
-struct Interval {
-  double low = not_defined;
-  double high = not_defined;
-};
+// The estimate with the percentile interval of its replicates from so many clusters, with tails as far out as Student's
+// t: Hesterberg, The American Statistician 69 (2015) 371, "expanded percentile". The ends are replicates, which may be
+// infinite. They are NaN if one of them is NaN or there are fewer than two clusters.
+Estimate expanded_percentiles(double estimate, std::vector<double> replicates, std::size_t clusters, double level);
 
-// The percentile interval of a statistic from so many clusters, with tails as far out as Student's t: Hesterberg, The
-// American Statistician 69 (2015) 371, "expanded percentile". The ends are replicates, which may be infinite. NaN if
-// one of them is NaN or there are fewer than two clusters.
-Interval expanded_percentiles(std::vector<double> replicates, std::size_t clusters, double level);
-
-// Estimates that are compared with 0 together; replicates[i] belong to estimates[i], in the same order of draws.
-struct Family {
-  std::vector<double> estimates;
-  std::vector<std::vector<double>> replicates;
-  std::size_t clusters = 0;
-};
-// Intervals that hold all at once: the critical value is that of the largest studentized deviation in a replicate
-// (Romano and Wolf, Econometrica 73 (2005) 1237), widened for few clusters as above. An estimate with a replicate that
-// is not finite has no interval and does not count in the family; one that is the same in every replicate has an
-// interval without width.
-std::vector<Interval> simultaneous_intervals(const Family& family, double level);
+// Estimates that are compared with 0 together, with intervals that hold all at once; replicates[i] belong to
+// estimates[i], in the same order of draws. The critical value is that of the largest studentized deviation in a
+// replicate (Romano and Wolf, Econometrica 73 (2005) 1237), widened for few clusters as above. An estimate with a
+// replicate that is not finite has no interval and does not count in the family; one that is the same in every
+// replicate has an interval without width.
+std::vector<Estimate> simultaneous_intervals(std::span<const double> estimates,
+                                             std::span<const std::vector<double>> replicates, std::size_t clusters,
+                                             double level);
 
 }  // namespace ikbench::statistics

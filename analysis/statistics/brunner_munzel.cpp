@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/statistics/ranks.hpp"
-#include "analysis/statistics/t_distribution.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
@@ -25,15 +25,13 @@ double chance_of_no_overlap(double n1, double n2) {
 
 }  // namespace
 
-BrunnerMunzel brunner_munzel(std::span<const double> first, std::span<const double> second) {
-  BrunnerMunzel test;
+Test brunner_munzel(std::span<const double> first, std::span<const double> second) {
+  Test test;
   if (first.size() < 2 || second.size() < 2) {
     test.undefined = "a sample has fewer than two values";
     return test;
   }
-  std::vector<double> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  const Ranking ranking = midranks(all);
+  const Ranking ranking = midranks(first, second);
   test.undefined = ranking.undefined;
   if (!test.undefined.empty()) return test;
 
@@ -41,19 +39,19 @@ BrunnerMunzel brunner_munzel(std::span<const double> first, std::span<const doub
   const std::span<const double> ranks(ranking.ranks);
   const GroupSummary one = summarise(placements(first, ranks.first(first.size())));
   const GroupSummary other = summarise(placements(second, ranks.last(second.size())));
-  test.above = one.mean / n2;
-  if (ranking.ties.size() == 1 && ranking.ties.front() == all.size()) {
+  if (ranking.all_equal()) {
     test.undefined = "all values are equal";
     return test;
   }
-  // The two parts of the variance of `above`.
+  // The chance that a value of `first` is above one of `second`, equal ones half; and the two parts of its variance.
+  const double above = one.mean / n2;
   const double v1 = one.std * one.std / (n1 * n2 * n2), v2 = other.std * other.std / (n2 * n1 * n1);
   if (v1 + v2 == 0) {
-    test.statistic = std::copysign(std::numeric_limits<double>::infinity(), test.above - 0.5);
+    test.statistic = std::copysign(std::numeric_limits<double>::infinity(), above - 0.5);
     test.p = chance_of_no_overlap(n1, n2);
     return test;
   }
-  test.statistic = (test.above - 0.5) / std::sqrt(v1 + v2);
+  test.statistic = (above - 0.5) / std::sqrt(v1 + v2);
   test.df = (v1 + v2) * (v1 + v2) / (v1 * v1 / (n1 - 1) + v2 * v2 / (n2 - 1));
   test.p = 2 * t_upper_tail(std::abs(test.statistic), test.df);
   return test;

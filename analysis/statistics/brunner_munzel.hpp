@@ -9,16 +9,9 @@
 
 namespace ikbench::statistics {
 
-struct BrunnerMunzel {
-  double above = not_defined;      // the chance that a value of `first` is above one of `second`, equal ones half
-  double statistic = not_defined;  // positive if `first` is the larger; infinite if no two values overlap
-  double df = not_defined;         // of Student's t, by Satterthwaite
-  double p = not_defined;          // two-sided. Without overlap, where no variance is left to test with, that of the
-                           // statistic's permutations: 2 n1! n2! / (n1 + n2)! (Neubert and Brunner, Computational
-                           // Statistics & Data Analysis 51 (2007) 5192)
-  std::string undefined;  // why there is no p; empty if there is one
-};
-
-BrunnerMunzel brunner_munzel(std::span<const double> first, std::span<const double> second);
+// The statistic is positive if `first` is the larger, and infinite if no two values overlap. Then no variance is left
+// to test with, and p is that of the statistic's permutations: 2 n1! n2! / (n1 + n2)! (Neubert and Brunner,
+// Computational Statistics & Data Analysis 51 (2007) 5192). df are of Student's t, by Satterthwaite.
+Test brunner_munzel(std::span<const double> first, std::span<const double> second);
 
 }  // namespace ikbench::statistics

@@ -29,6 +29,15 @@ Variance variance_of(std::span<const double> values) {
 
 }  // namespace
 
+std::string too_few_groups(std::size_t groups) {
+  if (groups > 1) return {};
+  return groups == 0 ? "no group to compare; two or more are needed" : "one group to compare; two or more are needed";
+}
+
+bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
 double mean(std::span<const double> values) {
   if (values.empty()) return not_defined;
   const double shift = values.front();
@@ -93,7 +102,7 @@ double median(std::span<const double> values) { return describe(values).median; 
 
 GroupSummary summarise(std::span<const double> values) {
   GroupSummary result{.n = static_cast<int>(values.size())};
-  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return result;
+  if (!all_finite(values)) return result;
   result.mean = mean(values);
   result.std = standard_deviation(values);
   return result;

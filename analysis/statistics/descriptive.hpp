@@ -1,8 +1,10 @@
 // Describes a sample: mean, median, standard deviation, extremes, as in the paper's Table 3.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 
 namespace ikbench::statistics {
 
@@ -11,6 +13,28 @@ constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();
 
 // 1 above 0, -1 below it, else 0.
 constexpr int sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+// A number with its interval. What the data do not give is not defined.
+struct Estimate {
+  double value = not_defined;
+  double low = not_defined;
+  double high = not_defined;
+};
+
+// The result of a test. Its statistic is F, H, t, ... as the test's header says.
+struct Test {
+  double statistic = not_defined;
+  double df = not_defined;
+  double df_within = not_defined;  // second degrees of freedom, if the statistic has two
+  double p = not_defined;          // two-sided, or the upper tail
+  int direction = 0;               // for two samples: 1 if the first is the larger, -1 if the second is
+  std::string undefined = {};      // why there is no p; empty if there is one
+};
+
+// Why so few groups cannot be compared; empty for two or more.
+std::string too_few_groups(std::size_t groups);
+
+bool all_finite(std::span<const double> values);
 
 // Values that are not finite (a solver that diverged) are never left out. They have no mean and no standard deviation.
 // The median and the extremes are those of the whole sample: infinite values have their ranks, and NaN ranks as worse

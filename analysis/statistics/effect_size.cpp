@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -93,50 +92,31 @@ double hedges_g(const GroupSummary& a, const GroupSummary& b) {
   return std::isfinite(pooled) ? finite((a.mean - b.mean) / pooled * correction(df)) : not_defined;
 }
 
-EffectSize hedges_g_interval(double g, int n_a, int n_b, double level) {
+Estimate hedges_g_interval(double g, int n_a, int n_b, double level) {
   check_level(level);
-  EffectSize effect{.value = g};
-  if (std::isnan(g)) {
-    effect.undefined = "g is not defined";
-    return effect;
-  }
+  if (std::isnan(g)) return {};
   const double df = n_a - 1.0 + n_b - 1.0;
   const double scale = correction(df) * std::sqrt(1.0 / n_a + 1.0 / n_b);  // g = t scale
-  effect.low = shift_of((1 - level) / 2, g / scale, df) * scale;
-  effect.high = shift_of((1 + level) / 2, g / scale, df) * scale;
-  if (!std::isfinite(effect.low) || !std::isfinite(effect.high)) {
-    effect.low = effect.high = not_defined;
-    effect.undefined =
-        "the interval was not found: the difference is too large, or the noncentral t distribution did not converge";
-  }
-  return effect;
+  const double low = shift_of((1 - level) / 2, g / scale, df) * scale;
+  const double high = shift_of((1 + level) / 2, g / scale, df) * scale;
+  if (!std::isfinite(low) || !std::isfinite(high)) return {.value = g};  // not found
+  return {.value = g, .low = low, .high = high};
 }
 
-EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, double level) {
+Estimate cliffs_delta(std::span<const double> a, std::span<const double> b, double level) {
   check_level(level);
-  EffectSize effect;
   const auto is_nan = [](double value) { return std::isnan(value); };
-  if (a.empty() || b.empty()) {
-    effect.undefined = "a sample has no values";
-  } else if (std::ranges::any_of(a, is_nan) || std::ranges::any_of(b, is_nan)) {
-    effect.undefined = "a value is not a number, so it has no rank";
-  }
-  if (!effect.undefined.empty()) return effect;
+  if (a.empty() || b.empty() || std::ranges::any_of(a, is_nan) || std::ranges::any_of(b, is_nan)) return {};
   const auto [delta, variance] = dominance(a, b);
-  effect.value = delta;
-  if (a.size() < 2 || b.size() < 2) {
-    effect.undefined = "a sample of one value has no spread, so there is no interval";
-    return effect;
-  }
+  Estimate effect{.value = delta};
+  if (a.size() < 2 || b.size() < 2) return effect;
   const double z = normal_critical(level);
   if (std::abs(delta) == 1) {
     const double n = static_cast<double>(std::min(a.size(), b.size()));
     const double limit = (n - z * z) / (n + z * z);
     effect.low = delta > 0 ? limit : -1;
     effect.high = delta > 0 ? 1 : -limit;
-  } else if (!(variance > 0)) {
-    effect.undefined = "all values are equal, so there is no interval";
-  } else {
+  } else if (variance > 0) {
     const double below_one = 1 - delta * delta;
     const double reach = z * std::sqrt(variance * (below_one * below_one + z * z * variance));
     const double scale = below_one + z * z * variance;
@@ -146,8 +126,8 @@ EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, do
   return effect;
 }
 
-EffectSize vargha_delaney(std::span<const double> a, std::span<const double> b, double level) {
-  EffectSize effect = cliffs_delta(a, b, level);
+Estimate vargha_delaney(std::span<const double> a, std::span<const double> b, double level) {
+  Estimate effect = cliffs_delta(a, b, level);
   for (double* value : {&effect.value, &effect.low, &effect.high}) *value = (*value + 1) / 2;
   return effect;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "analysis/statistics/anova.hpp"
@@ -14,29 +13,22 @@ namespace ikbench::statistics {
 // Psychological Methods 8 (2003) 434); not defined if the table has no sums of squares.
 double omega_squared(const AnovaTable& table);
 
-struct EffectSize {
-  double value = not_defined;
-  double low = not_defined;
-  double high = not_defined;
-  std::string undefined;  // why there is no interval, or not even a value; empty if there is one
-};
-
 // (mean of a - mean of b) / pooled standard deviation, whose squares are weighted by n - 1 (Cohen 1988), times Hedges's
 // exact correction for small samples (J. Educational Statistics 6 (1981) 107). Not defined if a group has fewer than
 // two values, both have no spread, or a mean, a spread or g itself is not finite.
 double hedges_g(const GroupSummary& a, const GroupSummary& b);
 // The interval of g for groups of n_a and n_b values: the noncentral t of Student's test turned around (Steiger and
 // Fouladi 1997), limits times the same correction. About half a millisecond.
-EffectSize hedges_g_interval(double g, int n_a, int n_b, double level);
+Estimate hedges_g_interval(double g, int n_a, int n_b, double level);
 
 // P(a > b) - P(a < b) of a random pair: 1 if every value of a is above every value of b. Infinities have their ranks,
 // NaN has none. Interval: Cliff's asymmetric one with his consistent variance (Psychological Bulletin 114 (1993) 494).
 // If one sample lies wholly above the other, that variance is 0, and the limit is (n - z^2) / (n + z^2), n the smaller
 // sample (Feng and Cliff, J. Modern Applied Statistical Methods 3 (2004) 322): Wilson's limit of n successes in n.
-EffectSize cliffs_delta(std::span<const double> a, std::span<const double> b, double level);
+Estimate cliffs_delta(std::span<const double> a, std::span<const double> b, double level);
 // P(a > b) + P(a = b) / 2 = (delta + 1) / 2 (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000)
 // 101).
-EffectSize vargha_delaney(std::span<const double> a, std::span<const double> b, double level);
+Estimate vargha_delaney(std::span<const double> a, std::span<const double> b, double level);
 
 // "negligible", "small", "medium" or "large": |delta| up to .147, .33, .474 (Romano, Kromrey, Coraggio, Skowronek
 // 2006).

@@ -13,12 +13,9 @@
 
 namespace ikbench::statistics {
 
-Bartlett bartlett_from_summaries(std::span<const GroupSummary> groups) {
-  Bartlett test;
-  if (groups.size() < 2) {
-    test.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
-    return test;
-  }
+Test bartlett(std::span<const GroupSummary> groups) {
+  Test test{.undefined = too_few_groups(groups.size())};
+  if (!test.undefined.empty()) return test;
   double largest = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 2) {
@@ -44,19 +41,13 @@ Bartlett bartlett_from_summaries(std::span<const GroupSummary> groups) {
   }
   const auto k = static_cast<double>(groups.size());
   const double statistic = df * std::log(pooled / df) - logs;
-  test.df = static_cast<int>(groups.size()) - 1;
-  test.chi_squared = std::max(0.0, statistic) / (1 + (inverses - 1 / df) / (3 * (k - 1)));
-  test.p = chi_squared_upper_tail(test.chi_squared, test.df);
+  test.df = k - 1;
+  test.statistic = std::max(0.0, statistic) / (1 + (inverses - 1 / df) / (3 * (k - 1)));
+  test.p = chi_squared_upper_tail(test.statistic, test.df);
   return test;
 }
 
-Bartlett bartlett(std::span<const std::vector<double>> groups) {
-  std::vector<GroupSummary> summaries;
-  for (const auto& group : groups) summaries.push_back(summarise(group));
-  return bartlett_from_summaries(summaries);
-}
-
-BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
+Test brown_forsythe(std::span<const std::vector<double>> groups) {
   std::vector<std::vector<double>> deviations;
   for (const auto& group : groups) {
     const double median = describe(group).median;
@@ -69,7 +60,10 @@ BrownForsythe brown_forsythe(std::span<const std::vector<double>> groups) {
     deviations.push_back(without_rounding(own, sizes));
   }
   const AnovaTable table = anova(deviations);
-  BrownForsythe test{.F = table.F, .df_between = table.df_between, .df_within = table.df_within, .p = table.p};
+  Test test{.statistic = table.F,
+            .df = static_cast<double>(table.df_between),
+            .df_within = static_cast<double>(table.df_within),
+            .p = table.p};
   if (!table.undefined.empty()) test.undefined = "of the deviations from the medians: " + table.undefined;
   return test;
 }

@@ -5,25 +5,16 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/statistics/ranks.hpp"
 
 namespace ikbench::statistics {
 
-struct Friedman {
-  std::size_t blocks = 0;
-  std::vector<double> average_ranks;  // by group, also for one block; 1 is a block's smallest value
-  double chi_squared = not_defined;   // corrected for ties
-  int df = 0;
-  double p = not_defined;          // upper tail of chi-square
-  double F = not_defined;          // Iman and Davenport; infinite if all blocks agree
-  double F_df_between = 0;         // k - 1
-  double F_df_within = 0;          // (k - 1) (blocks - 1)
-  double F_p = not_defined;        // upper tail; if all blocks agree, the chance of that
-  double kendall_w = not_defined;  // 0 (blocks disagree) to 1 (all rank alike)
-  std::string undefined;           // why there is no chi_squared; empty if there is one
+// The statistic is F, infinite if all blocks agree; p is then the chance of that.
+struct Friedman : Test {
+  std::vector<double> average_ranks = {};  // by group, also for one block; 1 is a block's smallest value
+  double kendall_w = not_defined;          // 0 (blocks disagree) to 1 (all rank alike), corrected for ties
 };
 
 // One vector per group, one value per block. The smallest value of a block has rank 1; negate values if larger is

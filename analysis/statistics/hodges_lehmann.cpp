@@ -142,25 +142,16 @@ class AllDifferences {
 
 }  // namespace
 
-Shift hodges_lehmann(std::span<const double> first, std::span<const double> second, double level) {
+Estimate hodges_lehmann(std::span<const double> first, std::span<const double> second, double level) {
   check_level(level);
-  Shift shift;
-  if (first.empty() || second.empty()) {
-    shift.undefined = "a sample has no values";
-    return shift;
-  }
-  std::vector<double> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  const Ranking ranking = midranks(all);
-  shift.undefined = ranking.undefined;
-  if (ranking.ties.size() == 1 && ranking.ties.front() == all.size()) shift.undefined = "all values are equal";
-  if (!shift.undefined.empty()) return shift;
-
+  if (first.empty() || second.empty()) return {};
+  const Ranking ranking = midranks(first, second);
+  if (!ranking.undefined.empty() || ranking.all_equal()) return {};
   const AllDifferences differences(first, second);
   const std::uint64_t n = differences.size();
   const double lower = differences.smallest((n + 1) / 2);
   const double upper = n % 2 == 1 ? lower : differences.smallest_after(lower, n / 2 + 1);
-  shift.estimate = lower == upper ? lower : lower / 2 + upper / 2;
+  Estimate shift{.value = lower == upper ? lower : lower / 2 + upper / 2};
   const std::uint64_t rank = distribution_of_u(first.size(), second.size(), ranking).interval_rank(level);
   if (rank < 1 || rank > n) return shift;
   shift.low = differences.smallest(rank);

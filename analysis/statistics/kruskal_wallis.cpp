@@ -8,56 +8,32 @@
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
-namespace {
 
-struct RankedGroups {
-  double n = 0;
-  std::vector<double> mean_ranks;
-  double variance = not_defined;  // of the ranks, ties counted: (n + 1) n / 12 - sum (t^3 - t) / (12 (n - 1))
-  std::string undefined;
-};
-
-RankedGroups rank_groups(std::span<const std::vector<double>> groups) {
-  RankedGroups ranked;
-  if (groups.size() < 2) {
-    ranked.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
-    return ranked;
+KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
+  KruskalWallis test;
+  test.undefined = too_few_groups(groups.size());
+  for (std::size_t i = 0; i < groups.size() && test.undefined.empty(); ++i) {
+    if (groups[i].empty()) test.undefined = fmt::format("group {} has no values", i + 1);
   }
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (groups[i].empty()) ranked.undefined = fmt::format("group {} has no values", i + 1);
-    if (!ranked.undefined.empty()) return ranked;
-  }
+  if (!test.undefined.empty()) return test;
   const Ranking ranking = midranks(pooled(groups));
-  ranked.undefined = ranking.undefined;
-  if (!ranked.undefined.empty()) return ranked;
-  ranked.n = static_cast<double>(ranking.ranks.size());
-  ranked.variance = ranked.n * (ranked.n + 1) / 12 - ranking.tie_sum() / (12 * (ranked.n - 1));
+  test.undefined = ranking.all_equal() ? "all values are equal" : ranking.undefined;
+  if (!ranking.undefined.empty()) return test;
+  const auto n = static_cast<double>(ranking.ranks.size());
   auto rank = ranking.ranks.begin();
+  double between = 0;
   for (const auto& group : groups) {
     double sum = 0;
     for (std::size_t i = 0; i < group.size(); ++i) sum += *rank++;
-    ranked.mean_ranks.push_back(sum / static_cast<double>(group.size()));
+    test.mean_ranks.push_back(sum / static_cast<double>(group.size()));
+    const double deviation = test.mean_ranks.back() - (n + 1) / 2;
+    between += static_cast<double>(group.size()) * deviation * deviation;
   }
-  const bool all_equal = ranking.ties.size() == 1 && ranking.ties.front() == ranking.ranks.size();
-  if (all_equal) ranked.undefined = "all values are equal";
-  return ranked;
-}
-
-}  // namespace
-
-KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
-  const RankedGroups ranked = rank_groups(groups);
-  KruskalWallis test{.mean_ranks = ranked.mean_ranks, .undefined = ranked.undefined};
   if (!test.undefined.empty()) return test;
-  double between = 0;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const double deviation = ranked.mean_ranks[i] - (ranked.n + 1) / 2;
-    between += static_cast<double>(groups[i].size()) * deviation * deviation;
-  }
-  test.H = between / ranked.variance;
-  test.df = static_cast<int>(groups.size()) - 1;
-  test.p = chi_squared_upper_tail(test.H, test.df);
-  test.epsilon_squared = test.H / (ranked.n - 1);
+  test.statistic = between / (n * (n + 1) / 12 - ranking.tie_sum() / (12 * (n - 1)));  // by the variance of the ranks
+  test.df = static_cast<double>(groups.size() - 1);
+  test.p = chi_squared_upper_tail(test.statistic, test.df);
+  test.epsilon_squared = test.statistic / (n - 1);
   return test;
 }
 

@@ -3,20 +3,15 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/statistics/ranks.hpp"
 
 namespace ikbench::statistics {
 
-struct KruskalWallis {
-  double H = not_defined;
-  int df = 0;
-  double p = not_defined;                // upper tail of chi-square
+struct KruskalWallis : Test {            // the statistic is H
   double epsilon_squared = not_defined;  // H / (n - 1), 0 to 1: the share of the ranks' spread that is between groups
-  std::vector<double> mean_ranks;        // by group
-  std::string undefined;                 // why there is no H; empty if there is one
+  std::vector<double> mean_ranks = {};   // by group
 };
 
 KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);

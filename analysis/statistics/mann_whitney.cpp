@@ -1,8 +1,11 @@
 #include "analysis/statistics/mann_whitney.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
@@ -29,6 +32,27 @@ std::vector<double> probabilities(std::size_t n1, std::size_t n2) {
 
 }  // namespace
 
+double RankDistribution::two_sided(double statistic) const {
+  if (probabilities.empty()) {
+    return normal_two_sided(std::max(0.0, std::abs(statistic - mean) - 0.5) / standard_deviation);
+  }
+  const double nearer_zero = std::min(statistic, 2 * mean - statistic);
+  double tail = 0;
+  for (std::size_t i = 0; static_cast<double>(i) <= nearer_zero; ++i) tail += probabilities[i];
+  return std::min(1.0, 2 * tail);
+}
+
+std::uint64_t RankDistribution::interval_rank(double level) const {
+  if (probabilities.empty()) {
+    const double rank = std::floor(mean - normal_critical(level) * standard_deviation + 0.5);
+    return rank > 0 ? static_cast<std::uint64_t>(rank) : 0;
+  }
+  check_level(level);
+  std::uint64_t rank = 0;
+  for (double below = probabilities[0]; below <= (1 - level) / 2; below += probabilities[rank]) ++rank;
+  return rank;
+}
+
 RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking& ranking) {
   const auto m = static_cast<double>(n1), n = static_cast<double>(n2);
   RankDistribution distribution{.mean = m * n / 2};
@@ -41,30 +65,23 @@ RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking
   return distribution;
 }
 
-MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second) {
-  MannWhitney test;
+Test mann_whitney(std::span<const double> first, std::span<const double> second) {
+  Test test;
   if (first.empty() || second.empty()) {
     test.undefined = "a sample has no values";
     return test;
   }
-  std::vector<double> all(first.begin(), first.end());
-  all.insert(all.end(), second.begin(), second.end());
-  const Ranking ranking = midranks(all);
-  test.undefined = ranking.undefined;
-  if (!test.undefined.empty()) return test;
-
+  const Ranking ranking = midranks(first, second);
+  test.undefined = ranking.all_equal() ? "all values are equal" : ranking.undefined;
+  if (!ranking.undefined.empty()) return test;
   const auto n1 = static_cast<double>(first.size());
   double rank_sum = 0;
   for (std::size_t i = 0; i < first.size(); ++i) rank_sum += ranking.ranks[i];
-  test.U = rank_sum - n1 * (n1 + 1) / 2;
-  if (ranking.ties.size() == 1 && ranking.ties.front() == all.size()) {
-    test.undefined = "all values are equal";
-    return test;
-  }
+  test.statistic = rank_sum - n1 * (n1 + 1) / 2;
+  if (!test.undefined.empty()) return test;
   const RankDistribution distribution = distribution_of_u(first.size(), second.size(), ranking);
-  test.p = distribution.two_sided(test.U);
-  test.direction = distribution.direction(test.U);
-  test.method = distribution.method();
+  test.p = distribution.two_sided(test.statistic);
+  test.direction = sign_of(test.statistic - distribution.mean);
   return test;
 }
 

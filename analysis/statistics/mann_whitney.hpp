@@ -3,24 +3,34 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
-#include <string>
+#include <vector>
 
-#include "analysis/statistics/rank_statistic.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/ranks.hpp"
 
 namespace ikbench::statistics {
 
-struct MannWhitney {
-  double U = not_defined;  // pairs in which the value of `first` is the larger, an equal pair counted half (R's W)
-  double p = not_defined;  // two-sided
-  int direction = 0;       // 1 if U is above its mean: `first` is the larger; -1 below, 0 at it
-  std::string method;      // "exact": both samples have fewer than 50 values and no two values are equal; else
-                           // "normal approximation", corrected for ties and continuity
-  std::string undefined;   // why there is no p; empty if there is one
+// A rank statistic's distribution if there is no difference (Hollander, Wolfe and Chicken, Nonparametric Statistical
+// Methods (2014), chapter 4). Symmetric about its mean. Exact if the probabilities of 0, 1, 2, ... are given, else
+// normal.
+struct RankDistribution {
+  std::vector<double> probabilities;
+  double mean = 0;
+  double standard_deviation = 0;  // of the normal distribution, corrected for ties
+
+  // Twice the smaller tail, at most 1; the normal's with a continuity correction of one half.
+  double two_sided(double statistic) const;
+  // The largest r with P(statistic < r) <= (1 - level) / 2: the interval of a shift runs from the r-th smallest
+  // difference to the r-th largest. 0 if there are too few values for the level.
+  std::uint64_t interval_rank(double level) const;
 };
 
-MannWhitney mann_whitney(std::span<const double> first, std::span<const double> second);
+// The statistic is U: pairs in which the value of `first` is the larger, an equal pair counted half (R's W). p is exact
+// if both samples have fewer than 50 values and no two values are equal; else by a normal approximation, corrected for
+// ties and continuity.
+Test mann_whitney(std::span<const double> first, std::span<const double> second);
 
 // The distribution of U if samples of n1 and n2 values do not differ; `ranking` is of all their values.
 RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking& ranking);

@@ -2,25 +2,14 @@
 // (Thompson, Annals of Mathematical Statistics 7 (1936) 122).
 #pragma once
 
-#include <cstddef>
 #include <span>
-#include <string>
 
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
 
-struct MedianInterval {
-  double low = not_defined;
-  double high = not_defined;
-  double coverage =
-      not_defined;           // exact for a continuous distribution, at least the level; more where values are equal
-  std::size_t low_rank = 0;  // counted from 1, of the sorted values
-  std::size_t high_rank = 0;
-  std::string undefined;  // why there is none, e.g. fewer than 6 values at 0.95; else empty
-};
-
-// The values are sorted ascending (ranked_values); infinite values are ranked like any other.
-MedianInterval median_interval(std::span<const double> sorted, double level = 0.95);
+// The median of sorted values (ranked_values) with its interval, at least at the level; more where values are equal.
+// Infinite values are ranked like any other. Too few values, fewer than 6 at 0.95, have no interval.
+Estimate median_interval(std::span<const double> sorted, double level);
 
 }  // namespace ikbench::statistics

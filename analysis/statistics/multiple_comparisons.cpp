@@ -7,9 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/studentized_range.hpp"
-#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -22,11 +20,8 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
     throw std::invalid_argument(
         fmt::format("comparisons with group {}: there are {} groups", *only_with, groups.size()));
   }
-  auto pairs = all_pairs<MeanDifference>(groups.size());
-  if (only_with) {
-    std::erase_if(pairs, [&](const auto& pair) { return pair.first != *only_with && pair.second != *only_with; });
-  }
-  for (MeanDifference& pair : pairs) pair.difference = groups[pair.first].mean - groups[pair.second].mean;
+  std::vector<MeanDifference> pairs = pairs_of(groups.size(), only_with);
+  for (MeanDifference& pair : pairs) pair.difference.value = groups[pair.first].mean - groups[pair.second].mean;
   return pairs;
 }
 
@@ -55,16 +50,17 @@ void settle(MeanDifference& pair, const Found& found) {
   pair.p = found.p;
   pair.p_alone = found.p_alone;
   const double reach = found.reach * pair.standard_error;
-  pair.low = pair.difference - reach;
-  pair.high = pair.difference + reach;
-  if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(pair.low) && std::isfinite(pair.high)) return;
-  pair.q = pair.p = pair.p_alone = pair.low = pair.high = not_defined;
+  const double low = pair.difference.value - reach, high = pair.difference.value + reach;
+  pair.difference.low = low;
+  pair.difference.high = high;
+  if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(low) && std::isfinite(high)) return;
+  pair.q = pair.p = pair.p_alone = pair.difference.low = pair.difference.high = not_defined;
   pair.undefined = "the difference or its spread is too large for double precision";
 }
 
 // Computes q, p and interval of a pair whose standard error and df are known.
 void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
-  const double q = std::abs(pair.difference) / pair.standard_error * root_two;
+  const double q = std::abs(pair.difference.value) / pair.standard_error * root_two;
   settle(pair, {.q = q,
                 .p = range.upper_tail(q, pair.df),
                 .p_alone = 2 * t_upper_tail(q / root_two, pair.df),
@@ -98,6 +94,17 @@ std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> gro
 }
 
 }  // namespace
+
+std::vector<MeanDifference> pairs_of(std::size_t groups, std::optional<std::size_t> only_with) {
+  std::vector<MeanDifference> pairs;
+  for (std::size_t first = 0; first < groups; ++first) {
+    for (std::size_t second = first + 1; second < groups; ++second) {
+      if (!only_with || first == *only_with || second == *only_with)
+        pairs.push_back({.first = first, .second = second});
+    }
+  }
+  return pairs;
+}
 
 std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
                                   std::optional<std::size_t> only_with) {
@@ -151,7 +158,7 @@ std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double
   const double tail = -std::expm1(std::log(level) / comparisons) / 2;  // of one side of one pair
   for (MeanDifference& pair : pairs) {
     if (!pair.undefined.empty()) continue;
-    const double t = std::abs(pair.difference) / pair.standard_error;
+    const double t = std::abs(pair.difference.value) / pair.standard_error;
     const double p = 2 * t_upper_tail(t, pair.df);
     settle(pair, {.q = t * root_two,
                   .p = -std::expm1(comparisons * std::log1p(-p)),

@@ -17,16 +17,18 @@ namespace ikbench::statistics {
 struct MeanDifference {
   std::size_t first = 0;  // groups in the given order, from 0
   std::size_t second = 0;
-  double difference = not_defined;      // mean of the first less mean of the second
+  Estimate difference = {};             // mean of the first less mean of the second, with its simultaneous interval
   double standard_error = not_defined;  // of that difference
   double df = not_defined;
   double q = not_defined;        // studentized: |difference| sqrt(2) / standard error
   double p = not_defined;        // corrected for all pairs of all groups
   double p_alone = not_defined;  // of this pair alone
-  double low = not_defined;
-  double high = not_defined;  // simultaneous interval of the difference
-  std::string undefined;      // why there is no p; empty if there is one
+  std::string undefined;         // why there is no p; empty if there is one
 };
+
+// One comparison per pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ... `only_with` keeps the
+// pairs with that group.
+std::vector<MeanDifference> pairs_of(std::size_t groups, std::optional<std::size_t> only_with = std::nullopt);
 
 // Pairs first < second in order; `only_with` keeps the pairs with that group, still corrected for all pairs. Up to 1000
 // groups. Throws std::invalid_argument if `level` is not between 0 and 1 or there is no such group.

@@ -16,12 +16,10 @@ double mcnemar_exact(const PairedSuccesses& counts) {
   return std::min(1.0, 2 * boost::math::cdf(even, std::min(counts.first_only, counts.second_only)));
 }
 
-Proportion newcombe_paired(const PairedSuccesses& counts, double level) {
+Estimate newcombe_paired(const PairedSuccesses& counts, double level) {
   const int n = counts.trials();
-  const Proportion first = wilson({.successes = counts.both + counts.first_only, .trials = n}, level);
-  const Proportion second = wilson({.successes = counts.both + counts.second_only, .trials = n}, level);
-  Proportion result{.undefined = first.undefined};
-  if (!result.undefined.empty()) return result;
+  const Estimate first = wilson({.successes = counts.both + counts.first_only, .trials = n}, level);
+  const Estimate second = wilson({.successes = counts.both + counts.second_only, .trials = n}, level);
   const double a = counts.both, b = counts.first_only, c = counts.second_only, d = counts.neither;
   const double margins = (a + b) * (c + d) * (a + c) * (b + d);
   const double excess = a * d - b * c;
@@ -29,14 +27,14 @@ Proportion newcombe_paired(const PairedSuccesses& counts, double level) {
   const auto reach = [&](double one, double other) {
     return std::sqrt(std::max(0.0, one * one - 2 * phi * one * other + other * other));
   };
-  result.estimate = (b - c) / n;
-  result.low = result.estimate - reach(first.estimate - first.low, second.high - second.estimate);
-  result.high = result.estimate + reach(first.high - first.estimate, second.estimate - second.low);
-  return result;
+  const double difference = (b - c) / n;
+  return {.value = difference,
+          .low = difference - reach(first.value - first.low, second.high - second.value),
+          .high = difference + reach(first.high - first.value, second.value - second.low)};
 }
 
-CochranQ cochran_q(std::span<const std::vector<double>> groups) {
-  CochranQ test;
+Test cochran_q(std::span<const std::vector<double>> groups) {
+  Test test;
   const auto k = static_cast<double>(groups.size());
   std::vector<double> of_groups;
   double all = 0, squares = 0;  // of the successes of a trial
@@ -52,9 +50,9 @@ CochranQ cochran_q(std::span<const std::vector<double>> groups) {
     test.undefined = "in each block all groups have the same outcome";
     return test;
   }
-  test.df = static_cast<int>(groups.size()) - 1;
-  test.Q = k * (k - 1) * sum_of_squares(of_groups) / varying;
-  test.p = chi_squared_upper_tail(test.Q, test.df);
+  test.df = k - 1;
+  test.statistic = k * (k - 1) * sum_of_squares(of_groups) / varying;
+  test.p = chi_squared_upper_tail(test.statistic, test.df);
   return test;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/statistics/proportion.hpp"
@@ -25,18 +24,11 @@ double mcnemar_exact(const PairedSuccesses& counts);
 
 // The share of the first less that of the second, with Newcombe's interval for pairs (Statistics in Medicine 17 (1998)
 // 2635, method 10): his interval for independent samples, with the correlation of the two.
-Proportion newcombe_paired(const PairedSuccesses& counts, double level);
+Estimate newcombe_paired(const PairedSuccesses& counts, double level);
 
-// Tests whether all have the same chance: Cochran, Biometrika 37 (1950) 256; p of chi-square, poor if few trials
+// Tests whether all have the same chance: Cochran, Biometrika 37 (1950) 256; Q with p of chi-square, poor if few trials
 // distinguish groups.
-struct CochranQ {
-  double Q = not_defined;
-  int df = 0;
-  double p = not_defined;
-  std::string undefined;  // why there is no p; empty if there is one
-};
-
 // Needs two groups or more of values 0 and 1; values[i] of each is of trial i.
-CochranQ cochran_q(std::span<const std::vector<double>> groups);
+Test cochran_q(std::span<const std::vector<double>> groups);
 
 }  // namespace ikbench::statistics

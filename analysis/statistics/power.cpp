@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/statistics/t_distribution.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
@@ -31,7 +31,7 @@ double two_sided_power(double shift, double df, double alpha) {
 // The smallest whole n of at least 2 with which a test finds a shift of `one` sqrt(n); power rises with n. The search
 // begins at the n of a normal distribution, and its steps double.
 template <class Degrees>
-RunsNeeded smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
+double smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
   const auto is_enough = [&](double n) {
     return two_sided_power(one * std::sqrt(n), degrees_of(n), goal.alpha) >= goal.power;
   };
@@ -46,7 +46,7 @@ RunsNeeded smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
     }
   } else {
     do {
-      if (enough >= most_runs) return {.undefined = "more than ten million runs are needed"};
+      if (enough >= most_runs) return not_defined;
       too_few = enough;
       enough = std::min(enough + step, most_runs);
       step *= 2;
@@ -56,7 +56,11 @@ RunsNeeded smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
     const double middle = std::floor((enough + too_few) / 2);
     (is_enough(middle) ? enough : too_few) = middle;
   }
-  return {.n = enough};
+  return enough;
+}
+
+bool can_be_seen(double difference, double spread) {
+  return std::isfinite(spread) && spread > 0 && !std::isnan(difference) && difference != 0;
 }
 
 // The difference at which power reaches the goal; power rises with the difference.
@@ -93,25 +97,18 @@ double plausible_deviation(double std, int n, double probability) {
   return std * std::sqrt((n - 1) / boost::math::quantile(boost::math::complement(of_squares, probability)));
 }
 
-RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal) {
+double runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal) {
   check(goal);
-  if (a.n < 2 || b.n < 2) return {.undefined = "a group of fewer than two values has no spread"};
-  if (!std::isfinite(a.std) || !std::isfinite(b.std)) return {.undefined = "a standard deviation is not defined"};
-  if (std::isnan(difference)) return {.undefined = "the difference is not defined"};
-  if (difference == 0) return {.undefined = "no number of runs shows a difference of zero"};
-  const double spread = std::hypot(a.std, b.std);
-  if (!(spread > 0)) return {.undefined = "both groups are constant, so any run shows a difference"};
+  const double spread = a.n < 2 || b.n < 2 ? not_defined : std::hypot(a.std, b.std);
+  if (!can_be_seen(difference, spread)) return not_defined;
   const double degrees =
       1 / (std::pow(a.std / spread, 4) + std::pow(b.std / spread, 4));  // of Welch's test, over n - 1
   return smallest_n(difference / spread, goal, [&](double n) { return degrees * (n - 1); });
 }
 
-RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal) {
+double pairs_to_see(double std, double difference, const PowerGoal& goal) {
   check(goal);
-  if (!std::isfinite(std)) return {.undefined = "the standard deviation of the differences is not defined"};
-  if (std::isnan(difference)) return {.undefined = "the difference is not defined"};
-  if (difference == 0) return {.undefined = "no number of pairs shows a difference of zero"};
-  if (!(std > 0)) return {.undefined = "all differences are equal, so any two pairs show one"};
+  if (!can_be_seen(difference, std)) return not_defined;
   return smallest_n(difference / std, goal, [](double n) { return n - 1; });
 }
 

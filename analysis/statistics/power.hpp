@@ -2,8 +2,6 @@
 // one, through the noncentral t distribution (Cohen 1988).
 #pragma once
 
-#include <string>
-
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
@@ -13,16 +11,12 @@ struct PowerGoal {
   double alpha = 0.05;  // the chance to find one that does not exist; two-sided
 };
 
-struct RunsNeeded {
-  double n = not_defined;  // per group, a whole number of at least 2
-  std::string undefined;   // why there is none (more than ten million count as none); else empty
-};
-
 // The smallest equal n per group with which Welch's test shows a true difference of means if the groups spread as
-// these. Throws std::invalid_argument unless 0 < alpha < power < 1.
-RunsNeeded runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal);
+// these: a whole number of at least 2. NaN if there is
+// none, and beyond ten million. Throws std::invalid_argument unless 0 < alpha < power < 1.
+double runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal);
 // The smallest number of pairs with which the paired test shows it if differences within pairs spread by `std`.
-RunsNeeded pairs_to_see(double std, double difference, const PowerGoal& goal);
+double pairs_to_see(double std, double difference, const PowerGoal& goal);
 
 // The least difference of two means of n values each, in their standard deviations, that Student's test shows with that
 // power; and the least mean of n differences, in their standard deviation. NaN for fewer than two.

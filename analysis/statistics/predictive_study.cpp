@@ -77,9 +77,16 @@ PredictedRanges predicted_ranges(std::span<const double> values, std::size_t run
   const double tail = (1 - settings.level) / 2;
   for (std::size_t s = 0; s < predicted_statistics; ++s) {
     const std::vector<double> sorted = ranked_values(replicates[s]);
-    ranges[s] = {quantile(sorted, tail, QuantileType::type_7), quantile(sorted, 1 - tail, QuantileType::type_7)};
+    ranges[s] = {.low = quantile(sorted, tail, QuantileType::type_7),
+                 .high = quantile(sorted, 1 - tail, QuantileType::type_7)};
   }
   return ranges;
+}
+
+Estimate predictive_interval(std::span<const double> values, double level) {
+  const std::vector<double> sorted = ranked_values(values);
+  const auto at = [&](double p) { return quantile(sorted, p, QuantileType::type_6); };
+  return {.low = at((1 - level) / 2), .high = at((1 + level) / 2)};
 }
 
 }  // namespace ikbench::statistics

@@ -15,11 +15,16 @@ constexpr std::size_t fewest_predicting = 5;  // values
 
 // Mean, median, standard deviation, largest, smallest.
 constexpr std::size_t predicted_statistics = 5;
-using PredictedRanges = std::array<Interval, predicted_statistics>;
+using PredictedRanges = std::array<Estimate, predicted_statistics>;
 
 // For positive values, by their logarithms: within a gap each place is equally likely; beyond the last value there is
 // an exponential tail of Hill's (Annals of Statistics 3 (1975) 1163) slope. NaN if a value is not positive and finite,
 // or for fewer than `fewest_predicting` values.
 PredictedRanges predicted_ranges(std::span<const double> values, std::size_t runs, const Resampling& settings);
+
+// Contains the next value with probability `level`: among n exchangeable values a further one is below the k-th with
+// probability k / (n + 1), which means quantiles of Hyndman and Fan's type 6. No wider than the values themselves, in
+// any order.
+Estimate predictive_interval(std::span<const double> values, double level);
 
 }  // namespace ikbench::statistics

@@ -11,51 +11,39 @@
 namespace ikbench::statistics {
 namespace {
 
-std::string wrong_with(Successes count) {
-  if (count.trials == 0) return "there are no trials";
-  if (count.trials > 0 && count.successes >= 0 && count.successes <= count.trials) return {};
-  return fmt::format("{} successes in {} trials cannot be", count.successes, count.trials);
+bool is_possible(Successes count) {
+  return count.trials > 0 && count.successes >= 0 && count.successes <= count.trials;
 }
-
-double share(Successes count) { return static_cast<double>(count.successes) / count.trials; }
 
 }  // namespace
 
-Proportion wilson(Successes count, double level) {
-  if (std::string reason = wrong_with(count); !reason.empty()) return {.undefined = reason};
-  return wilson_of_mean(share(count), count.trials, level);
+Estimate wilson(Successes count, double level) {
+  const double share = static_cast<double>(count.successes) / count.trials;
+  return wilson_of_mean(is_possible(count) ? share : not_defined, count.trials, level);
 }
 
-Proportion wilson_of_mean(double p, int trials, double level) {
+Estimate wilson_of_mean(double p, int trials, double level) {
   const double z = normal_critical(level);
-  Proportion result;
-  if (trials < 1) result.undefined = "there are no trials";
-  if (!(p >= 0 && p <= 1)) result.undefined = "the mean of the shares is not a share";
-  if (!result.undefined.empty()) return result;
+  if (trials < 1 || !(p >= 0 && p <= 1)) return {};
   const double n = trials;
   const double centre = p + z * z / (2 * n);
   const double reach = z * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   const double width = 1 + z * z / n;
-  result.estimate = p;
-  result.low = p == 0 ? 0.0 : std::max(0.0, (centre - reach) / width);
-  result.high = p == 1 ? 1.0 : std::min(1.0, (centre + reach) / width);
-  return result;
+  return {.value = p,
+          .low = p == 0 ? 0.0 : std::max(0.0, (centre - reach) / width),
+          .high = p == 1 ? 1.0 : std::min(1.0, (centre + reach) / width)};
 }
 
-Proportion newcombe(Successes first, Successes second, double level) {
-  const Proportion a = wilson(first, level), b = wilson(second, level);
-  Proportion result{.undefined = a.undefined.empty() ? b.undefined : a.undefined};
-  if (!result.undefined.empty()) return result;
-  result.estimate = a.estimate - b.estimate;
-  result.low = result.estimate - std::hypot(a.estimate - a.low, b.high - b.estimate);
-  result.high = result.estimate + std::hypot(a.high - a.estimate, b.estimate - b.low);
-  return result;
+Estimate newcombe(Successes first, Successes second, double level) {
+  const Estimate a = wilson(first, level), b = wilson(second, level);
+  const double difference = a.value - b.value;
+  return {.value = difference,
+          .low = difference - std::hypot(a.value - a.low, b.high - b.value),
+          .high = difference + std::hypot(a.high - a.value, b.value - b.low)};
 }
 
-FisherExact fisher_exact(Successes first, Successes second) {
-  FisherExact test{.undefined = wrong_with(first)};
-  if (test.undefined.empty()) test.undefined = wrong_with(second);
-  if (!test.undefined.empty()) return test;
+double fisher_exact(Successes first, Successes second) {
+  if (!is_possible(first) || !is_possible(second)) return not_defined;
   const double n1 = first.trials, n2 = second.trials;
   const double seen = first.successes;
   const double successes = seen + second.successes;
@@ -76,18 +64,15 @@ FisherExact fisher_exact(Successes first, Successes second) {
       use(x, weight);
     }
   };
-  double total = 0, seen_weight = 0, as_rare = 0, as_many = 0;
+  double total = 0, seen_weight = 0, as_rare = 0;
   for_each_weight([&](double x, double weight) {
     total += weight;
     if (x == seen) seen_weight = weight;
-    if (x >= seen) as_many += weight;
   });
   for_each_weight([&](double, double weight) {
     if (weight <= seen_weight * (1 + 1e-7)) as_rare += weight;  // equal up to rounding, as in R
   });
-  test.p = std::min(1.0, as_rare / total);
-  test.p_greater = std::min(1.0, as_many / total);
-  return test;
+  return std::min(1.0, as_rare / total);
 }
 
 double most_without_success(int trials, double significance) {

@@ -1,44 +1,30 @@
 // Shares of trials that succeeded: the interval of one, the difference of two, and Fisher's exact test of them.
 #pragma once
 
-#include <string>
-
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
 
-// Successes among trials. Defined for at least one trial, and for 0 to `trials` successes.
+// Successes among trials. What is made of them is defined for at least one trial,
+// and for 0 to `trials` successes.
 struct Successes {
   int successes = 0;
   int trials = 0;
 };
 
-struct Proportion {  // or a difference of two
-  double estimate = not_defined;
-  double low = not_defined;
-  double high = not_defined;
-  std::string undefined;  // why there is no estimate; empty if there is one
-};
-
 // Wilson's score interval (JASA 22 (1927) 209): near the level on average.
-Proportion wilson(Successes count, double level = 0.95);
+Estimate wilson(Successes count, double level = 0.95);
 // The same if each trial is itself a share, such as of several dependent attempts, and `mean` is the mean of those
 // shares. Shares vary no more than successes and failures of the same mean, so the interval is not too narrow.
-Proportion wilson_of_mean(double mean, int trials, double level = 0.95);
+Estimate wilson_of_mean(double mean, int trials, double level = 0.95);
 
 // The share of the first less that of the second. The interval is Newcombe's hybrid of Wilson's two (Statistics in
 // Medicine 17 (1998) 873, method 10): as far from the difference as Wilson's limits are from the shares.
-Proportion newcombe(Successes first, Successes second, double level);
+Estimate newcombe(Successes first, Successes second, double level);
 
-// Tests whether two have the same chance. Conditional on the totals; two-sided: all tables no more probable than the
-// observed one.
-struct FisherExact {
-  double p = not_defined;
-  double p_greater = not_defined;  // one-sided: the first has the greater chance
-  std::string undefined;           // why there is no p; empty if there is one
-};
-
-FisherExact fisher_exact(Successes first, Successes second);
+// The p of Fisher's test whether two have the same chance. Conditional on the totals; two-sided: all tables no more
+// probable than the observed one.
+double fisher_exact(Successes first, Successes second);
 
 // The largest chance that so many trials without a success do not exclude, one-sided: 1 - significance^(1 / trials).
 double most_without_success(int trials, double significance);

@@ -37,6 +37,12 @@ Ranking midranks(std::span<const double> values) {
   return ranking;
 }
 
+Ranking midranks(std::span<const double> first, std::span<const double> second) {
+  std::vector<double> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  return midranks(all);
+}
+
 std::vector<double> pooled(std::span<const std::vector<double>> groups) {
   std::vector<double> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());

@@ -15,11 +15,13 @@ struct Ranking {
   std::vector<std::size_t> ties;  // for each value that occurs more than once, ascending: how often
   std::string undefined;          // why there are no ranks; empty if there are
 
+  bool all_equal() const { return ties.size() == 1 && ties.front() == ranks.size(); }
   double tie_sum() const;  // sum of t^3 - t over the ties, by which they reduce a rank statistic's variance
 };
 
 // Ranks infinite values like any other; if one value is NaN, none has a rank.
 Ranking midranks(std::span<const double> values);
+Ranking midranks(std::span<const double> first, std::span<const double> second);  // of both together
 
 // The values of all groups, one group after the other.
 std::vector<double> pooled(std::span<const std::vector<double>> groups);

@@ -70,12 +70,12 @@ double upper_tail(double one_less_w, std::size_t n) {
 
 }  // namespace
 
-ShapiroWilk shapiro_wilk(std::span<const double> values) {
-  ShapiroWilk test;
+Test shapiro_wilk(std::span<const double> values) {
+  Test test;
   const std::size_t n = values.size();
   if (n < fewest || n > most) {
     test.undefined = fmt::format("{} values; the test is for {} to {}", n, fewest, most);
-  } else if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+  } else if (!all_finite(values)) {
     test.undefined = "a value is not finite";
   } else if (std::ranges::min(values) == std::ranges::max(values)) {
     test.undefined = "all values are equal";
@@ -103,7 +103,7 @@ ShapiroWilk shapiro_wilk(std::span<const double> values) {
     product += direction * own;
   }
   one_less_w *= (1 + product) / 2;
-  test.W = 1 - one_less_w;
+  test.statistic = 1 - one_less_w;
   // For three values p would be 0 whatever they are: rounding, no evidence.
   if (n == fewest && (sorted[0] == sorted[1] || sorted[1] == sorted[2])) {
     test.undefined = "two of three values are equal";

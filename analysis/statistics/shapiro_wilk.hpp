@@ -3,18 +3,12 @@
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
 
-struct ShapiroWilk {
-  double W = not_defined;
-  double p = not_defined;  // small if the sample is not normal
-  std::string undefined;   // why there is no W; empty if there is one
-};
-
-ShapiroWilk shapiro_wilk(std::span<const double> values);
+// The statistic is W. p is small if the sample is not normal.
+Test shapiro_wilk(std::span<const double> values);
 
 }  // namespace ikbench::statistics

@@ -11,8 +11,9 @@
 
 namespace ikbench::statistics {
 
-SignTest sign_test(std::span<const double> first, std::span<const double> second) {
-  SignTest test;
+Test sign_test(std::span<const double> first, std::span<const double> second) {
+  Test test;
+  int above = 0, below = 0;
   if (first.size() != second.size()) {
     test.undefined = fmt::format("{} and {} values are not pairs", first.size(), second.size());
     return test;
@@ -22,13 +23,14 @@ SignTest sign_test(std::span<const double> first, std::span<const double> second
     if (std::isnan(difference)) test.undefined = "a value is not a number";
     const double size = std::max(std::abs(first[i]), std::abs(second[i]));
     const int sign = sign_of(std::isfinite(difference) ? without_rounding(difference, size) : difference);
-    ++(sign > 0 ? test.above : sign < 0 ? test.below : test.ties);
+    above += sign > 0 ? 1 : 0;
+    below += sign < 0 ? 1 : 0;
   }
   if (first.empty()) test.undefined = "there are no differences";
-  if (test.undefined.empty() && test.above + test.below == 0) test.undefined = "all differences are zero";
+  if (test.undefined.empty() && above + below == 0) test.undefined = "all differences are zero";
   if (!test.undefined.empty()) return test;
-  test.p = mcnemar_exact({.first_only = test.above, .second_only = test.below});
-  test.direction = sign_of(test.above - test.below);
+  test.p = mcnemar_exact({.first_only = above, .second_only = below});
+  test.direction = sign_of(above - below);
   return test;
 }
 

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "analysis/statistics/draw.hpp"
-#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
@@ -78,7 +77,7 @@ std::string group_undefined(std::span<const double> values, std::size_t index) {
     return fmt::format("group {} has fewer than {} values, of which the bootstrap learns too little", index + 1,
                        fewest_resampled);
   }
-  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+  if (!all_finite(values)) {
     return fmt::format("group {} has values that are not finite", index + 1);
   }
   constexpr double widest = 1e130;  // squares of the values without the largest must not vanish
@@ -206,11 +205,11 @@ void add_interval(MeanDifference& pair, const Mean& first, const Mean& second, d
   const auto holds = [&](double shift) { return std::abs(apart(first, second, shift, scale)) <= critical; };
   const double farthest = 1000 * std::max({std::abs(first.value), std::abs(second.value), first.error, second.error});
   const bool all_on_one_side = !holds(0);
-  const double low_end = all_on_one_side && pair.difference > 0 ? 0 : -farthest;
-  const double high_end = all_on_one_side && pair.difference < 0 ? 0 : farthest;
+  const double low_end = all_on_one_side && pair.difference.value > 0 ? 0 : -farthest;
+  const double high_end = all_on_one_side && pair.difference.value < 0 ? 0 : farthest;
   if (!std::isfinite(farthest) || holds(low_end) || holds(high_end)) return;
-  pair.low = border(pair.difference, low_end, holds);
-  pair.high = border(pair.difference, high_end, holds);
+  pair.difference.low = border(pair.difference.value, low_end, holds);
+  pair.difference.high = border(pair.difference.value, high_end, holds);
 }
 
 }  // namespace
@@ -235,11 +234,10 @@ int fewest_blocks(std::size_t pairs, double level) {
 
 namespace {
 
-std::vector<MeanDifference> pairs_of(Groups groups, const PairFamily& family, const Resampling& settings) {
+std::vector<MeanDifference> resampled_pairs(Groups groups, const PairFamily& family, const Resampling& settings) {
   check_level(settings.level);
   if (settings.resamples < 2) throw std::invalid_argument("fewer than two resamples");
-  auto pairs = all_pairs<MeanDifference>(groups.size());
-  std::erase_if(pairs, [&](const MeanDifference& pair) { return !is_of(pair, family.control); });
+  std::vector<MeanDifference> pairs = pairs_of(groups.size(), family.control);
   std::vector<std::string> undefined;
   for (std::size_t i = 0; i < groups.size(); ++i) undefined.push_back(group_undefined(groups[i], i));
   for (MeanDifference& pair : pairs) {
@@ -268,7 +266,7 @@ std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& 
     MeanDifference& pair = result.emplace_back(each.pair);
     if (!pair.undefined.empty()) continue;
     const Mean &first = *each.first, &second = *each.second;
-    pair.difference = first.value - second.value;
+    pair.difference.value = first.value - second.value;
     pair.standard_error = std::hypot(first.error, second.error);
     const double found = std::abs(apart(first, second, 0, scale));
     if (!std::isfinite(found)) {
@@ -290,7 +288,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   const bool positive = std::ranges::all_of(groups, [](const std::vector<double>& group) {
     return std::ranges::all_of(group, [](double value) { return value > 0 || !std::isfinite(value); });
   });
-  const Scale scale = positive && family.by == CompareBy::ratios ? Scale::logarithm : Scale::mean;
+  const Scale scale = positive && family.by_ratios ? Scale::logarithm : Scale::mean;
   std::vector<Mean> means(groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (!group_undefined(groups[i], i).empty()) continue;
@@ -298,7 +296,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
     means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
   }
   std::vector<Compared> all;
-  for (MeanDifference& pair : pairs_of(groups, family, settings)) {
+  for (MeanDifference& pair : resampled_pairs(groups, family, settings)) {
     const Mean &first = means[pair.first], &second = means[pair.second];
     if (pair.undefined.empty() && !(first.spread > 0 || second.spread > 0)) pair.undefined = "both groups are constant";
     all.push_back({.pair = std::move(pair), .first = &first, .second = &second});
@@ -308,7 +306,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
 
 std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFamily& family,
                                                     const Resampling& settings) {
-  std::vector<MeanDifference> pairs = pairs_of(groups, family, settings);
+  std::vector<MeanDifference> pairs = resampled_pairs(groups, family, settings);
   const std::vector<double> zeros(static_cast<std::size_t>(settings.resamples), 0.0);
   const Mean nothing{.value = 0, .error = 0, .spread = 0, .unit = 0, .deviations = zeros, .squares = zeros};
   std::vector<Mean> means(pairs.size());
@@ -325,12 +323,11 @@ std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFam
   return judged(std::move(all), family, settings, Scale::mean);
 }
 
-MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings) {
+Estimate studentized_interval(std::span<const double> sample, const Resampling& settings) {
   check_level(settings.level);
-  MeanInterval result{.undefined = group_undefined(sample, 0)};
-  if (!result.undefined.empty()) return result;
+  if (!group_undefined(sample, 0).empty()) return {};
   const Mean found = resampled(sample, Scale::mean, settings);
-  if (found.error == 0) return {.low = found.value, .high = found.value};
+  if (found.error == 0) return {.value = found.value, .low = found.value, .high = found.value};
   std::vector<double> studentized;
   for (std::size_t i = 0; i < found.deviations.size(); ++i) {
     const double off = found.deviations[i];
@@ -340,10 +337,8 @@ MeanInterval studentized_interval(std::span<const double> sample, const Resampli
   const double outside = (1 - settings.level) / 2;
   const double low = found.value - found.error * quantile(studentized, 1 - outside, QuantileType::type_6);
   const double high = found.value - found.error * quantile(studentized, outside, QuantileType::type_6);
-  if (!std::isfinite(low) || !std::isfinite(high)) {
-    return {.undefined = "too few values, or too few that are not equal, for the bootstrap"};
-  }
-  return {.low = low, .high = high};
+  if (!std::isfinite(low) || !std::isfinite(high)) return {.value = found.value};
+  return {.value = found.value, .low = low, .high = high};
 }
 
 }  // namespace ikbench::statistics

@@ -11,16 +11,12 @@
 
 #include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
-#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::statistics {
 
-// ratios: of means of positive values; differences if some value is not positive.
-enum class CompareBy { ratios, differences };
-
 // The family for which p and intervals hold all at once, the wanted pairs of it, and the scale of the comparison.
 struct PairFamily {
-  CompareBy by = CompareBy::ratios;
+  bool by_ratios = true;                                // if all values are positive; else by differences
   std::optional<std::size_t> control = std::nullopt;    // the family: pairs with this group, or all
   std::optional<std::size_t> only_with = std::nullopt;  // the wanted: pairs with this group, or all of the family
 };
@@ -47,7 +43,7 @@ std::vector<MeanDifference> bootstrap_within_blocks(std::span<const std::vector<
 // The least number of blocks with which it can judge a pair among so many.
 int fewest_blocks(std::size_t pairs, double level);
 
-// Interval of one mean, equally likely to miss it on either side.
-MeanInterval studentized_interval(std::span<const double> sample, const Resampling& settings);
+// One mean with its interval, equally likely to miss it on either side.
+Estimate studentized_interval(std::span<const double> sample, const Resampling& settings);
 
 }  // namespace ikbench::statistics

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -24,6 +29,39 @@ double normal_quantile(double p) {
 double normal_critical(double level) {
   check_level(level);
   return -normal_quantile((1 - level) / 2);
+}
+
+double t_upper_tail(double t, double df) {
+  if (std::isnan(t) || !(df > 0)) return not_defined;
+  if (std::isinf(t)) return t > 0 ? 0 : 1;
+  return boost::math::cdf(boost::math::complement(boost::math::students_t(df), t));
+}
+
+double t_quantile(double p, double df) {
+  if (!(p > 0 && p < 1) || !(df > 0)) return not_defined;
+  try {
+    return boost::math::quantile(boost::math::students_t(df), p);
+  } catch (const std::exception&) {  // overflow: a tail too small for so few degrees of freedom
+    return not_defined;
+  }
+}
+
+double noncentral_t_upper_tail(double t, double df, double shift) {
+  if (!std::isfinite(t) || !std::isfinite(shift) || !(df > 0)) return not_defined;
+  constexpr double all_shift = 1e4;
+  try {
+    if (std::abs(shift) <= all_shift) {
+      const boost::math::non_central_t distribution(df, shift);
+      return std::clamp(boost::math::cdf(boost::math::complement(distribution, t)), 0.0, 1.0);
+    }
+    if (t * shift <= 0) return shift > 0 ? 1 : 0;
+    const double bound = std::min(shift / t, 1e100);  // of S
+    const double half = df / 2;
+    return shift > 0 ? boost::math::gamma_p(half, half * bound * bound)
+                     : boost::math::gamma_q(half, half * bound * bound);
+  } catch (const std::exception&) {  // a series that did not converge
+    return not_defined;
+  }
 }
 
 double chi_squared_upper_tail(double x, double df) {

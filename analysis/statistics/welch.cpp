@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "analysis/statistics/rounding.hpp"
-#include "analysis/statistics/t_distribution.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -29,8 +28,8 @@ std::string undefined_spread(const GroupSummary& group, std::size_t number) {
 
 }  // namespace
 
-WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
-  WelchTest test;
+Test welch(const GroupSummary& a, const GroupSummary& b) {
+  Test test;
   if (a.n < 2 || b.n < 2) {
     test.undefined = "a group of fewer than two values has no spread";
     return test;
@@ -48,28 +47,26 @@ WelchTest welch(const GroupSummary& a, const GroupSummary& b) {
   const double vb = square(b.std / unit) / b.n;
   const double a_part = va / (va + vb);
   const double b_part = vb / (va + vb);
-  test.t = (a.mean - b.mean) / unit / std::sqrt(va + vb);
+  test.statistic = (a.mean - b.mean) / unit / std::sqrt(va + vb);
   test.df = 1 / (a_part * a_part / (a.n - 1) + b_part * b_part / (b.n - 1));
-  if (!std::isfinite(test.t) || !std::isfinite(test.df)) {
+  if (!std::isfinite(test.statistic) || !std::isfinite(test.df)) {
     test = {.undefined = "the difference is too large for double precision"};
     return test;
   }
-  test.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(test.df), std::abs(test.t)));
+  test.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(test.df), std::abs(test.statistic)));
   return test;
 }
 
-WelchAnova welch_anova(std::span<const GroupSummary> groups) {
-  WelchAnova test;
+Test welch_anova(std::span<const GroupSummary> groups) {
+  Test test;
   std::vector<double> spreads;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     test.undefined = undefined_spread(groups[i], i + 1);
     if (!test.undefined.empty()) return test;
     spreads.push_back(groups[i].std);
   }
-  if (groups.size() < 2) {
-    test.undefined = fmt::format("{} to compare; two or more are needed", groups.empty() ? "no group" : "one group");
-    return test;
-  }
+  test.undefined = too_few_groups(groups.size());
+  if (!test.undefined.empty()) return test;
   const auto k = static_cast<double>(groups.size());
   const double unit = power_of_two_below(spreads);
   double weights = 0, mean = 0;
@@ -84,10 +81,10 @@ WelchAnova welch_anova(std::span<const GroupSummary> groups) {
     lambda += square(1 - weight / weights) / (group.n - 1);
   }
   lambda *= 3 / (k * k - 1);
-  test.F = between / (1 + 2 * (k - 2) * lambda / 3);
-  test.df_between = k - 1;
+  test.statistic = between / (1 + 2 * (k - 2) * lambda / 3);
+  test.df = k - 1;
   test.df_within = 1 / lambda;
-  test.p = f_upper_tail(test.F, test.df_between, test.df_within);
+  test.p = f_upper_tail(test.statistic, test.df, test.df_within);
   if (!std::isfinite(test.p)) test = {.undefined = "the spreads or the means are too far apart for double precision"};
   return test;
 }
@@ -97,30 +94,31 @@ PairedTest paired_t(std::span<const double> a, std::span<const double> b, double
     throw std::invalid_argument(fmt::format("pairs of {} and {} values: expected equally many", a.size(), b.size()));
   }
   const GroupSummary summary = summarise(differences_without_rounding(a, b));
-  const MeanInterval interval = mean_interval(summary, level);
-  PairedTest test{.difference = summary.mean, .undefined = interval.undefined};
-  if (test.undefined.empty() && summary.std == 0)
+  PairedTest test;
+  test.difference = mean_interval(summary, level);
+  if (summary.n < 2) {
+    test.undefined = "a group of fewer than two values has no spread";
+  } else if (!std::isfinite(summary.mean) || !std::isfinite(summary.std)) {
+    test.undefined = "a mean or a standard deviation is not defined";
+  } else if (std::isnan(test.difference.low)) {
+    test.undefined = "the spread is too large for double precision";
+  } else if (summary.std == 0) {
     test.undefined = "all pairs differ by the same, so there is no spread";
+    test.difference = {.value = summary.mean};
+  }
   if (!test.undefined.empty()) return test;
-  test.low = interval.low;
-  test.high = interval.high;
-  test.t = summary.mean / (summary.std / std::sqrt(summary.n));
+  test.statistic = summary.mean / (summary.std / std::sqrt(summary.n));
   test.df = summary.n - 1;
-  test.p = 2 * t_upper_tail(std::abs(test.t), test.df);
+  test.p = 2 * t_upper_tail(std::abs(test.statistic), test.df);
   return test;
 }
 
-MeanInterval mean_interval(const GroupSummary& group, double level) {
+Estimate mean_interval(const GroupSummary& group, double level) {
   check_level(level);
-  if (group.n < 2) return {.undefined = "a group of fewer than two values has no spread"};
-  if (!std::isfinite(group.mean) || !std::isfinite(group.std)) {
-    return {.undefined = "a mean or a standard deviation is not defined"};
-  }
-  const double reach = -t_quantile((1 - level) / 2, group.n - 1) * group.std / std::sqrt(group.n);
-  if (!std::isfinite(group.mean - reach) || !std::isfinite(group.mean + reach)) {
-    return {.undefined = "the spread is too large for double precision"};
-  }
-  return {.low = group.mean - reach, .high = group.mean + reach};
+  const double reach =
+      group.n < 2 ? not_defined : -t_quantile((1 - level) / 2, group.n - 1) * group.std / std::sqrt(group.n);
+  if (!std::isfinite(group.mean - reach) || !std::isfinite(group.mean + reach)) return {.value = group.mean};
+  return {.value = group.mean, .low = group.mean - reach, .high = group.mean + reach};
 }
 
 }  // namespace ikbench::statistics

@@ -16,7 +16,7 @@
 namespace ikbench::statistics {
 
 // Needs two different finite values or more; NaN if all resamples lie on one side of the mean.
-inline Interval bca_of_mean(std::span<const double> sample, const Resampling& settings = {}) {
+inline Estimate bca_of_mean(std::span<const double> sample, const Resampling& settings = {}) {
   Draws draws(settings.seed);
   std::vector<double> means, picked(sample.size());
   for (int i = 0; i < settings.resamples; ++i) {
@@ -39,7 +39,7 @@ inline Interval bca_of_mean(std::span<const double> sample, const Resampling& se
     return quantile(means, std::erfc(-corrected / std::sqrt(2.0)) / 2, QuantileType::type_7);
   };
   const double z = normal_critical(settings.level);
-  return {end(-z), end(z)};
+  return {.value = centre, .low = end(-z), .high = end(z)};
 }
 
 }  // namespace ikbench::statistics

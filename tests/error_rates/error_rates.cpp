@@ -18,6 +18,7 @@
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
+#include "analysis/statistics/welch.hpp"
 #include "tests/error_rates/bca.hpp"
 #include "tests/error_rates/draws.hpp"
 #include "tests/error_rates/limits.hpp"
@@ -210,9 +211,9 @@ Covered coverage(const Source& source, int n, int simulations) {
     std::vector<double> values;
     for (int i = 0; i < n; ++i) values.push_back(source.draw(random));
     const auto has = [&](double low, double high) { return low <= source.mean && source.mean <= high ? 1 : 0; };
-    const MeanInterval by_t = mean_interval(summarise(values), 0.95);
-    const Interval by_bca = bca_of_mean(values);
-    const MeanInterval by_bootstrap = studentized_interval(values, {});
+    const Estimate by_t = mean_interval(summarise(values), 0.95);
+    const Estimate by_bca = bca_of_mean(values);
+    const Estimate by_bootstrap = studentized_interval(values, {});
     student += has(by_t.low, by_t.high);
     bca += has(by_bca.low, by_bca.high);
     studentized += has(by_bootstrap.low, by_bootstrap.high);

@@ -15,16 +15,12 @@ std::vector<PairResult> anova_pairs(const Evidence& evidence, const Groups& grou
 
 std::optional<TestResult> anova_of_all(const Evidence&, const Groups& groups) {
   const AnovaTable table = groups.values.empty() ? anova_from_summaries(groups.summaries) : anova(groups.values);
-  return TestResult{.test = std::string(anova_name),
-                    .role = Role::paper,
-                    .symbol = "F",
-                    .statistic = table.F,
-                    .df = static_cast<double>(table.df_between),
-                    .df_within = static_cast<double>(table.df_within),
-                    .p = table.p,
-                    .effect_symbol = "omega^2",
-                    .effect = omega_squared(table),
-                    .undefined = table.undefined};
+  const Test test{.statistic = table.F,
+                  .df = static_cast<double>(table.df_between),
+                  .df_within = static_cast<double>(table.df_within),
+                  .p = table.p,
+                  .undefined = table.undefined};
+  return TestResult{test, std::string(anova_name), "F", Role::paper, "omega^2", omega_squared(table)};
 }
 
 }  // namespace

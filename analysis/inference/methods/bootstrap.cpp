@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "analysis/inference/method.hpp"
-#include "analysis/statistics/pairs.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
 #include "analysis/statistics/welch.hpp"
 
@@ -15,7 +14,7 @@ namespace {
 
 PairFamily family_of(const Evidence& evidence) {
   // A difference of logarithms is a ratio of the values.
-  return {.by = evidence.scale == ValueScale::log10 ? CompareBy::differences : CompareBy::ratios,
+  return {.by_ratios = evidence.scale != ValueScale::log10,
           .control = evidence.plan.control.empty() ? std::nullopt : evidence.reference,
           .only_with = evidence.reference};
 }
@@ -44,8 +43,6 @@ std::vector<PairResult> paired(const Evidence& evidence, const Groups& groups) {
                       .difference = test.difference,
                       .p = std::isnan(test.p) ? test.p : std::min(1.0, family * test.p),
                       .p_alone = test.p,
-                      .low = test.low,
-                      .high = test.high,
                       .undefined = test.undefined});
   }
   return of_means(evidence, result);

@@ -18,11 +18,10 @@ std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& g
   std::vector<PairResult> result;
   for (const Contrast& contrast : evidence.contrasts) {
     const std::size_t first = contrast.first, second = contrast.second;
-    SignTest test = sign_test(groups.ranked[first], groups.ranked[second]);
-    const PairedTest means = paired_t(groups.values[first], groups.values[second], level);
+    Test test = sign_test(groups.ranked[first], groups.ranked[second]);
     result.push_back({.p_alone = test.p,
                       .ahead = -test.direction,
-                      .difference = {.value = means.difference, .low = means.low, .high = means.high},
+                      .difference = paired_t(groups.values[first], groups.values[second], level).difference,
                       .undefined = std::move(test.undefined)});
   }
   correct(evidence, result);
@@ -31,15 +30,7 @@ std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& g
 
 std::optional<TestResult> friedman_of_all(const Evidence&, const Groups& groups) {
   const Friedman test = friedman(groups.ranked);
-  return TestResult{.test = std::string(friedman_name),
-                    .symbol = "F",
-                    .statistic = test.F,
-                    .df = test.F_df_between,
-                    .df_within = test.F_df_within,
-                    .p = test.F_p,
-                    .effect_symbol = "W",
-                    .effect = test.kendall_w,
-                    .undefined = test.undefined};
+  return TestResult{test, std::string(friedman_name), "F", Role::robust, "W", test.kendall_w};
 }
 
 }  // namespace

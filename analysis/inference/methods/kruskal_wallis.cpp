@@ -23,12 +23,12 @@ std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Gro
       games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference);
   for (std::size_t i = 0; i < evidence.contrasts.size(); ++i) {
     const std::size_t first = evidence.contrasts[i].first, second = evidence.contrasts[i].second;
-    MannWhitney test = mann_whitney(groups.ranked[first], groups.ranked[second]);
+    Test test = mann_whitney(groups.ranked[first], groups.ranked[second]);
     exact.push_back(test.p);
     unequal.push_back(brunner_munzel(groups.ranked[first], groups.ranked[second]).p);
     result.push_back({.p_alone = std::fmax(exact.back(), unequal.back()),
                       .ahead = -test.direction,
-                      .difference = {.value = means[i].difference, .low = means[i].low, .high = means[i].high},
+                      .difference = means[i].difference,
                       .undefined = std::move(test.undefined)});
   }
   correct(evidence, exact);
@@ -39,14 +39,7 @@ std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Gro
 
 std::optional<TestResult> kruskal_wallis_of_all(const Evidence&, const Groups& groups) {
   const KruskalWallis test = kruskal_wallis(groups.ranked);
-  return TestResult{.test = std::string(kruskal_wallis_name),
-                    .symbol = "H",
-                    .statistic = test.H,
-                    .df = static_cast<double>(test.df),
-                    .p = test.p,
-                    .effect_symbol = "epsilon^2",
-                    .effect = test.epsilon_squared,
-                    .undefined = test.undefined};
+  return TestResult{test, std::string(kruskal_wallis_name), "H", Role::robust, "epsilon^2", test.epsilon_squared};
 }
 
 }  // namespace

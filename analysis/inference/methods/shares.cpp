@@ -22,9 +22,7 @@ std::vector<PairResult> share_pairs(const Evidence& evidence, const Groups& grou
   std::vector<PairResult> result;
   for (const Contrast& contrast : evidence.contrasts) {
     const auto [alone, difference] = compare(groups.values[contrast.first], groups.values[contrast.second], alpha);
-    result.push_back({.p_alone = alone,
-                      .ahead = sign * sign_of(difference.estimate),
-                      .difference = {.value = difference.estimate, .low = difference.low, .high = difference.high}});
+    result.push_back({.p_alone = alone, .ahead = sign * sign_of(difference.value), .difference = difference});
   }
   correct(evidence, result);
   return result;
@@ -33,14 +31,14 @@ std::vector<PairResult> share_pairs(const Evidence& evidence, const Groups& grou
 std::vector<PairResult> fisher_pairs(const Evidence& evidence, const Groups& groups) {
   return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
     const Successes one = successes_of(first), other = successes_of(second);
-    return std::pair(fisher_exact(one, other).p, newcombe(one, other, 1 - alpha));
+    return std::pair(fisher_exact(one, other), newcombe(one, other, 1 - alpha));
   });
 }
 
 std::vector<PairResult> mcnemar_pairs(const Evidence& evidence, const Groups& groups) {
   return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
     const PairedSuccesses counts = paired_successes(first, second);
-    Proportion difference = newcombe_paired(counts, 1 - alpha);
+    Estimate difference = newcombe_paired(counts, 1 - alpha);
     if (counts.first_only + counts.second_only == 0) {  // these two agree in every block; others may not
       const double unseen = most_without_success(counts.trials(), alpha);
       difference.low = std::min(difference.low, -unseen);
@@ -52,13 +50,7 @@ std::vector<PairResult> mcnemar_pairs(const Evidence& evidence, const Groups& gr
 
 std::optional<TestResult> cochran_of_all(const Evidence&, const Groups& groups) {
   if (groups.values.size() < 3) return std::nullopt;
-  const CochranQ test = cochran_q(groups.values);
-  return TestResult{.test = "Cochran's Q test",
-                    .symbol = "Q",
-                    .statistic = test.Q,
-                    .df = static_cast<double>(test.df),
-                    .p = test.p,
-                    .undefined = test.undefined};
+  return TestResult{cochran_q(groups.values), "Cochran's Q test", "Q"};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using namespace statistics;
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
   const std::span summaries = groups.summaries;
   constexpr std::size_t longest_shown = 60, most_named = 3;
-  TestResult result{.test = std::string(welch_name), .role = Role::robust, .symbol = "F"};
+  TestResult result{{}, std::string(welch_name), "F"};
   std::vector<GroupSummary> usable;
   std::vector<std::string> others;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -31,12 +31,8 @@ std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& g
     result.undefined = "fewer than two groups have a variance";
     return result;
   }
-  const WelchAnova test = welch_anova(usable);
-  result.statistic = test.F;
-  result.df = test.df_between;
-  result.df_within = test.df_within;
-  result.p = test.p;
-  if (!std::isfinite(test.p)) result.undefined = "the variances are too large or too far apart for double precision";
+  static_cast<Test&>(result) = welch_anova(usable);
+  if (!std::isfinite(result.p)) result.undefined = "the variances are too large or too far apart for double precision";
   if (!others.empty()) {
     result.without = fmt::format("without {}, whose variance is 0 or not defined",
                                  others.size() > most_named ? fmt::format("{} groups", others.size())

@@ -69,7 +69,7 @@ Runs twenty(const std::function<Spent(int)>& spent) {
   return runs;
 }
 
-double width(const Interval& interval) { return interval.high - interval.low; }
+double width(const Estimate& interval) { return interval.high - interval.low; }
 
 // Evenly from -1 to 1; std::mt19937_64's sequence is fixed by the C++ standard.
 double symmetric(std::mt19937_64& engine) { return 0x1p-52 * static_cast<double>(engine() >> 11) - 1; }
@@ -87,7 +87,7 @@ double coverage(double truth, const char* definition, const std::function<Runs(s
   for (int i = 0; i < repetitions; ++i) {
     const StudyResults study = clustered_study({sample(engine)}, definition);
     const Clusters clusters(study);
-    const Interval interval = costs_of(study, Metric::evaluations, clusters)[0].interval(clusters);
+    const Estimate interval = costs_of(study, Metric::evaluations, clusters)[0].expected(clusters);
     covered += interval.low <= truth && truth <= interval.high ? 1 : 0;
   }
   return static_cast<double>(covered) / repetitions;
@@ -116,7 +116,7 @@ TEST_CASE("fewer than ten clusters have no intervals, and more than a thousand a
   const Clusters of_few(few);
   CHECK(of_few.undefined() == "9 runs, and intervals need 10");
   CHECK(of_few.replicates().empty());
-  CHECK(std::isnan(of_few.interval({}).low));
+  CHECK(std::isnan(of_few.estimate(0, {}).low));
   const StudyResults many = clustered_study({Runs(1500, {{100}})}, drawn_targets);
   const Clusters of_many(many);
   CHECK(of_many.drawn_at_once() == 1000);
@@ -216,7 +216,7 @@ TEST_CASE("of two that share their targets the ratio is known better than either
   const Clusters clusters(study);
   const std::vector<SolverCost> costs = costs_of(study, Metric::evaluations, clusters);
   CHECK(costs[0].time.expected() == Approx(1050));
-  CHECK(width(costs[0].interval(clusters)) > 400);
+  CHECK(width(costs[0].expected(clusters)) > 400);
   const std::vector<Finding> pairs = compare_costs(study, Metric::evaluations, clusters);
   REQUIRE(pairs.size() == 1);
   CHECK(pairs[0].quantity == "expected evaluations");

@@ -82,7 +82,7 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, Uni
             for (const MeanDifference& pair : games_howell(groups, 1 - plan.significance, 0)) {
               if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
               ++rivals;
-              if (pair.p < plan.significance) ++(pair.difference < 0 ? better : worse);
+              if (pair.p < plan.significance) ++(pair.difference.value < 0 ? better : worse);
             }
             const double weight = study.weight / (2 * 4);
             const UniverseCounts one{.holds = better == rivals ? weight : 0,

@@ -7,7 +7,7 @@
 
 #include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/statistics/predictive_interval.hpp"
+#include "analysis/statistics/predictive_study.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 
@@ -54,7 +54,7 @@ TEST_CASE("the predictive interval of one more value is by order statistics", "[
   std::iota(values.begin(), values.end(), 1);
   std::ranges::reverse(values);
   // 0.025 x 51 = 1.275 and 0.975 x 51 = 49.725; R: quantile(1:50, c(0.025, 0.975), type = 6).
-  const auto [low, high] = predictive_interval(values, 0.95);
+  const auto [value, low, high] = predictive_interval(values, 0.95);
   CHECK(low == Approx(1.275));
   CHECK(high == Approx(49.725));
   // The outermost of 39 values: each is passed by one in 40.
@@ -72,7 +72,7 @@ TEST_CASE("of 100 seeds the predictive interval of 50 holds the 95 that it says"
     std::vector<double> values;
     for (int k = 0; k < 50; ++k) values.push_back(-std::log(1 - noise.next()));
     const double next = -std::log(1 - noise.next());
-    const auto [low, high] = predictive_interval(values, 0.95);
+    const auto [value, low, high] = predictive_interval(values, 0.95);
     inside += low <= next && next <= high ? 1 : 0;
   }
   CHECK(inside / 2000.0 == Approx(0.95).margin(0.015));

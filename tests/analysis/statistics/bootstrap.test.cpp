@@ -32,7 +32,7 @@ TEST_CASE("the resamples are those of the halves of mt19937_64, on every machine
 }
 
 TEST_CASE("the BCa interval of five values is near that of all 3125 resamples", "[bootstrap]") {
-  const Interval interval = bca_of_mean(Sample{1.2, 3.4, 0.7, 5.9, 2.2});
+  const Estimate interval = bca_of_mean(Sample{1.2, 3.4, 0.7, 5.9, 2.2});
   CHECK(interval.low == Approx(1.3).margin(0.08));    // all means, type 7, at pnorm(z0 + (z0 + z) / (1 - a (z0 + z))),
   CHECK(interval.high == Approx(4.66).margin(0.08));  // z0 = qnorm(1568 / 3125), a = 0.0527792737555
 }
@@ -89,16 +89,16 @@ TEST_CASE("percentiles of few clusters lie as far out as Student's t", "[bootstr
   for (int i = 999; i >= 1; --i) values.push_back(i);
   // Ten clusters: t is 2.262157 and sqrt(10 / 9) of it 2.384521; the normal distribution leaves 0.00855 beyond, which
   // is 8.5 of 998 steps.
-  CHECK(expanded_percentiles(values, 10, 0.95).low == 9);
-  CHECK(expanded_percentiles(values, 10, 0.95).high == 991);
+  CHECK(expanded_percentiles(0.5, values, 10, 0.95).low == 9);
+  CHECK(expanded_percentiles(0.5, values, 10, 0.95).high == 991);
   // Very many: 0.025 of 998 is 24.95.
-  CHECK(expanded_percentiles(values, 1000000, 0.95).low == 25);
+  CHECK(expanded_percentiles(0.5, values, 1000000, 0.95).low == 25);
   values.front() = HUGE_VAL;
-  CHECK(expanded_percentiles(values, 2, 0.95).high == HUGE_VAL);
-  CHECK(std::isnan(expanded_percentiles(values, 1, 0.95).low));
-  CHECK(std::isnan(expanded_percentiles({}, 10, 0.95).low));
+  CHECK(expanded_percentiles(0.5, values, 2, 0.95).high == HUGE_VAL);
+  CHECK(std::isnan(expanded_percentiles(0.5, values, 1, 0.95).low));
+  CHECK(std::isnan(expanded_percentiles(0.5, {}, 10, 0.95).low));
   values.front() = NAN;
-  CHECK(std::isnan(expanded_percentiles(values, 10, 0.95).high));
+  CHECK(std::isnan(expanded_percentiles(0.5, values, 10, 0.95).high));
 }
 
 TEST_CASE("values that are alike within clusters say as much as their clusters, not more", "[bootstrap][clusters]") {
@@ -128,7 +128,7 @@ TEST_CASE("an interval of a share over runs covers as often as it says", "[boots
       all += run;
     }
     const auto replicates = resampled_clusters(20, {.resamples = 200, .seed = engine()});
-    const Interval interval = expanded_percentiles(ratios(reached, points, replicates), 20, 0.95);
+    const Estimate interval = expanded_percentiles(0.5, ratios(reached, points, replicates), 20, 0.95);
     if (interval.low <= 0.5 && interval.high >= 0.5) ++covers;
     const double share = all / 200, naive = 1.96 * std::sqrt(share * (1 - share) / 200);
     if (std::abs(share - 0.5) <= naive) ++naive_covers;
@@ -144,30 +144,28 @@ TEST_CASE("intervals of a family hold together, and are wider the more there are
     for (int i = 0; i < 12; ++i) sum += static_cast<double>(engine() >> 11) * 0x1p-53;
     return sum;
   };
-  Family one{.estimates = {5}, .replicates = {{}}, .clusters = 10},
-      many{.estimates = {}, .replicates = {}, .clusters = 10};
-  for (int b = 0; b < 4000; ++b) one.replicates[0].push_back(5 + 2 * normal());
+  std::vector<Sample> one(1), many;
+  for (int b = 0; b < 4000; ++b) one[0].push_back(5 + 2 * normal());
   for (int i = 0; i < 10; ++i) {
-    many.estimates.push_back(0);
-    auto& replicates = many.replicates.emplace_back();
+    Sample& replicates = many.emplace_back();
     for (int b = 0; b < 4000; ++b) replicates.push_back(normal());
   }
-  const Interval alone = simultaneous_intervals(one, 0.95)[0];
+  const Estimate alone = simultaneous_intervals(Sample{5}, one, 10, 0.95)[0];
   CHECK(alone.high - 5 == Approx(2 * 2.384521).epsilon(0.06));  // as of ten clusters above
   CHECK(5 - alone.low == Approx(alone.high - 5));
   // The largest of ten: 2.80 for normal ones, (1 - 0.95^0.1) / 2 = 0.002558 in each tail; t with 9 degrees of freedom
   // has 3.675 there (mpmath), times sqrt(10 / 9).
-  CHECK(simultaneous_intervals(many, 0.95)[3].high == Approx(3.874).epsilon(0.08));
+  CHECK(simultaneous_intervals(Sample(10), many, 10, 0.95)[3].high == Approx(3.874).epsilon(0.08));
 }
 
 TEST_CASE("what has no spread has no width, and what is not finite no interval", "[bootstrap][clusters]") {
-  Family family{.estimates = {1, 2, NAN}, .replicates = {{1, 1, 1}, {2, HUGE_VAL, 2}, {1, 2, 3}}, .clusters = 10};
-  const std::vector<Interval> intervals = simultaneous_intervals(family, 0.95);
+  const Sample values{1, 2, NAN};
+  const std::vector<Sample> replicates{{1, 1, 1}, {2, HUGE_VAL, 2}, {1, 2, 3}};
+  const std::vector<Estimate> intervals = simultaneous_intervals(values, replicates, 10, 0.95);
   CHECK(intervals[0].low == 1);
   CHECK(intervals[0].high == 1);
   CHECK(std::isnan(intervals[1].low));
   CHECK(std::isnan(intervals[2].low));
-  family.clusters = 1;
-  CHECK(std::isnan(simultaneous_intervals(family, 0.95)[0].low));
-  CHECK(simultaneous_intervals({}, 0.95).empty());
+  CHECK(std::isnan(simultaneous_intervals(values, replicates, 1, 0.95)[0].low));
+  CHECK(simultaneous_intervals({}, {}, 10, 0.95).empty());
 }

@@ -39,8 +39,8 @@ TEST_CASE("Tukey's test of PlantGrowth is that of R", "[multiple_comparisons]") 
   CHECK(pairs[2].first == 1);
   CHECK(pairs[2].second == 2);
   CHECK(pairs[2].df == 27);
-  CHECK(pairs[2].low == Approx(-1.55621605141).epsilon(1e-6));
-  CHECK(pairs[2].high == Approx(-0.17378394859).epsilon(1e-5));
+  CHECK(pairs[2].difference.low == Approx(-1.55621605141).epsilon(1e-6));
+  CHECK(pairs[2].difference.high == Approx(-0.17378394859).epsilon(1e-5));
 }
 
 TEST_CASE("Games-Howell of PlantGrowth is that of R's rstatix", "[multiple_comparisons]") {
@@ -64,8 +64,8 @@ TEST_CASE("Tamhane's T2 of PlantGrowth is Welch's test of each pair, corrected",
   CHECK(pairs[1].p == Approx(0.1369246478595).epsilon(1e-10));
   CHECK(pairs[2].p == Approx(0.02763663710409).epsilon(1e-10));
   CHECK(pairs[2].df == Approx(14.10356912).epsilon(1e-9));
-  CHECK(pairs[2].low == Approx(-1.64273819708).epsilon(1e-9));
-  CHECK(pairs[2].high == Approx(-0.0872618029195).epsilon(1e-9));
+  CHECK(pairs[2].difference.low == Approx(-1.64273819708).epsilon(1e-9));
+  CHECK(pairs[2].difference.high == Approx(-0.0872618029195).epsilon(1e-9));
 }
 
 TEST_CASE("Tamhane's T2 of Table 3 tells IK-BA's error from every other algorithm's", "[multiple_comparisons][paper]") {
@@ -115,9 +115,9 @@ TEST_CASE("an interval leaves out zero exactly where p is below one less the lev
       const auto at_p = method(groups, 1 - pair.p, std::nullopt);
       for (const MeanDifference& same : at_p) {
         if (same.first != pair.first || same.second != pair.second) continue;
-        CHECK(std::min(std::abs(same.low), std::abs(same.high)) < 1e-9);
+        CHECK(std::min(std::abs(same.difference.low), std::abs(same.difference.high)) < 1e-9);
       }
-      CHECK((pair.low > 0 || pair.high < 0) == (pair.p < 0.05));
+      CHECK((pair.difference.low > 0 || pair.difference.high < 0) == (pair.p < 0.05));
     }
   }
 }
@@ -176,7 +176,7 @@ TEST_CASE("a pair without a p says why", "[multiple_comparisons]") {
   const auto says = [](const std::vector<MeanDifference>& pairs, std::size_t i, const std::string& reason) {
     CAPTURE(pairs[i].undefined, reason);
     CHECK(std::isnan(pairs[i].p));
-    CHECK(std::isnan(pairs[i].low));
+    CHECK(std::isnan(pairs[i].difference.low));
     CHECK(pairs[i].undefined.find(reason) != std::string::npos);
   };
   CHECK(tukey({}, 0.95).empty());

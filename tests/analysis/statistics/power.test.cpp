@@ -12,48 +12,43 @@ TEST_CASE("runs to see a difference with groups of equal spread are those of the
   // R's pwr.t.test at power .8: d = .2 393.4057, d = .5 63.76561, d = .8 25.52458; power.t.test at power .9: d =
   // 1 22.02110.
   const GroupSummary a{0, 1, 10}, b{7, 1, 30};
-  CHECK(runs_to_see(a, b, 0.2, {.power = 0.8}).n == 394);
-  CHECK(runs_to_see(a, b, 0.5, {.power = 0.8}).n == 64);
-  CHECK(runs_to_see(a, b, -0.8, {.power = 0.8}).n == 26);
-  CHECK(runs_to_see(a, b, 1, {.power = 0.9}).n == 23);
-  CHECK(runs_to_see({0, 2, 10}, {7, 2, 30}, 1, {.power = 0.8}).n == 64);
+  CHECK(runs_to_see(a, b, 0.2, {.power = 0.8}) == 394);
+  CHECK(runs_to_see(a, b, 0.5, {.power = 0.8}) == 64);
+  CHECK(runs_to_see(a, b, -0.8, {.power = 0.8}) == 26);
+  CHECK(runs_to_see(a, b, 1, {.power = 0.9}) == 23);
+  CHECK(runs_to_see({0, 2, 10}, {7, 2, 30}, 1, {.power = 0.8}) == 64);
 }
 
 TEST_CASE("against a constant group the runs are those of a one-sample test", "[power]") {
   // R's pwr.t.test(d = .5, power = .8, type = "one.sample"): n = 33.36713.
-  CHECK(runs_to_see({0, 2, 10}, {0, 0, 10}, 1, {.power = 0.8}).n == 34);
+  CHECK(runs_to_see({0, 2, 10}, {0, 0, 10}, 1, {.power = 0.8}) == 34);
 }
 
 TEST_CASE("pairs to see a difference are those of the paired test, rounded up", "[power]") {
   // R's pwr.t.test(type = "paired") at power .8: d = .2 198.1508, d = .5 33.36713; power.t.test: d = 1 9.93785; SciPy
   // 1.10.1's nct at power .9, d = .5: 44 pairs have 0.90003.
-  CHECK(pairs_to_see(1, 0.2, {.power = 0.8}).n == 199);
-  CHECK(pairs_to_see(2, -1, {.power = 0.8}).n == 34);
-  CHECK(pairs_to_see(1, 1, {.power = 0.8}).n == 10);
-  CHECK(pairs_to_see(1, 0.5, {.power = 0.9}).n == 44);
+  CHECK(pairs_to_see(1, 0.2, {.power = 0.8}) == 199);
+  CHECK(pairs_to_see(2, -1, {.power = 0.8}) == 34);
+  CHECK(pairs_to_see(1, 1, {.power = 0.8}) == 10);
+  CHECK(pairs_to_see(1, 0.5, {.power = 0.9}) == 44);
 }
 
 TEST_CASE("an enormous difference needs two runs", "[power]") {
   const GroupSummary group{0, 1, 5};
-  for (const double difference : {1e6, 1e308, HUGE_VAL}) CHECK(runs_to_see(group, group, difference, {}).n == 2);
+  for (const double difference : {1e6, 1e308, HUGE_VAL}) CHECK(runs_to_see(group, group, difference, {}) == 2);
 }
 
-TEST_CASE("where no number of runs will do it says why", "[power]") {
-  const auto says = [](const RunsNeeded& runs, const std::string& reason) {
-    CAPTURE(runs.undefined, reason);
-    CHECK(std::isnan(runs.n));
-    CHECK(runs.undefined.find(reason) != std::string::npos);
-  };
+TEST_CASE("where no number of runs will do there is none", "[power]") {
   const GroupSummary good{1, 1, 5}, constant{1, 0, 5};
-  says(runs_to_see(good, good, 0, {}), "difference of zero");
-  says(runs_to_see(good, good, 1e-6, {}), "ten million");
-  says(runs_to_see(good, good, not_defined, {}), "not defined");
-  says(runs_to_see(constant, constant, 1, {}), "constant");
-  says(runs_to_see(good, {1, not_defined, 1}, 1, {}), "fewer than two");
-  says(runs_to_see(good, {1, not_defined, 5}, 1, {}), "not defined");
-  says(pairs_to_see(1, 0, {}), "difference of zero");
-  says(pairs_to_see(0, 1, {}), "equal");
-  says(pairs_to_see(not_defined, 1, {}), "not defined");
+  CHECK(std::isnan(runs_to_see(good, good, 0, {})));
+  CHECK(std::isnan(runs_to_see(good, good, 1e-6, {})));
+  CHECK(std::isnan(runs_to_see(good, good, not_defined, {})));
+  CHECK(std::isnan(runs_to_see(constant, constant, 1, {})));
+  CHECK(std::isnan(runs_to_see(good, {1, not_defined, 1}, 1, {})));
+  CHECK(std::isnan(runs_to_see(good, {1, not_defined, 5}, 1, {})));
+  CHECK(std::isnan(pairs_to_see(1, 0, {})));
+  CHECK(std::isnan(pairs_to_see(0, 1, {})));
+  CHECK(std::isnan(pairs_to_see(not_defined, 1, {})));
   CHECK_THROWS_AS(pairs_to_see(1, 1, {.power = 1}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 1}), std::invalid_argument);
   CHECK_THROWS_AS(runs_to_see(good, good, 1, {.power = 0.8, .alpha = 0}), std::invalid_argument);
@@ -66,8 +61,8 @@ TEST_CASE("the least difference that n values show is that of R's power.t.test",
   CHECK(least_mean_difference(34, {}) == Approx(0.5).margin(0.008));
   for (const int n : {3, 5, 20}) {
     const double least = least_difference(n, {.alpha = 0.05 / 15});
-    CHECK(runs_to_see({.std = 1, .n = n}, {.std = 1, .n = n}, least * (1 + 1e-9), {.alpha = 0.05 / 15}).n == n);
-    CHECK(pairs_to_see(1, least_mean_difference(n, {}) * (1 + 1e-9), {}).n == n);
+    CHECK(runs_to_see({.std = 1, .n = n}, {.std = 1, .n = n}, least * (1 + 1e-9), {.alpha = 0.05 / 15}) == n);
+    CHECK(pairs_to_see(1, least_mean_difference(n, {}) * (1 + 1e-9), {}) == n);
   }
   CHECK(std::isnan(least_difference(1, {})));
 }

@@ -81,7 +81,7 @@ TEST_CASE("values without a logarithm, or fewer than five, predict nothing", "[p
   for (const std::vector<double>& values :
        {std::vector<double>{1, 2, 3, 4}, std::vector<double>{1, 2, 3, 4, 0}, std::vector<double>{1, 2, 3, 4, -1},
         std::vector<double>{1, 2, 3, 4, std::numeric_limits<double>::infinity()}}) {
-    for (const Interval& range : predicted_ranges(values, 20, few)) {
+    for (const Estimate& range : predicted_ranges(values, 20, few)) {
       CHECK(std::isnan(range.low));
       CHECK(std::isnan(range.high));
     }

@@ -12,7 +12,7 @@ using namespace ikbench::samples;
 
 TEST_CASE("18 of 20 have Wilson's interval", "[proportion]") {
   // R 4.2.2, prop.test(18, 20, correct = FALSE)
-  CHECK(wilson({18, 20}).estimate == 0.9);
+  CHECK(wilson({18, 20}).value == 0.9);
   CHECK(wilson({18, 20}).low == Approx(0.6989663548).epsilon(1e-9));
   CHECK(wilson({18, 20}).high == Approx(0.9721335188).epsilon(1e-9));
 }
@@ -29,46 +29,43 @@ TEST_CASE("a mean of shares has the interval of as many successes, whether or no
   CHECK(wilson_of_mean(0.9, 20).low == wilson({18, 20}).low);
   CHECK(wilson_of_mean(0.9, 20).high == wilson({18, 20}).high);
   // Wilson's equation at its ends: |0.55 - p| = z sqrt(p (1 - p) / 3).
-  const Proportion between = wilson_of_mean(0.55, 3);
+  const Estimate between = wilson_of_mean(0.55, 3);
   for (const double p : {between.low, between.high}) {
     CHECK(std::abs(0.55 - p) == Approx(1.959963984540054 * std::sqrt(p * (1 - p) / 3)));
   }
   CHECK(wilson_of_mean(0, 3).low == 0);
   CHECK(wilson_of_mean(1, 3).high == 1);
-  CHECK(says(wilson_of_mean(0.5, 0).undefined, "no trials"));
-  CHECK(says(wilson_of_mean(1.01, 3).undefined, "not a share"));
-  CHECK(says(wilson_of_mean(NAN, 3).undefined, "not a share"));
+  CHECK(std::isnan(wilson_of_mean(0.5, 0).low));
+  CHECK(std::isnan(wilson_of_mean(1.01, 3).low));
+  CHECK(std::isnan(wilson_of_mean(NAN, 3).low));
 }
 
 TEST_CASE("Fisher's exact test: the tea, the convictions", "[proportion]") {
   // R's help page of fisher.test. Tea 3/4 and 1/4: tables of weights 1 16 36 16 1, two-sided (16 + 1) * 2 / 70.
-  CHECK(fisher_exact({3, 4}, {1, 4}).p == Approx(34.0 / 70));
-  CHECK(fisher_exact({3, 4}, {1, 4}).p_greater == Approx(17.0 / 70));
-  CHECK(fisher_exact({1, 4}, {3, 4}).p_greater == Approx(69.0 / 70));
+  CHECK(fisher_exact({3, 4}, {1, 4}) == Approx(34.0 / 70));
   // Convictions of twins, 2/12 and 15/18: p 0.0005367.
-  CHECK(fisher_exact({2, 12}, {15, 18}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // sums of binomials
-  CHECK(fisher_exact({10, 13}, {2, 17}).p == Approx(0.0005367241191434358).epsilon(1e-11));  // columns for rows
+  CHECK(fisher_exact({2, 12}, {15, 18}) == Approx(0.0005367241191434358).epsilon(1e-11));  // sums of binomials
+  CHECK(fisher_exact({10, 13}, {2, 17}) == Approx(0.0005367241191434358).epsilon(1e-11));  // columns for rows
 }
 
 TEST_CASE("Fisher's exact test of hundreds and of a thousand million trials", "[proportion]") {
-  CHECK(fisher_exact({180, 200}, {150, 200}).p == Approx(0.00011278172795779367).epsilon(1e-10));  // sums of integers
-  const FisherExact large = fisher_exact({500'000'000, 1'000'000'000}, {500'010'000, 1'000'000'000});
+  CHECK(fisher_exact({180, 200}, {150, 200}) == Approx(0.00011278172795779367).epsilon(1e-10));  // sums of integers
+  const double large = fisher_exact({500'000'000, 1'000'000'000}, {500'010'000, 1'000'000'000});
   const double z = 10000 / std::sqrt(2e9 * 0.25);  // the normal limit
-  CHECK(large.p == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.01));
-  CHECK(fisher_exact({0, 1000}, {1000, 1000}).p < 1e-300);
+  CHECK(large == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.01));
+  CHECK(fisher_exact({0, 1000}, {1000, 1000}) < 1e-300);
 }
 
 TEST_CASE("where there is only one table Fisher's p is 1", "[proportion]") {
-  CHECK(fisher_exact({0, 10}, {0, 20}).p == 1);
-  CHECK(fisher_exact({10, 10}, {20, 20}).p == 1);
-  CHECK(fisher_exact({1, 1}, {0, 1}).p == 1);
+  CHECK(fisher_exact({0, 10}, {0, 20}) == 1);
+  CHECK(fisher_exact({10, 10}, {20, 20}) == 1);
+  CHECK(fisher_exact({1, 1}, {0, 1}) == 1);
 }
 
 TEST_CASE("counts that cannot be have no interval and no p", "[proportion]") {
-  CHECK(says(wilson({0, 0}).undefined, "no trials"));
-  CHECK(says(wilson({3, 2}).undefined, "3 successes in 2 trials"));
-  CHECK(says(wilson({-1, 2}).undefined, "cannot be"));
-  CHECK(says(fisher_exact({1, 2}, {0, 0}).undefined, "no trials"));
+  CHECK(std::isnan(wilson({3, 2}).low));
+  CHECK(std::isnan(wilson({-1, 2}).low));
+  CHECK(std::isnan(fisher_exact({1, 2}, {0, 0})));
   CHECK(std::isnan(wilson({0, 0}).low));
   CHECK_THROWS_AS(wilson({1, 2}, 95), std::invalid_argument);
 }
@@ -83,13 +80,13 @@ TEST_CASE("the difference of two shares has Newcombe's interval", "[proportion]"
        {Published{{56, 70}, {48, 80}, 0.0524, 0.3339}, Published{{9, 10}, {3, 10}, 0.1705, 0.8090},
         Published{{5, 56}, {0, 29}, -0.0381, 0.1926}, Published{{0, 10}, {0, 20}, -0.1611, 0.2775},
         Published{{10, 10}, {0, 10}, 0.6075, 1}}) {
-    const Proportion found = newcombe(each.first, each.second, 0.95);
+    const Estimate found = newcombe(each.first, each.second, 0.95);
     CAPTURE(each.first.successes, each.second.successes);
     CHECK(found.low == Approx(each.low).margin(5.1e-5));
     CHECK(found.high == Approx(each.high).margin(5.1e-5));
   }
-  CHECK(newcombe({56, 70}, {48, 80}, 0.95).estimate == Approx(0.2));
-  CHECK(says(newcombe({1, 2}, {0, 0}, 0.95).undefined, "no trials"));
+  CHECK(newcombe({56, 70}, {48, 80}, 0.95).value == Approx(0.2));
+  CHECK(std::isnan(newcombe({1, 2}, {0, 0}, 0.95).low));
 }
 
 TEST_CASE("so many trials without a success exclude a larger chance, and no smaller one", "[proportion]") {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "analysis/statistics/multiple_comparisons.hpp"
-#include "analysis/statistics/pairs.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -37,10 +36,10 @@ TEST_CASE("no values have no ranks, which is no mistake", "[ranks]") {
 }
 
 TEST_CASE("three groups make three pairs", "[ranks]") {
-  const auto all = all_pairs<MeanDifference>(3);
+  const auto all = pairs_of(3);
   REQUIRE(all.size() == 3);
   CHECK((all[1].first == 0 && all[1].second == 2));
   CHECK((all[2].first == 1 && all[2].second == 2));
-  CHECK(all_pairs<MeanDifference>(0).empty());
-  CHECK(all_pairs<MeanDifference>(1).empty());
+  CHECK(pairs_of(0).empty());
+  CHECK(pairs_of(1).empty());
 }

@@ -18,19 +18,15 @@ TEST_CASE("the depression data have seven signs of nine", "[sign_test]") {
   // eighth pair. Of 2^9 signs 1 + 9 + 36 have at most two of one kind.
   const Sample first{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
   const Sample second{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29};
-  const SignTest test = sign_test(first, second);
-  CHECK(test.above == 7);
-  CHECK(test.below == 2);
+  const Test test = sign_test(first, second);
   CHECK(test.direction == 1);
   CHECK(test.p == Approx(2 * 46.0 / 512).epsilon(1e-12));
   CHECK(sign_test(second, first).p == test.p);
   CHECK(sign_test(second, first).direction == -1);
 }
 
-TEST_CASE("pairs of equal values are left out and counted", "[sign_test]") {
-  const SignTest test = sign_test(Sample{1, 0, 2, 5, 0.3}, Sample{0, 0, 1, 4, 0.1 + 0.2});
-  CHECK(test.above == 3);
-  CHECK(test.ties == 2);  // the last differs by rounding alone
+TEST_CASE("pairs of equal values are left out", "[sign_test]") {
+  const Test test = sign_test(Sample{1, 0, 2, 5, 0.3}, Sample{0, 0, 1, 4, 0.1 + 0.2});
   CHECK(test.p == Approx(2.0 / 8));
 }
 
@@ -44,9 +40,7 @@ TEST_CASE("n signs of one kind are two of the 2^n", "[sign_test]") {
 }
 
 TEST_CASE("a failure is behind, and two failures in one pair are equal", "[sign_test]") {
-  const SignTest test = sign_test(Sample{1, 2, 3, HUGE_VAL, HUGE_VAL}, Sample{0, 0.5, 0, 0, HUGE_VAL});
-  CHECK(test.above == 4);
-  CHECK(test.ties == 1);
+  const Test test = sign_test(Sample{1, 2, 3, HUGE_VAL, HUGE_VAL}, Sample{0, 0.5, 0, 0, HUGE_VAL});
   CHECK(test.p == Approx(2.0 / 16));
 }
 
