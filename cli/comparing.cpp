@@ -112,7 +112,7 @@ Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::
   const Variant a = the(all, arguments.a, "A: "), b = the(all, arguments.b, "B: ");
   Asked asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
               .plan = plan_for(arguments, study)};
-  asked.studies.push_back(study_of_both({a, b}, asked.plan));
+  asked.studies.push_back(study_of_both(a, b, asked.plan));
   if (!arguments.sequential) look(asked, {"A", "B"}, study.name, file);
   return asked;
 }
@@ -128,7 +128,7 @@ Asked labels_of_stores(const CompareArguments& arguments) {
       .plan = plan_for(arguments, first)};
   for (const std::string& label : arguments.labels.empty() ? common_labels(a, b, asked) : arguments.labels) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
-    asked.studies.push_back(study_of_both({one, other}, asked.plan));
+    asked.studies.push_back(study_of_both(one, other, asked.plan));
   }
   if (!arguments.sequential) look(asked, {"B"}, second.name, arguments.b);  // A is the baseline, which does not grow
   return asked;

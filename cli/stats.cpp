@@ -104,10 +104,10 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
   }
   CsvRequest request = arguments.csv;
   request.better = better;
-  request.replicates = arguments.forced ? Replicates::as_given : Replicates::checked;
+  request.takes_any_rows = arguments.forced;
   request.scale = arguments.estimand == name_of(Estimand::typical) ? ValueScale::log10 : ValueScale::plain;
-  request.layout = arguments.wide ? Layout::one_column_a_group : Layout::one_row_a_value;
-  request.rows = arguments.rows_are_blocks ? RowsOf::one_block : RowsOf::no_block;
+  request.is_wide = arguments.wide;
+  request.rows_are_blocks = arguments.rows_are_blocks;
   const std::string text = contents_of(arguments.file);
   std::vector<std::string> values = arguments.values;
   if (values.empty()) values.emplace_back();

@@ -27,7 +27,7 @@ struct ClaimEntry {
   FromCompanion take = FromCompanion::all;
   // The numbers by which every universe of the paper's open points judges it too (docs/multiverse.md); none: not judged
   // there. Only "smallest" and "has_effect" can be, with one solver and one metric that universes have.
-  std::vector<inference::JudgedBy> universes;
+  std::vector<results::Estimand> universes;
   std::string dimension;  // for "has_effect" in universes: the dimension without it, "IK-BA.f_max"
   std::string table;      // table or figure of the report with its numbers; empty: the table of means
   std::string note;       // addition to the evidence, if the rule has a place for it

@@ -302,8 +302,8 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
 std::vector<MultiverseClaim> claims_in_universes(const ClaimsFile& file) {
   std::vector<MultiverseClaim> claims;
   for (const ClaimEntry& entry : file.entries) {
-    for (const JudgedBy by : entry.universes) {
-      const bool is_typical = by == JudgedBy::typical;
+    for (const Estimand by : entry.universes) {
+      const bool is_typical = by == Estimand::typical;
       claims.push_back({.id = entry.id + (is_typical ? "_typically" : ""),
                         .words = entry.sentence + (is_typical ? " by geometric means" : ""),
                         .solver = entry.solver,

@@ -324,7 +324,7 @@ Verdict verdict_on(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     spreads[i].p = p[i];
     const bool is_smaller = spreads[i].own < spreads[i].others;
-    found.add(relation_of({.p_better = is_smaller ? p[i] : 1, .p_worse = is_smaller ? 1 : p[i]}, plan.significance));
+    found.add(relation_of(is_smaller ? 1 : -1, p[i], plan.significance));
   }
   return verdict_on(found);
 }

@@ -98,7 +98,7 @@ Claims has_effect(const Case& of) {
       if (sample.solver == solver) means[i] = summarise(sample.values);
     }
   }
-  const Judgement found = judge(MeanPair{means[0], means[1], info_of(metric).better}, of.study().plan);
+  const Finding found = judge(means[0], means[1], info_of(metric).better, of.study().plan);
   PairCounts one;
   one.add(found.relation);
   claim.verdict = verdict_on(one);

@@ -60,8 +60,8 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
   std::vector<double> all;
   int block = 0;
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const std::vector<Band> bands = error_bands(study, traces[i], positions);
-    if (std::ranges::all_of(bands, [](const Band& band) { return band.median == censored; })) {
+    const std::vector<Estimate> bands = error_bands(study, traces[i], positions);
+    if (std::ranges::all_of(bands, [](const Estimate& band) { return band.value == censored; })) {
       labels[i] = add_missing_curve(lines, i, study.solvers[i]);
       continue;
     }
@@ -70,7 +70,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
     figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
     std::size_t rows = 0, rows_before_band = 0;
     for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
-      const auto& [low, median, high] = bands[k];
+      const auto& [median, low, high] = bands[k];
       if (median == censored) continue;
       figure.data +=
           fmt::format("{} {} {} {}\n", text_of(positions[k]), data_number(low), data_number(median), data_number(high));
@@ -257,7 +257,7 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
     const StudyResults compared = compared_in(study, cost);
     if (compared.solves.empty()) return;
     std::optional<Figure> figure = draw(compared, Clusters(compared, &clusters), cost);
-    const std::string note = words_of(left_out(study, cost).doubts);
+    const std::string note = words_of(left_out(study, cost));
     if (figure && !note.empty()) figure->caption += " " + note;
     add(std::move(figure));
   };

@@ -61,32 +61,31 @@ std::string quantity_at(std::size_t budget) {
   return fmt::format("share within {} of the budget", percent(budget_parts[budget]));
 }
 
-Difference difference(const SharesOfSolver& first, const SharesOfSolver& second, std::size_t budget) {
-  Difference result{.quantity = quantity_at(budget), .value = first.shares[budget] - second.shares[budget]};
-  for (std::size_t b = 0; b < first.replicates.size(); ++b) {
-    result.replicates.push_back(first.replicates[b][budget] - second.replicates[b][budget]);
-  }
-  return result;
-}
-
 // The pairs of solvers compared at every budget.
 std::vector<Finding> compare_shares(const StudyResults& study, const std::vector<SharesOfSolver>& solvers,
                                     std::span<const std::size_t> leaders, const Clusters& clusters) {
-  std::vector<Difference> family;
+  std::vector<Finding> family;
+  std::vector<std::vector<double>> replicates;
   for (std::size_t k = 0; k < leaders.size(); ++k) {
-    for (const auto& [first, second] : compared_pairs(solvers.size(), leaders[k])) {
-      if (!solvers[first].has_values || !solvers[second].has_values) continue;
-      Difference& entry = family.emplace_back(difference(solvers[first], solvers[second], k));
-      entry.first = study.solvers[first];
-      entry.second = study.solvers[second];
+    for (const auto& [one, other] : compared_pairs(solvers.size(), leaders[k])) {
+      const SharesOfSolver &first = solvers[one], &second = solvers[other];
+      if (!first.has_values || !second.has_values) continue;
+      family.push_back({.quantity = quantity_at(k),
+                        .first = study.solvers[one],
+                        .second = study.solvers[other],
+                        .estimate = {.value = first.shares[k] - second.shares[k]}});
+      std::vector<double>& differences = replicates.emplace_back();
+      for (std::size_t b = 0; b < first.replicates.size(); ++b) {
+        differences.push_back(first.replicates[b][k] - second.replicates[b][k]);
+      }
     }
   }
-  std::vector<Finding> found = findings(std::move(family), Better::larger, clusters);
-  for (Finding& finding : found) {
+  judge(family, replicates, Better::larger, clusters);
+  for (Finding& finding : family) {
     finding.estimate.low = std::clamp(finding.estimate.low, -1.0, 1.0);
     finding.estimate.high = std::clamp(finding.estimate.high, -1.0, 1.0);
   }
-  return found;
+  return family;
 }
 
 void place(std::vector<AtBudget>& standings, std::size_t leader) {

@@ -118,23 +118,17 @@ Estimate Clusters::estimate(double value, std::vector<double> replicates) const 
 
 bool Clusters::are_copies(std::string_view solver) const { return are_runs_ && repeats_itself(study_, solver); }
 
-std::vector<Finding> findings(std::vector<Difference> family, Better better, const Clusters& clusters) {
+void judge(std::vector<Finding>& family, std::span<const std::vector<double>> replicates, Better better,
+           const Clusters& clusters) {
   std::vector<double> values;
-  std::vector<std::vector<double>> replicates;
-  for (Difference& difference : family) {
-    values.push_back(difference.value);
-    replicates.push_back(std::move(difference.replicates));
-  }
+  for (const Finding& finding : family) values.push_back(finding.estimate.value);
   const std::vector<Estimate> estimates =
       simultaneous_intervals(values, replicates, clusters.drawn_at_once(), clusters.level());
-  std::vector<Finding> found;
   for (std::size_t i = 0; i < family.size(); ++i) {
-    const double low = estimates[i].low, high = estimates[i].high;
-    Finding& finding = found.emplace_back(Finding{.quantity = std::move(family[i].quantity),
-                                                  .first = std::move(family[i].first),
-                                                  .second = std::move(family[i].second),
-                                                  .estimate = estimates[i],
-                                                  .method = fmt::format("bootstrap of the {}", clusters.noun())});
+    Finding& finding = family[i];
+    finding.estimate = estimates[i];
+    finding.method = fmt::format("bootstrap of the {}", clusters.noun());
+    const auto& [value, low, high] = finding.estimate;
     if (std::isnan(low)) {
       finding.why = clusters.undefined().empty() ? "not every sample has a value" : clusters.undefined();
     } else if (clusters.are_copies(finding.first) && clusters.are_copies(finding.second)) {
@@ -146,7 +140,6 @@ std::vector<Finding> findings(std::vector<Difference> family, Better better, con
       finding.relation = Relation::undecided;
     }
   }
-  return found;
 }
 
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,

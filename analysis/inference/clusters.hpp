@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,15 +60,11 @@ class Clusters {
   std::string undefined_;
 };
 
-// A number of two, above 0 where the first has more of it, and the same of every replicate.
-struct Difference {
-  std::string quantity, first, second;
-  double value = statistics::not_defined;
-  std::vector<double> replicates;
-};
-// A row for each, with intervals that hold for all together: better or worse where 0 is outside. An interval without
-// width is a difference that every cluster has; of runs that are copies of one it says nothing.
-std::vector<Finding> findings(std::vector<Difference> family, Better better, const Clusters& clusters);
+// Judges a family of pairs by the replicates of their estimates, with intervals that hold for all together: better or
+// worse where 0 is outside. An interval without width is a difference that every cluster has; of runs that are copies
+// of one it says nothing.
+void judge(std::vector<Finding>& family, std::span<const std::vector<double>> replicates, Better better,
+           const Clusters& clusters);
 
 // Values that come in clusters.
 struct ClusteredValues {

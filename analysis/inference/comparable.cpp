@@ -47,25 +47,6 @@ Disturbed disturbed(std::span<const Solve> solves) {
 // If solves end by wall time, errors depend on the machine too.
 bool errors_too(const StudyResults& study) { return study.facts.stop.seconds > 0; }
 
-// Solvers whose times are left out, by reason.
-struct TimesLeftOut {
-  SolverLabels imported, disturbed, programs;
-
-  explicit TimesLeftOut(const StudyResults& study) {
-    imported = those(study, [&](const std::string& solver) { return is_imported(study, solver); });
-    disturbed = those(study, [&](const std::string& solver) { return times_were_disturbed(study, solver); });
-    const bool is_mixed = std::ranges::any_of(study.solvers, [&](const std::string& solver) {
-      return !solves_of(study, solver).empty() && !is_imported(study, solver) && !is_program(study, solver);
-    });
-    if (!is_mixed || study.plan.program_times == ProgramTimes::compared) return;
-    programs = those(study, [&](const std::string& solver) {
-      return is_program(study, solver) && !times_were_disturbed(study, solver);
-    });
-  }
-
-  std::size_t size() const { return imported.size() + disturbed.size() + programs.size(); }
-};
-
 Doubt imported_doubt(const StudyResults& study, const SolverLabels& labels) {
   return {.kind = DoubtKind::times_imported,
           .who = labels,
@@ -84,24 +65,25 @@ Doubt disturbed_doubt(const StudyResults& study, const SolverLabels& labels) {
   return doubt;
 }
 
-Doubts doubts_of(const StudyResults& study, const TimesLeftOut& kinds) {
+Doubts times_left_out(const StudyResults& study) {
   Doubts doubts;
-  if (!kinds.imported.empty()) doubts.push_back(imported_doubt(study, kinds.imported));
-  if (!kinds.disturbed.empty()) doubts.push_back(disturbed_doubt(study, kinds.disturbed));
-  if (!kinds.programs.empty()) doubts.push_back({.kind = DoubtKind::times_of_programs, .who = kinds.programs});
+  const SolverLabels imported = those(study, [&](const std::string& solver) { return is_imported(study, solver); });
+  if (!imported.empty()) doubts.push_back(imported_doubt(study, imported));
+  const SolverLabels disturbed =
+      those(study, [&](const std::string& solver) { return times_were_disturbed(study, solver); });
+  if (!disturbed.empty()) doubts.push_back(disturbed_doubt(study, disturbed));
+  const bool is_mixed = std::ranges::any_of(study.solvers, [&](const std::string& solver) {
+    return !solves_of(study, solver).empty() && !is_imported(study, solver) && !is_program(study, solver);
+  });
+  if (!is_mixed || study.plan.program_times == ProgramTimes::compared) return doubts;
+  const SolverLabels programs = those(study, [&](const std::string& solver) {
+    return is_program(study, solver) && !times_were_disturbed(study, solver);
+  });
+  if (!programs.empty()) doubts.push_back({.kind = DoubtKind::times_of_programs, .who = programs});
   return doubts;
 }
 
-LeftOut times_left_out(const StudyResults& study) {
-  const TimesLeftOut kinds(study);
-  LeftOut result{.doubts = doubts_of(study, kinds)};
-  for (const SolverLabels* labels : {&kinds.imported, &kinds.disturbed, &kinds.programs}) {
-    result.solvers.insert(labels->begin(), labels->end());
-  }
-  return result;
-}
-
-LeftOut evaluations_left_out(const StudyResults& study) {
+Doubts evaluations_left_out(const StudyResults& study) {
   const SolverLabels nobody =
       those(study, [&](const std::string& solver) { return has(solves_of(study, solver), CountedBy::nobody); });
   const bool is_counted_here = std::ranges::any_of(study.solvers, [&](const std::string& solver) {
@@ -112,11 +94,10 @@ LeftOut evaluations_left_out(const StudyResults& study) {
     const std::span<const Solve> solves = solves_of(study, solver);
     return is_counted_here && has(solves, CountedBy::solver) && !has(solves, CountedBy::nobody);
   });
-  LeftOut result;
-  for (const SolverLabels* labels : {&nobody, &claimed}) result.solvers.insert(labels->begin(), labels->end());
-  if (!nobody.empty()) result.doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
-  if (!claimed.empty()) result.doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
-  return result;
+  Doubts doubts;
+  if (!nobody.empty()) doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
+  if (!claimed.empty()) doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
+  return doubts;
 }
 
 // Doubts of the whole study's times, for all solvers.
@@ -136,24 +117,32 @@ Doubts machine_doubts(const StudyResults& study) {
 
 }  // namespace
 
-LeftOut left_out(const StudyResults& study, Metric metric) {
+Doubts left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
-  return info_of(metric).kind == Kind::time ? times_left_out(study) : LeftOut{};
+  return info_of(metric).kind == Kind::time ? times_left_out(study) : Doubts{};
+}
+
+std::set<std::string, std::less<>> solvers_left_out(const StudyResults& study, Metric metric) {
+  std::set<std::string, std::less<>> solvers;
+  for (const Doubt& doubt : left_out(study, metric)) solvers.insert(doubt.who.begin(), doubt.who.end());
+  return solvers;
 }
 
 StudyResults compared_in(StudyResults study, Metric metric) {
-  const LeftOut without = left_out(study, metric);
-  if (without.solvers.empty()) return study;
-  return of_solvers(std::move(study), [&](std::string_view solver) { return !without.solvers.contains(solver); });
+  const auto without = solvers_left_out(study, metric);
+  if (without.empty()) return study;
+  return of_solvers(std::move(study), [&](std::string_view solver) { return !without.contains(solver); });
 }
 
 Doubts timing_doubts(const StudyResults& study) {
   if (Doubts doubts = machine_doubts(study); !doubts.empty()) return doubts;
-  TimesLeftOut without(study);
-  if (without.size() == 0 || without.size() + 2 <= study.solvers.size()) return {};
-  if (!without.disturbed.empty()) without.disturbed = study.solvers;
-  Doubts doubts = doubts_of(study, without);
-  for (Doubt& doubt : doubts) doubt.is_of_all = true;
+  const std::size_t number = solvers_left_out(study, Metric::seconds).size();
+  if (number == 0 || number + 2 <= study.solvers.size()) return {};
+  Doubts doubts = times_left_out(study);
+  for (Doubt& doubt : doubts) {
+    if (doubt.kind == DoubtKind::times_disturbed) doubt = disturbed_doubt(study, study.solvers);
+    doubt.is_of_all = true;
+  }
   return doubts;
 }
 
@@ -164,7 +153,7 @@ Doubts timing_doubts(const StudyResults& study, std::string_view solver) {
 
 Doubts times_doubts(const StudyResults& study) {
   Doubts doubts = timing_doubts(study);
-  return doubts.empty() ? left_out(study, Metric::seconds).doubts : doubts;
+  return doubts.empty() ? left_out(study, Metric::seconds) : doubts;
 }
 
 bool times_are_comparable(const StudyResults& study) { return timing_doubts(study).empty(); }

@@ -13,11 +13,8 @@ namespace ikbench::inference {
 // Solvers whose values of a metric are not compared with others, and why. Evaluations: solvers that nobody counted, and
 // programs' claims beside counts of the suite. Times: imported solves, solvers that other programs disturbed often,
 // and, unless the plan says otherwise, programs beside solvers that run here.
-struct LeftOut {
-  std::set<std::string, std::less<>> solvers = {};
-  Doubts doubts = {};
-};
-LeftOut left_out(const StudyResults& study, Metric metric);
+Doubts left_out(const StudyResults& study, Metric metric);
+std::set<std::string, std::less<>> solvers_left_out(const StudyResults& study, Metric metric);
 // Returns the study without left_out(); every statement on the metric uses it.
 StudyResults compared_in(StudyResults study, Metric metric);
 

@@ -103,10 +103,7 @@ int fewest_to_differ(const Evidence& evidence) {
 }
 
 Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
-  const Tested tested{.p_better = contrast.ahead > 0 ? p : 1,
-                      .p_worse = contrast.ahead > 0 ? 1 : p,
-                      .within_margin = contrast.extent == Extent::within};
-  return relation_of(tested, evidence.plan.significance);
+  return relation_of(contrast.ahead, p, evidence.plan.significance, contrast.is_within_margin());
 }
 
 namespace {
@@ -152,7 +149,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
     contrast.runs_to_decide.value = trials_to_exclude(
         evidence.plan.margin * first.mean, evidence.plan.significance / static_cast<double>(evidence.family()));
   }
-  contrast.extent = extent_of(evidence, contrast);
+  measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
   if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
@@ -171,12 +168,14 @@ void judge_facts(const Evidence& evidence, Contrast& contrast) {
   contrast.undefined.clear();
   contrast.difference = {difference, difference, difference};
   contrast.ahead = ahead_by_means(evidence, difference);
-  contrast.extent = first == second             ? Extent::within
-                    : std::isfinite(difference) ? extent_of(evidence, contrast)
-                                                : Extent::beyond;
-  contrast.relation = contrast.extent == Extent::within ? Relation::same
-                      : contrast.ahead > 0              ? Relation::better
-                                                        : Relation::worse;
+  if (std::isfinite(difference)) {
+    measure_extent(evidence, contrast);
+  } else {
+    put_beyond_any_margin(contrast);
+  }
+  contrast.relation = first == second || contrast.is_within_margin() ? Relation::same
+                      : contrast.ahead > 0                           ? Relation::better
+                                                                     : Relation::worse;
   contrast.difference = {.value = difference};
 }
 
@@ -206,7 +205,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   contrast.undefined.clear();
-  contrast.extent = extent_of(evidence, contrast);
+  measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
@@ -267,7 +266,7 @@ void judge_equal_blocks(const Evidence& evidence, Contrast& contrast) {
 
 void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contrast>& contrasts) {
   if (evidence.method->compares != Compares::means || groups.values.empty()) return;
-  const std::vector<PairResult> ranks = rank_method(evidence).pairs(evidence, groups);
+  const std::vector<Contrast> ranks = rank_method(evidence).pairs(evidence, groups);
   for (std::size_t i = 0; i < contrasts.size(); ++i) {
     contrasts[i].p_ranks = ranks[i].p;
     contrasts[i].ahead_by_ranks = ranks[i].ahead;
@@ -318,14 +317,12 @@ void add_contrasts(Evidence& evidence, const Groups& groups) {
   if (evidence.method->compares != Compares::means || evidence.decides_within_blocks()) {
     evidence.fewest = fewest_to_differ(evidence);
   }
-  const std::vector<PairResult> results = evidence.method->pairs(evidence, groups);
+  std::vector<Contrast> results = evidence.method->pairs(evidence, groups);
   for (std::size_t i = 0; i < results.size(); ++i) {
     Contrast& contrast = evidence.contrasts[i];
-    contrast.p = results[i].p;
-    contrast.p_alone = results[i].p_alone;
-    contrast.ahead = results[i].ahead;
-    contrast.difference = results[i].difference;
-    contrast.undefined = results[i].undefined;
+    results[i].first = contrast.first;
+    results[i].second = contrast.second;
+    contrast = std::move(results[i]);
     if (std::isnan(contrast.difference.value)) {
       contrast.difference.value = groups.summaries[contrast.first].mean - groups.summaries[contrast.second].mean;
     }

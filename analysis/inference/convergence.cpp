@@ -102,10 +102,9 @@ std::vector<Solves> traced_by_solver(const StudyResults& study) {
 
 double final_error_cm(const Solve& solve) { return or_censored(solve.position_error_cm); }
 
-Tolerance tolerance(const StudyResults& study) {
-  Tolerance found{.cm = tolerance_cm(study)};
-  if (const double angle = study.facts.stop.tolerance_deg; angle > 0) found.deg = angle;
-  return found;
+double tolerance_deg(const StudyResults& study) {
+  const double angle = study.facts.stop.tolerance_deg;
+  return angle > 0 ? angle : std::numeric_limits<double>::infinity();
 }
 
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
@@ -124,15 +123,16 @@ std::vector<double> costs_to_targets(const StudyResults& study, const Solve& sol
   return costs;
 }
 
-std::vector<Band> error_bands(const StudyResults& study, const Solves& traces, std::span<const double> evaluations) {
-  std::vector<Band> bands;
+std::vector<Estimate> error_bands(const StudyResults& study, const Solves& traces,
+                                  std::span<const double> evaluations) {
+  std::vector<Estimate> bands;
   std::vector<double> errors;
   for (const double position : evaluations) {
     errors.clear();
     for (const Solve* solve : traces) errors.push_back(error_at(study, *solve, position));
     const std::vector<double> ranked = ranked_values(errors);
     const auto at = [&](double p) { return or_censored(quantile(ranked, p, QuantileType::type_5)); };
-    bands.push_back({.low = at(0.25), .median = at(0.5), .high = at(0.75)});
+    bands.push_back({.value = at(0.5), .low = at(0.25), .high = at(0.75)});
   }
   return bands;
 }

@@ -38,28 +38,18 @@ std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone
 // The error as the verifier has it [cm]; censored where it is not finite.
 double final_error_cm(const Solve& solve);
 
-// Where a solve of the study ends: tolerance_cm, and where poses are searched the angle too.
-struct Tolerance {
-  double cm = statistics::not_defined;
-  double deg = std::numeric_limits<double>::infinity();
-};
-Tolerance tolerance(const StudyResults& study);
+// The angle at which a solve of the study ends; infinite unless poses are searched.
+double tolerance_deg(const StudyResults& study);
 
 // What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
 // is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
                                      Metric cost);
 
-// 25, 50 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm]; censored where so many have no answer
-// yet.
-struct Band {
-  double low = censored;
-  double median = censored;
-  double high = censored;
-};
-
-// At each of these numbers of evaluations. A solve that has ended keeps its last error.
-std::vector<Band> error_bands(const StudyResults& study, const Solves& traces, std::span<const double> evaluations);
+// The median with the 25 and 75 % quantiles (Hyndman and Fan\'s type 5) of the best error [cm], censored where so many
+// have no answer yet: at each of these numbers of evaluations. A solve that has ended keeps its last error.
+std::vector<statistics::Estimate> error_bands(const StudyResults& study, const Solves& traces,
+                                              std::span<const double> evaluations);
 // Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no traces.
 std::vector<double> evaluations_axis(const StudyResults& study, const std::vector<Solves>& traces);
 

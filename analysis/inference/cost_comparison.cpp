@@ -29,18 +29,23 @@ std::vector<RunningTime> replicates_of(const std::vector<RunningTime>& sums, con
   return result;
 }
 
-// Two solvers, by a number that is above 0 where the first costs more.
+// A number that is above 0 where the first costs more, and that of every replicate.
+struct Compared {
+  double value = not_defined;
+  std::vector<double> replicates = {};
+};
+
 class Pair {
  public:
   Pair(const SolverCost& first, const SolverCost& second) : first_(first), second_(second) {}
 
-  Difference log_ratio() const {
+  Compared log_ratio() const {
     return by([](const RunningTime& first, const RunningTime& second) {
       return std::log(first.expected()) - std::log(second.expected());
     });
   }
 
-  Difference shares_of_success() const {
+  Compared shares_of_success() const {
     return by([&](const RunningTime& first, const RunningTime& second) {
       double by_first = first.spent / first.trials, by_second = second.spent / second.trials;
       if (first_.time.successes == 0 || second_.time.successes == 0) {  // an infinite cost outweighs any other
@@ -62,8 +67,8 @@ class Pair {
 
  private:
   template <class Of>
-  Difference by(Of of) const {
-    Difference result{.value = of(first_.time, second_.time)};
+  Compared by(Of of) const {
+    Compared result{.value = of(first_.time, second_.time)};
     for (std::size_t b = 0; b < std::min(first_.replicates.size(), second_.replicates.size()); ++b) {
       result.replicates.push_back(of(first_.replicates[b], second_.replicates[b]));
     }
@@ -74,10 +79,7 @@ class Pair {
   const SolverCost& second_;
 };
 
-bool is_finite(const Difference& difference) {
-  return std::isfinite(difference.value) &&
-         std::ranges::all_of(difference.replicates, [](double value) { return std::isfinite(value); });
-}
+bool is_finite(const Compared& compared) { return std::isfinite(compared.value) && all_finite(compared.replicates); }
 
 }  // namespace
 
@@ -128,18 +130,21 @@ std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const
     if (costs[i].time.expected() < least || std::isnan(least)) best = i;
   }
   const auto pairs = compared_pairs(costs.size(), best);
-  std::vector<Difference> family;
+  std::vector<Finding> found;
+  std::vector<std::vector<double>> replicates;
   std::vector<bool> has_ratio;
   for (const auto& [first, second] : pairs) {
     const Pair pair(costs[first], costs[second]);
-    Difference& entry = family.emplace_back(pair.log_ratio());
-    has_ratio.push_back(is_finite(entry));
-    if (!has_ratio.back()) entry = pair.shares_of_success();
-    entry.quantity = expected_name(cost);
-    entry.first = study.solvers[first];
-    entry.second = study.solvers[second];
+    Compared compared = pair.log_ratio();
+    has_ratio.push_back(is_finite(compared));
+    if (!has_ratio.back()) compared = pair.shares_of_success();
+    found.push_back({.quantity = expected_name(cost),
+                     .first = study.solvers[first],
+                     .second = study.solvers[second],
+                     .estimate = {.value = compared.value}});
+    replicates.push_back(std::move(compared.replicates));
   }
-  std::vector<Finding> found = findings(std::move(family), Better::smaller, clusters);
+  judge(found, replicates, Better::smaller, clusters);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const SolverCost &first = costs[pairs[i].first], &second = costs[pairs[i].second];
     auto& [value, low, high] = found[i].estimate;

@@ -51,7 +51,7 @@ SharedRun shared_run(const CsvFile& file, const Contents& contents, const CsvReq
                        fmt::format("{} rows share {} {} of {}", count(*shared), one_line(file.table.header[column]),
                                    shortened(runs.names.all()[run_of(*shared)], 40),
                                    shortened(contents.groups.all()[shared->group], 40))};
-  if (request.layout == Layout::one_column_a_group) return result;
+  if (request.is_wide) return result;
   for (std::size_t other = 0; other < file.table.header.size() && result.told_by.empty(); ++other) {
     const std::string& title = file.table.header[other];
     if (title.empty() || title == request.value || names_replicates(title)) continue;
@@ -78,7 +78,7 @@ std::string rows_share_a_run(const CsvFile& file, const Contents& contents, cons
     if (!numbers_runs(title, request)) continue;
     const auto [shared, told_by] = shared_run(file, contents, request, column);
     if (shared.empty()) continue;
-    if (request.replicates == Replicates::as_given) return shared;
+    if (request.takes_any_rows) return shared;
     const std::string run = one_line(title);
     if (told_by.empty())
       file.refuse(fmt::format("{}; {}; average them with --run {}, or accept them with --force", shared, why, run));

@@ -241,9 +241,9 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
 }
 
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
-  if (const LeftOut without = left_out(study, metric); is_comparable(study, metric) && !without.solvers.empty()) {
+  if (const Doubts without = left_out(study, metric); is_comparable(study, metric) && !without.empty()) {
     Observations result = observations(compared_in(study, metric), metric, estimand);
-    result.notes.push_back(words_of(without.doubts));
+    result.notes.push_back(words_of(without));
     return result;
   }
   const Unit unit = study.plan.unit;

@@ -23,9 +23,9 @@ bool has_tolerance(const StudyResults& study) { return std::isfinite(tolerance_c
 
 double tolerance_of(const StudyResults& study, Metric metric) {
   if (!is_error(metric)) return not_defined;
-  const Tolerance found = tolerance(study);
-  if (metric != Metric::orientation_error_deg) return found.cm;
-  return std::isfinite(found.cm) && std::isfinite(found.deg) ? found.deg : not_defined;
+  const double cm = tolerance_cm(study), deg = tolerance_deg(study);
+  if (metric != Metric::orientation_error_deg) return cm;
+  return std::isfinite(cm) && std::isfinite(deg) ? deg : not_defined;
 }
 
 // Errors below this are equal: the tolerance, or else rounding; not defined without either.
@@ -34,13 +34,15 @@ double least_of(const StudyResults& study, Metric metric) {
   return std::isfinite(tolerance) || !is_error(metric) || rounding == 0 ? tolerance : rounding;
 }
 
-double limit_of(const StudyResults& study, Metric metric) {
+namespace {
+
+// The most that a solve may cost: the study's limit, or else the largest cost of its solves.
+double limit_of(const StudyResults& study, Metric metric, const ValueOf& counted) {
   double limit = not_defined;
   if (metric == Metric::evaluations) limit = study.facts.stop.evaluations;
   if (metric == Metric::seconds) limit = deadline_seconds(study);
   if (limit > 0) return limit;
   double most = 0;
-  const ValueOf counted = counted_value(study, metric);
   for (const Solve& solve : study.solves) {
     const double value = counted(solve);
     if (std::isfinite(value)) most = std::max(most, value);
@@ -48,7 +50,13 @@ double limit_of(const StudyResults& study, Metric metric) {
   return most;
 }
 
-namespace {
+// The counted cost; of a solve that is not ok `penalty` times the limit.
+ValueOf penalised(ValueOf counted, Metric metric, double limit) {
+  return [counted = std::move(counted), metric, limit](const Solve& solve) {
+    const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
+    return is_ok(solve) || !is_known ? counted(solve) : penalty * limit;
+  };
+}
 
 // Sets the cost of a whole run in a study with a tolerance.
 void count_solved_runs(Quantity& result, const StudyResults& study, Metric metric) {
@@ -90,9 +98,10 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
   if (is_penalised(study, metric) && is_of_run(metric)) {
     count_solved_runs(result, study, metric);
   } else if (is_penalised(study, metric)) {
-    const double limit = limit_of(study, metric);
+    ValueOf counted = counted_value(study, metric);
+    const double limit = limit_of(study, metric, counted);
     penalise(result, metric, limit);
-    result.value = averaged(counted_value(study, metric, limit), average_of(metric));
+    result.value = averaged(penalised(std::move(counted), metric, limit), average_of(metric));
   }
   const double least = least_of(study, metric);
   if (!std::isfinite(least)) return result;
@@ -122,11 +131,15 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
                   .better = info.better,
                   .scale = ValueScale::log10,
                   .average = is_average ? std::string(average_name(metric)) : "geometric mean"};
-  const double limit = is_penalised(study, metric) ? limit_of(study, metric) : not_defined;
-  if (is_penalised(study, metric)) penalise(result, metric, limit);
+  ValueOf counted = counted_value(study, metric);
+  if (is_penalised(study, metric)) {
+    const double limit = limit_of(study, metric, counted);
+    penalise(result, metric, limit);
+    counted = penalised(std::move(counted), metric, limit);
+  }
   result.text = "typical " + result.text;
   result.value = averaged(
-      [counted = counted_value(study, metric, limit), least = info.rounding](const Solve& solve) {
+      [counted = std::move(counted), least = info.rounding](const Solve& solve) {
         const double value = counted(solve);
         return std::log10(value < least ? least : value);
       },
@@ -181,14 +194,6 @@ ValueOf counted_value(const StudyResults& study, Metric metric) {
 
 bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(metric) && has_tolerance(study); }
 
-ValueOf counted_value(const StudyResults& study, Metric metric, double limit) {
-  if (!is_penalised(study, metric)) return counted_value(study, metric);
-  return [counted = counted_value(study, metric), metric, limit](const Solve& solve) {
-    const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(solve) || !is_known ? counted(solve) : penalty * limit;
-  };
-}
-
 double distance_of(const StudyResults& study, Metric metric) {
   if (metric == Metric::position_error_cm) {
     const double tolerance = tolerance_cm(study);
@@ -200,12 +205,12 @@ double distance_of(const StudyResults& study, Metric metric) {
 std::string within_words(const StudyResults& study, Metric metric) {
   const std::string words =
       fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
-  const Tolerance at_most = tolerance(study);
+  const double most_deg = tolerance_deg(study);
   const bool is_half_a_pose = metric == Metric::position_error_cm && study.facts.pose;
-  if (!std::isfinite(at_most.cm)) return is_half_a_pose ? words + ", however turned" : words;
+  if (!has_tolerance(study)) return is_half_a_pose ? words + ", however turned" : words;
   if (metric != Metric::position_error_cm) return "solved " + words;
-  return std::isfinite(at_most.deg)
-             ? fmt::format("{} and {} deg, inside the joint limits", words, rounded_number(at_most.deg, 4))
+  return std::isfinite(most_deg)
+             ? fmt::format("{} and {} deg, inside the joint limits", words, rounded_number(most_deg, 4))
              : words + " and inside the joint limits";
 }
 

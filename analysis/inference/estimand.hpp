@@ -47,16 +47,12 @@ ValueOf counted_value(const StudyResults& study, Metric metric);
 
 // Returns whether a solve that is not ok costs `penalty` times the limit (PAR10): costs in studies with a tolerance.
 bool is_penalised(const StudyResults& study, Metric metric);
-// The most that a solve may cost: the study's limit, or else the largest cost of its solves.
-double limit_of(const StudyResults& study, Metric metric);
-// The counted value; penalised if is_penalised().
-ValueOf counted_value(const StudyResults& study, Metric metric, double limit);
-
 // `study` must outlive the result. mean: the average of the counted value (average_of), or the value of the whole run.
-// In a study with a tolerance a solve that is not ok costs `penalty` times limit_of() (PAR10); the cost of a whole run
-// is not defined if none of its solves is ok. typical: its logarithm to base 10; values below the metric's rounding
-// count as that, and costs are penalised likewise. reliability: 1 within the distance, else 0; with a tolerance only
-// status ok counts, without one a missing or infinite answer counts 0.
+// In a study with a tolerance a solve that is not ok costs `penalty` times the limit (PAR10): the study's, or else the
+// largest cost of its solves; the cost of a whole run is not defined if none of its solves is ok. typical: its
+// logarithm to base 10; values below the metric's rounding count as that, and costs are penalised likewise.
+// reliability: 1 within the distance, else 0; with a tolerance only status ok counts, without one a missing or infinite
+// answer counts 0.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;

@@ -212,12 +212,6 @@ std::string_view name_of(Relation relation) {
   return names[static_cast<std::size_t>(relation)];
 }
 
-std::string_view name_of(Extent extent) {
-  constexpr std::array<std::string_view, 4> names{"unknown", "within the margin", "on both sides of the margin",
-                                                  "beyond the margin"};
-  return names[static_cast<std::size_t>(extent)];
-}
-
 bool Evidence::ranks_decide() const { return method != nullptr && method->compares == Compares::ranks; }
 
 bool Evidence::decides_within_blocks() const { return blocks > 0 && method != nullptr && method->within_blocks; }
@@ -371,7 +365,8 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
     contrast.difference = found.difference;
     contrast.runs_to_decide = found.runs_to_decide;
     contrast.relation = found.relation;
-    contrast.extent = found.extent;
+    contrast.size = found.size;
+    contrast.margin = found.margin;
     contrast.undefined = found.undefined;
   }
 }

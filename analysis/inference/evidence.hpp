@@ -10,7 +10,6 @@
 
 #include "analysis/inference/finding.hpp"
 #include "analysis/inference/observations.hpp"
-#include "analysis/inference/relation.hpp"
 #include "results/analysis_plan.hpp"
 
 namespace ikbench::inference {
@@ -46,15 +45,9 @@ struct TestResult : statistics::Test {
   std::string without = {};  // names the groups that it had to leave out
 };
 
-// Position of a difference's whole interval relative to the plan's margin. across: it favours the better group but lies
-// on both sides of the margin. unknown: there is no interval, or it does not favour the better group.
-enum class Extent { unknown, within, across, beyond };
-std::string_view name_of(Extent extent);
-
 struct Contrast {
   std::size_t first = 0, second = 0;
-  Estimate difference = {};            // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
-  double p = statistics::not_defined;  // p of the deciding test, corrected for all pairs
+  double p = statistics::not_defined;        // p of the deciding test, corrected for all pairs
   double p_alone = statistics::not_defined;  // the same for this pair alone
   // The groups do not overlap, and an exact rank test decides (within blocks, or against a known value, the sign test),
   // because a group has one value only or the bootstrap has no spread to judge by.
@@ -62,6 +55,7 @@ struct Contrast {
   bool is_fact =
       false;      // both values are known (Group::copies), so that no chance is in the relation, and there is no p
   int ahead = 0;  // direction of the deciding test: 1 favours first, -1 second
+  Estimate difference = {};  // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   // p, corrected as planned, and direction of the rank test shown beside a test of means (rank_method).
   double p_ranks = statistics::not_defined;
   int ahead_by_ranks = 0;
@@ -76,8 +70,16 @@ struct Contrast {
   // the test needs.
   Estimate runs_to_decide = {};
   Relation relation = Relation::undefined;
-  Extent extent = Extent::unknown;
+  // The sizes that the interval of the difference holds, beside the plan's margin. `low` is not defined if the interval
+  // does not favour the better group.
+  Estimate size = {};
+  double margin = statistics::not_defined;
   std::string undefined = {};  // why p is not defined
+
+  bool is_within_margin() const { return size.high <= margin; }
+  bool is_beyond_margin() const { return size.low > margin; }
+  // Its interval favours the better group, and lies on both sides of the margin.
+  bool is_across_margin() const { return size.low <= margin && size.high > margin; }
 };
 
 // Returns whether one of the two is better.

@@ -5,12 +5,22 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/inference/relation.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::inference {
 
 using statistics::Estimate;
+
+// Relation of the first to the second. same: the difference is within the margin. undefined: no test could be made.
+enum class Relation { better, worse, same, undecided, undefined };
+std::string_view name_of(Relation relation);
+
+constexpr bool is_difference(Relation relation) { return relation == Relation::better || relation == Relation::worse; }
+
+// Returns the relation of the second to the first.
+constexpr Relation reversed(Relation relation) {
+  return relation == Relation::better ? Relation::worse : relation == Relation::worse ? Relation::better : relation;
+}
 
 struct Finding {
   std::string quantity;
@@ -20,7 +30,8 @@ struct Finding {
   double p = statistics::not_defined;  // corrected for the family; not defined where the interval decides
   std::string method = {};
   Relation relation = Relation::undefined;
-  std::string why = {};  // the reason for the relation if not the interval; else empty
+  bool is_fact = false;  // both values are known, so that no chance is in the relation
+  std::string why = {};  // the reason for the relation, or why there is no test; else empty
 };
 
 // Returns the same finding with first and second swapped.

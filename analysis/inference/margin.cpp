@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "analysis/inference/outcomes.hpp"
@@ -65,28 +66,26 @@ void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
   refuse_negative(std::ranges::any_of(summaries.groups, is_below), summaries.quantity, summaries.margin, plan);
 }
 
-namespace {
-
-// Extent of an interval on a scale where 0 is no difference.
-Extent extent_of(const Estimate& interval, double room, Better better, int ahead) {
-  const auto [value, low, high] = interval;
-  if (!std::isfinite(low) || !std::isfinite(high) || std::isnan(room)) return Extent::unknown;
-  if (std::abs(low) <= room && std::abs(high) <= room) return Extent::within;
-  const int favours = better == Better::smaller ? -sign_of(value) : sign_of(value);
-  if (sign_of(low) != sign_of(high) || favours != ahead) return Extent::unknown;
-  return std::min(std::abs(low), std::abs(high)) > room ? Extent::beyond : Extent::across;
+void measure_extent(const Evidence& evidence, Contrast& contrast) {
+  const bool is_of_ranks = evidence.ranks_decide();  // ranks compare no means, and within blocks they have no scale
+  const Estimate& of = is_of_ranks ? contrast.ratio : contrast.difference;
+  const auto scaled = [&](double value) { return is_of_ranks ? std::log(value) : value; };
+  const double value = scaled(of.value), low = scaled(of.low), high = scaled(of.high);
+  const double margin = is_of_ranks ? std::log1p(evidence.plan.margin) : margin_of(evidence, contrast);
+  contrast.size = {};
+  if (!std::isfinite(low) || !std::isfinite(high) || std::isnan(margin)) return;
+  contrast.size = {.value = std::abs(value), .high = std::max(std::abs(low), std::abs(high))};
+  contrast.margin = margin;
+  const int favours = evidence.better == Better::smaller ? -sign_of(value) : sign_of(value);
+  if (sign_of(low) == sign_of(high) && favours == contrast.ahead) {
+    contrast.size.low = std::min(std::abs(low), std::abs(high));
+  }
 }
 
-}  // namespace
-
-Extent extent_of(const Evidence& evidence, const Contrast& contrast) {
-  if (!evidence.ranks_decide()) {
-    return extent_of(contrast.difference, margin_of(evidence, contrast), evidence.better, contrast.ahead);
-  }
-  // Ranks compare no means, and within blocks they have no scale: their margin is a ratio.
-  const auto [value, low, high] = contrast.ratio;
-  return extent_of({.value = std::log(value), .low = std::log(low), .high = std::log(high)},
-                   std::log1p(evidence.plan.margin), evidence.better, contrast.ahead);
+void put_beyond_any_margin(Contrast& contrast) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  contrast.size = {.value = infinite, .low = infinite, .high = infinite};
+  contrast.margin = 0;
 }
 
 }  // namespace ikbench::inference

@@ -25,7 +25,9 @@ void check_margin(const Summaries& summaries, const results::AnalysisPlan& plan)
 // The margin as a difference of a pair's means; NaN if a mean is NaN.
 double margin_of(const Evidence& evidence, const Contrast& contrast);
 
-// Extent of the contrast's interval, seen from the group that is ahead.
-Extent extent_of(const Evidence& evidence, const Contrast& contrast);
+// Sets the extent of the contrast's interval, seen from the group that is ahead.
+void measure_extent(const Evidence& evidence, Contrast& contrast);
+// Gives the contrast an infinite size: no margin makes up for a failure.
+void put_beyond_any_margin(Contrast& contrast);
 
 }  // namespace ikbench::inference

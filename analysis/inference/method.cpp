@@ -100,16 +100,16 @@ void correct(const Evidence& evidence, std::vector<double>& p) {
   }
 }
 
-void correct(const Evidence& evidence, std::vector<PairResult>& pairs) {
+void correct(const Evidence& evidence, std::vector<Contrast>& pairs) {
   std::vector<double> p;
-  for (const PairResult& pair : pairs) p.push_back(pair.p_alone);
+  for (const Contrast& pair : pairs) p.push_back(pair.p_alone);
   correct(evidence, p);
   for (std::size_t i = 0; i < p.size(); ++i) pairs[i].p = p[i];
 }
 
-std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<MeanDifference>& differences) {
+std::vector<Contrast> of_means(const Evidence& evidence, const std::vector<MeanDifference>& differences) {
   const int sign = evidence.better == Better::smaller ? -1 : 1;
-  std::vector<PairResult> result;
+  std::vector<Contrast> result;
   for (const MeanDifference& each : differences) {
     result.push_back({.p = each.p,
                       .p_alone = each.p_alone,

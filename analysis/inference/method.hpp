@@ -23,15 +23,6 @@ struct Groups {
   std::span<const std::vector<double>> ranked;  // values turned so that smaller is better
 };
 
-// The result of a method for one pair.
-struct PairResult {
-  double p = statistics::not_defined;        // corrected for the whole family
-  double p_alone = statistics::not_defined;  // of this pair alone
-  int ahead = 0;                             // 1: the first is ahead; -1: the second is
-  Estimate difference = {};                  // of means or shares, first - second
-  std::string undefined = {};                // why there is no p
-};
-
 enum class Compares { means, ranks, shares };
 
 struct Method {
@@ -46,8 +37,8 @@ struct Method {
   bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, even with a control
   // Draws resamples. With few or equal values an exact test of order replaces it.
   bool resamples = false;
-  // Returns one result per Evidence::contrasts, in that order.
-  std::vector<PairResult> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
+  // Returns one result per Evidence::contrasts, in that order: p, p_alone, ahead, difference, undefined.
+  std::vector<Contrast> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
   // The test of all groups; null if the method has none.
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;
 };
@@ -73,10 +64,10 @@ const Method& paper_method();
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
 // Fills p of each result with the corrected p_alone.
-void correct(const Evidence& evidence, std::vector<PairResult>& pairs);
+void correct(const Evidence& evidence, std::vector<Contrast>& pairs);
 
 // Shared by several rows.
-std::vector<PairResult> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
+std::vector<Contrast> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
 // Number of bootstrap resamples that so many values allow; 0 if there are too many values.
 int resamples_of(const Evidence& evidence);
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);

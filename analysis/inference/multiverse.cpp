@@ -38,8 +38,7 @@ class PairJudge {
     const Test test = welch(first, second);
     const double p = range_.upper_tail(std::abs(test.statistic) * std::numbers::sqrt2, test.df);
     if (std::isnan(p)) return Relation::undecided;
-    return relation_of({.p_better = test.statistic < 0 ? p : 1, .p_worse = test.statistic > 0 ? p : 1},
-                       plan_.significance);
+    return relation_of(-sign_of(test.statistic), p, plan_.significance);
   }
 
  private:
@@ -49,8 +48,8 @@ class PairJudge {
 };
 
 // Summarises the runs' means or, for typical, their logarithms; values below rounding count as rounding.
-GroupSummary summary_of(const std::vector<double>& values, Metric metric, JudgedBy by) {
-  if (by == JudgedBy::mean) return summarise(values);
+GroupSummary summary_of(const std::vector<double>& values, Metric metric, Estimand by) {
+  if (by == Estimand::mean) return summarise(values);
   std::vector<double> logarithms;
   for (const double value : values) logarithms.push_back(std::log10(std::max(value, info_of(metric).rounding)));
   return summarise(logarithms);
@@ -298,7 +297,7 @@ std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector
   const PairJudge judge(multiverse.solvers, plan);
   std::vector<ClaimCounts> all;
   for (const MultiverseClaim& claim : claims) all.push_back(no_counts(multiverse, claim));
-  std::map<std::tuple<std::string, Metric, JudgedBy>, std::vector<ClaimCounts*>> judged_alike;
+  std::map<std::tuple<std::string, Metric, Estimand>, std::vector<ClaimCounts*>> judged_alike;
   for (ClaimCounts& counts : all) {
     const MultiverseClaim& claim = counts.claim;
     if (claim.effect_of.empty()) {

@@ -46,11 +46,6 @@ bool is_of_universes(Metric metric);
 // Values of the metric by seed.
 const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
 
-// The average of the runs that is tested: mean, or geometric mean (typical). Both use Games and Howell's test: Welch's
-// t against the studentized range of all solvers. It needs the values of two solvers only, so pairs can be counted
-// alone. Level and control come from the study's plan.
-enum class JudgedBy { mean, typical };
-
 // A claim about one solver: better than a rival or, if none is named, than every other solver.
 struct MultiverseClaim {
   std::string id;     // "most_accurate"
@@ -58,7 +53,10 @@ struct MultiverseClaim {
   std::string solver;
   std::string rival = {};
   Metric metric = Metric::position_error_cm;
-  JudgedBy by = JudgedBy::mean;
+  // The average of the runs that is tested: mean, or typical. Both use Games and Howell's test: Welch's t against the
+  // studentized range of all solvers. It needs the values of two solvers only, so pairs can be counted alone. Level and
+  // control come from the study's plan.
+  results::Estimand by = results::Estimand::mean;
   // If set, the claim is instead: the solver is better with this dimension's default than with another alternative, all
   // else equal. It fails if both give the same bits. Universes with the default are not counted.
   std::string effect_of = {};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/inference/margin.hpp"
+
 namespace ikbench::inference {
 
 using namespace results;
@@ -79,7 +81,7 @@ Contrast contrast_with_not_finite(const Observations& pair, const AnalysisPlan& 
     of_numbers.undefined = contradiction;
   }
   of_numbers.difference = {.value = of_values.difference.value};
-  of_numbers.extent = Extent::beyond;  // no margin makes up for a failure
+  put_beyond_any_margin(of_numbers);
   return of_numbers;
 }
 

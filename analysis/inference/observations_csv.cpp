@@ -31,7 +31,7 @@ std::optional<double> mean_of(const std::vector<double>& values) {
 
 // Averages observations of the same group, block and run. An average is whole if it has as many values as the fullest
 // of its block. Otherwise it is missing or, if rows are taken as given, the mean of the values left.
-std::vector<Observation> averaged(std::vector<Observation> observations, Replicates replicates) {
+std::vector<Observation> averaged(std::vector<Observation> observations, bool takes_any_rows) {
   const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
   std::ranges::stable_sort(observations, {}, key);
   std::vector<Observation> result;
@@ -48,7 +48,7 @@ std::vector<Observation> averaged(std::vector<Observation> observations, Replica
   }
   for (Observation& observation : result) {
     observation.whole = most[observation.block];
-    if (observation.count < observation.whole && replicates == Replicates::checked) observation.value.reset();
+    if (observation.count < observation.whole && !takes_any_rows) observation.value.reset();
   }
   return result;
 }
@@ -85,7 +85,7 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
       fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
                   shortened(file.table.cell(first_row, file.column(request.run)), 40),
                   shortened(contents.groups.all()[longer->first], 40), rows_of(keys, *longer), whole);
-  if (request.replicates == Replicates::checked)
+  if (!request.takes_any_rows)
     file.refuse(words +
                 "; a row may be duplicated, or the other runs may lack rows; --force averages them as they are");
   result.flaws.push_back({.kind = DoubtKind::uneven_runs, .what = words});
@@ -244,7 +244,7 @@ std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, C
     const Labels labels = expect_labels(file, file.column(request.block));
     for (Observation& observation : contents.observations) observation.block = labels.of_row[observation.row];
     blocks = labels.names.all();
-  } else if (request.layout == Layout::one_column_a_group && request.rows == RowsOf::one_block) {
+  } else if (request.is_wide && request.rows_are_blocks) {
     for (Observation& observation : contents.observations) observation.block = observation.row;
     for (std::size_t row = 0; row < file.table.rows(); ++row) blocks.push_back(fmt::to_string(row + 1));
   }
@@ -265,7 +265,7 @@ void add_run_notes(const CsvFile& file, const CsvRequest& request, const Content
   result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.name());
   result.notes.push_back(
       fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows, in_quotes(request.run)));
-  if (request.replicates == Replicates::as_given) return;
+  if (request.takes_any_rows) return;
   if (const std::string words = in_words(lacks_of(runs), "runs", runs.groups); !words.empty()) {
     result.notes.push_back(fmt::format("Left out because rows are missing: {}.", words));
   }
@@ -307,8 +307,7 @@ void join_equal(Observations& result, std::string_view what) {
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
   const CsvFile file = open_csv(text, source);
-  Contents contents =
-      request.layout == Layout::one_column_a_group ? read_wide(file, request) : read_long(file, request);
+  Contents contents = request.is_wide ? read_wide(file, request) : read_long(file, request);
   const bool is_typical = request.scale == ValueScale::log10;
   if (is_typical) take_logarithms(file, contents);
   if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {
@@ -338,7 +337,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
 
   if (!request.run.empty()) {
     const std::size_t whole = result.blocks.empty() ? rows_of_a_run(file, request, contents, result) : 0;
-    contents.observations = averaged(std::move(contents.observations), request.replicates);
+    contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
     for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : whole;
     if (result.blocks.empty()) add_absent_runs(contents);
     add_run_notes(file, request, contents, result);
@@ -356,9 +355,9 @@ Observations read_observations(std::string_view text, std::string_view source, c
     join_equal(result, what);
     return result;
   }
-  if (request.run.empty() && request.replicates == Replicates::checked) expect_one_a_block(file, contents, result);
+  if (request.run.empty() && !request.takes_any_rows) expect_one_a_block(file, contents, result);
   for (Observation& observation : contents.observations) observation.run = 0;
-  contents.observations = averaged(std::move(contents.observations), request.replicates);
+  contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
   if (const std::string count = counts_in_words(contents.observations); count != "1") {
     result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
     result.notes.push_back(

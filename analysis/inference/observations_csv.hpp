@@ -12,23 +12,16 @@ namespace ikbench::inference {
 
 constexpr std::size_t max_groups = 1000;
 
-enum class Layout {
-  one_row_a_value,    // "long": a column of values, a column of groups
-  one_column_a_group  // "wide": every column is a group
-};
-enum class RowsOf { no_block, one_block };  // wide layout: whether the values of a row form a block
-enum class Replicates { checked, as_given };
-
 // Columns by name; empty if there is none or it is to be found.
 struct CsvRequest {
-  Layout layout = Layout::one_row_a_value;
-  std::string value = {};  // wide layout: names the quantity
-  std::string group = {};  // left empty: the column group, solver or algorithm
-  std::string block = {};  // problem or target that every group was given
-  std::string run = {};    // rows of one group (and block) with the same run are averaged
-  RowsOf rows = RowsOf::no_block;
+  bool is_wide = false;          // every column is a group; else a column of values and one of groups ("long")
+  std::string value = {};        // wide layout: names the quantity
+  std::string group = {};        // left empty: the column group, solver or algorithm
+  std::string block = {};        // problem or target that every group was given
+  std::string run = {};          // rows of one group (and block) with the same run are averaged
+  bool rows_are_blocks = false;  // wide layout: the values of a row form a block
   Better better = Better::smaller;
-  Replicates replicates = Replicates::checked;
+  bool takes_any_rows = false;           // accepts rows that are no replicates, and incomplete runs
   ValueScale scale = ValueScale::plain;  // log10: takes logarithms of the values, which must be positive
 };
 

@@ -114,7 +114,7 @@ ValueOf undisturbed_seconds(const StudyResults& study) {
 }
 
 std::string speed_note(const StudyResults& study) {
-  const std::string uncounted = words_of(left_out(study, Metric::evaluations).doubts);
+  const std::string uncounted = words_of(left_out(study, Metric::evaluations));
   return uncounted.empty() ? std::string(median_speed_words)
                            : fmt::format("{} {} Their times are as measured.", median_speed_words, uncounted);
 }

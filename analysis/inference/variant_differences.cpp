@@ -63,15 +63,15 @@ std::set<std::string> values_of(const std::vector<Session>& sessions, const std:
   return values;
 }
 
-Facts known_of(const Provenance& of) {
+Facts known_of(const Variant& of, const std::vector<Session>& sessions) {
   Facts facts{{"solver", of.series.algorithm}};
   add_values(facts, of.study.definition);
   add_values(facts, of.series.options);
   facts["source of the solver"] =
-      fmt::format("{}", fmt::join(values_of(of.sessions, "source." + of.series.algorithm), " and "));
+      fmt::format("{}", fmt::join(values_of(sessions, "source." + of.series.algorithm), " and "));
   for (const char* fact :
        {"version", "commit", "source", "compiler", "flags", "build_type", "instruction_set", "cpu"}) {
-    facts[fact] = fmt::format("{}", fmt::join(values_of(of.sessions, fact), " and "));
+    facts[fact] = fmt::format("{}", fmt::join(values_of(sessions, fact), " and "));
   }
   return facts;
 }
@@ -94,10 +94,11 @@ Doubts why_times_differ(const std::vector<Session>& a, const std::vector<Session
   return {{.kind = DoubtKind::separate_sessions, .is_of_all = true}};
 }
 
-std::string differences(const Provenance& a, const Provenance& b) {
-  const Facts of_a = known_of(a), of_b = known_of(b);
+std::string differences(const Variant& a, const std::vector<Session>& of_a, const Variant& b,
+                        const std::vector<Session>& of_b) {
+  const Facts facts_of_a = known_of(a, of_a), facts_of_b = known_of(b, of_b);
   std::set<std::string> keys;
-  for (const Facts* facts : {&of_a, &of_b}) {
+  for (const Facts* facts : {&facts_of_a, &facts_of_b}) {
     for (const auto& [key, value] : *facts) keys.insert(key);
   }
   const auto value_in = [](const Facts& facts, const std::string& key) {
@@ -107,7 +108,7 @@ std::string differences(const Provenance& a, const Provenance& b) {
   };
   std::vector<std::string> found;
   for (const std::string& key : keys) {
-    const std::string one = value_in(of_a, key), other = value_in(of_b, key);
+    const std::string one = value_in(facts_of_a, key), other = value_in(facts_of_b, key);
     if (one != other) found.push_back(fmt::format("{} ({}, {})", key, one, other));
   }
   if (found.empty()) return "The stores show no difference between A and B except their sessions.";

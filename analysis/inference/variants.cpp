@@ -176,7 +176,6 @@ bool has_same_bits(const StudyResults& study, Metric metric) {
 // Settles a pair as the same, without a test.
 void settle(MetricComparison& result, std::string why) {
   result.contrast.relation = Relation::same;
-  result.contrast.extent = Extent::within;
   result.contrast.is_fact = true;
   result.remark = std::move(why);
 }
@@ -356,15 +355,14 @@ void add_remarks(MetricComparison& row, double significance) {
 }  // namespace
 
 bool is_regression(const MetricComparison& metric) {
-  return metric.contrast.relation == Relation::better && metric.contrast.extent == Extent::beyond;
+  return metric.contrast.relation == Relation::better && metric.contrast.is_beyond_margin();
 }
 
 bool is_open(const MetricComparison& metric) {
   if (!metric.is_compared) return metric.is_counted;
   const Contrast& contrast = metric.contrast;
   return contrast.relation == Relation::undecided || contrast.relation == Relation::undefined ||
-         (contrast.relation == Relation::better &&
-          (contrast.extent == Extent::across || contrast.extent == Extent::unknown));
+         (contrast.relation == Relation::better && !contrast.is_within_margin() && !contrast.is_beyond_margin());
 }
 
 std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
@@ -383,8 +381,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
   return result;
 }
 
-VariantStudy study_of_both(const VariantPair& pair, const AnalysisPlan& plan) {
-  const auto& [a, b] = pair;
+VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPlan& plan) {
   refuse_other_arm(a, b);
   StudyEntry entry = a.study;
   entry.series = {a.series, b.series};
@@ -398,7 +395,7 @@ VariantStudy study_of_both(const VariantPair& pair, const AnalysisPlan& plan) {
                                    : fmt::format("{} against {}", b.series.label, a.series.label),
                       .study = maker.finish(reader.sessions()),
                       .times_differ = why_times_differ(of_a, of_b),
-                      .differences = differences({a.study, a.series, of_a}, {b.study, b.series, of_b})};
+                      .differences = differences(a, of_a, b, of_b)};
   AnalysisPlan& judged = result.study.plan;
   judged.control.clear();
   judged.margin = plan.margin;

@@ -26,11 +26,6 @@ struct Variant {
 // Returns one variant per label, in the order of the study. `store` must outlive them.
 std::vector<Variant> variants(const results::Store& store, const results::StudyEntry& study);
 
-struct VariantPair {
-  const Variant& a;
-  const Variant& b;
-};
-
 // The solves of both, as solvers "A" and "B", and the reasons not to compare their times.
 struct VariantStudy {
   std::string label;
@@ -41,7 +36,7 @@ struct VariantStudy {
 
 // Takes the definition and plan of A, but margins, significance and power from `plan`. Throws std::invalid_argument if
 // one side has no complete run, or if robot, targets or start configurations differ.
-VariantStudy study_of_both(const VariantPair& pair, const results::AnalysisPlan& plan);
+VariantStudy study_of_both(const Variant& a, const Variant& b, const results::AnalysisPlan& plan);
 
 // The comparison of B with A by one metric.
 struct MetricComparison {

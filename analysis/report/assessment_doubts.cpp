@@ -81,7 +81,7 @@ Sentence change_words(const Evidence& evidence) {
   for (const Contrast& contrast : evidence.contrasts) {
     if (contrast.relation == Relation::undecided) open.push_back(&contrast);
     if (!is_decided(contrast)) continue;
-    is_small = is_small || contrast.extent == Extent::within || contrast.extent == Extent::across;
+    is_small = is_small || contrast.is_within_margin() || contrast.is_across_margin();
     is_doubted = is_doubted || !doubt_words(evidence, contrast).empty();
   }
   if (evidence.contrasts.empty() || has_single_values(evidence)) return {};

@@ -22,6 +22,13 @@ Json estimate(const Estimate& of) {
   return {{"value", json_number(of.value)}, {"low", json_number(of.low)}, {"high", json_number(of.high)}};
 }
 
+std::string_view extent_of(const Contrast& contrast) {
+  return contrast.is_within_margin()   ? "within the margin"
+         : contrast.is_beyond_margin() ? "beyond the margin"
+         : contrast.is_across_margin() ? "on both sides of the margin"
+                                       : "unknown";
+}
+
 Json effect_of(const Evidence& evidence, const Contrast& contrast) {
   const int n = evidence.groups[contrast.first].described.n, other_n = evidence.groups[contrast.second].described.n;
   return estimate(hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance));
@@ -81,7 +88,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
               {"runs_to_decide_high", json_number(contrast.runs_to_decide.high)},
               {"relation", name_of(contrast.relation)},
-              {"extent", name_of(contrast.extent)},
+              {"extent", extent_of(contrast)},
               {"verdict", verdict_words(evidence, contrast)}};
   add_reason(object, contrast.undefined);
   return object;

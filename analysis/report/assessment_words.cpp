@@ -102,25 +102,18 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return {};
   if (evidence.ranks_decide()) return {};  // the interval is for means
   const std::string margin = margin_words(evidence, contrast);
-  switch (contrast.extent) {
-    case Extent::within:
-      return {"less than " + margin};
-    case Extent::beyond:
-      return {"more than " + margin};
-    case Extent::across: {
-      const bool is_ratio = evidence.scale == ValueScale::log10;
-      const double unit = is_ratio ? 1
-                                   : std::min(std::abs(evidence.groups[contrast.first].described.mean),
-                                              std::abs(evidence.groups[contrast.second].described.mean));
-      const auto [low, high] = interval_sizes(evidence, contrast);
-      const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-      if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))
-        return {fmt::format("less or more than {}", margin)};
-      return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
-    }
-    default:
-      return {};
-  }
+  if (contrast.is_within_margin()) return {"less than " + margin};
+  if (contrast.is_beyond_margin()) return {"more than " + margin};
+  if (!contrast.is_across_margin()) return {};
+  const bool is_ratio = evidence.scale == ValueScale::log10;
+  const double unit = is_ratio ? 1
+                               : std::min(std::abs(evidence.groups[contrast.first].described.mean),
+                                          std::abs(evidence.groups[contrast.second].described.mean));
+  const auto [low, high] = interval_sizes(evidence, contrast);
+  const double least = low - no_difference(evidence), most = high - no_difference(evidence);
+  if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))
+    return {fmt::format("less or more than {}", margin)};
+  return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }
 
 std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {

@@ -156,7 +156,7 @@ std::vector<Table> cost_tables(const StudyResults& measured) {
   }
   std::vector<Table> tables;
   const auto add = [&](Table table, const Compared& of) {
-    std::ranges::move(list_of(left_out(study, of.cost).doubts), std::back_inserter(table.notes));
+    std::ranges::move(list_of(left_out(study, of.cost)), std::back_inserter(table.notes));
     tables.push_back(std::move(table));
   };
   for (const Compared* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);

@@ -107,7 +107,7 @@ class Leader {
         order, {}, [&](std::size_t i) { return evidence_.better == Better::smaller ? average(i) : -average(i); });
     return order;
   }
-  Judgement against(std::size_t first, std::size_t other) const {
+  Finding against(std::size_t first, std::size_t other) const {
     return judge(evidence_, evidence_.groups[first].name, evidence_.groups[other].name);
   }
   bool is_unbeaten(std::size_t group, const std::vector<std::size_t>& all) const {
@@ -140,10 +140,10 @@ class Leader {
     Others result;
     for (const std::size_t other : order) {
       if (other == first) continue;
-      const Judgement found = against(first, other);
+      const Finding found = against(first, other);
       if (found.relation == Relation::better) {
         result.beaten.push_back(other);
-      } else if (!found.undefined.empty()) {
+      } else if (!found.why.empty()) {
         result.untested.push_back(other);
       } else if (is_unbeaten(other, order)) {
         result.beside.push_back(other);
@@ -159,8 +159,8 @@ class Leader {
     const Others others = others_of(first, order);
     if (others.untested.size() + 1 == order.size()) {
       const auto is_tested = [&](std::size_t one) {
-        return std::ranges::any_of(
-            order, [&](std::size_t other) { return other != one && against(one, other).undefined.empty(); });
+        return std::ranges::any_of(order,
+                                   [&](std::size_t other) { return other != one && against(one, other).why.empty(); });
       };
       const bool is_any_tested = std::ranges::any_of(order, is_tested);
       return is_any_tested ? fmt::format(words::leader_not_tested, "first"_a = name(first), "value"_a = value(first))
@@ -176,7 +176,7 @@ class Leader {
       return shared(groups, others.all_same, remarks);
     }
     const std::size_t second = order[0] == first ? order[1] : order[0];
-    const Judgement next = against(first, second);
+    const Finding next = against(first, second);
     const std::string own = value(first), of_second = value(second);
     return fmt::format(words::leader, "first"_a = name(first), "value"_a = own, "second"_a = name(second),
                        "of_second"_a = own == of_second ? "with the same digits" : of_second,
@@ -217,7 +217,7 @@ class Leader {
     std::vector<std::string> better, untested;
     for (std::size_t i = 0; i < evidence_.groups.size(); ++i) {
       if (i == control) continue;
-      const Judgement judged = against(i, control);
+      const Finding judged = against(i, control);
       if (judged.relation == Relation::better) {
         better.push_back(with_value(i));
       } else if (judged.relation == Relation::undefined) {

@@ -124,14 +124,14 @@ std::string overtaken(const Side& side, const Enforced& enforced, const Measure&
   const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
   const auto first = std::ranges::find_if(enforced.sides, is_first);
   if (first == enforced.sides.end() || is_first(side)) return "";
-  const Judgement found = judge(enforced.*measure.tested, first->solver, side.solver);
+  const Finding found = judge(enforced.*measure.tested, first->solver, side.solver);
   if (!std::isfinite(found.p)) return "";
   return fmt::format(" ({} is now first, {}; {}, {})", first->solver,
                      found.relation == Relation::better  ? "which is better"
                      : found.relation == Relation::worse ? "though the test finds it worse"
                      : found.relation == Relation::same  ? "which is the same within the margin"
                                                          : "which is undecided",
-                     found.test, p_words(found.p));
+                     found.method, p_words(found.p));
 }
 
 std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }

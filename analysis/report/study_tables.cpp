@@ -134,7 +134,7 @@ Table anova_table(const StudyResults& study, Metric metric) {
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, std::span(&metric, 1));
   if (!is_judged) table.notes.push_back(words_of(timing_doubts(study)) + " So our F and p are left out.");
-  if (is_judged) std::ranges::move(list_of(left_out(study, metric).doubts), std::back_inserter(table.notes));
+  if (is_judged) std::ranges::move(list_of(left_out(study, metric)), std::back_inserter(table.notes));
   return table;
 }
 

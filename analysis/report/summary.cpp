@@ -69,8 +69,8 @@ std::string ranking_sentence(const StudyResults& study, Metric metric) {
   if (ours.size() < compared.solvers.size()) {
     text += fmt::format("; {} without a {}", compared.solvers.size() - ours.size(), average_name(metric));
   }
-  if (const LeftOut without = left_out(study, metric); !without.solvers.empty()) {
-    text += fmt::format("; not compared: {}", fmt::join(without.solvers, ", "));
+  if (const auto without = solvers_left_out(study, metric); !without.empty()) {
+    text += fmt::format("; not compared: {}", fmt::join(without, ", "));
   }
   return text + ".";
 }

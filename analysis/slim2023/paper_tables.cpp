@@ -43,7 +43,7 @@ void hold_against_printed_time(Comparison& row, double our_reference, const Stud
   if (!printed || !printed_reference) return;
   row.paper_mean = printed->printed.mean;
   row.remark.words = times_not_judged;
-  if (!times_are_comparable(study) || left_out(study, Metric::seconds).solvers.contains(row.solver)) return;
+  if (!times_are_comparable(study) || solvers_left_out(study, Metric::seconds).contains(row.solver)) return;
   row.ratio = (row.ours.mean / our_reference) / (row.paper_mean / printed_reference->printed.mean);
   if (!std::isfinite(our_reference)) {
     row.remark.words = fmt::format("no time of {} to compare with", time_reference);

@@ -72,10 +72,9 @@ Shares found_pairs(const Evidence& evidence, Counts counts) {
   const auto add = [&](double& count, bool differs) { count += differs ? 1 : 0; };
   for (const Contrast& contrast : evidence.contrasts) {
     if (counts == Counts::pairs_with_first && contrast.first != 0) continue;
-    const Judgement judged =
-        judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name);
+    const Finding judged = judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name);
     add(found.decided, judged.relation == Relation::better || judged.relation == Relation::worse);
-    add(found.judged, judged.undefined.empty());
+    add(found.judged, judged.why.empty());
     ++pairs;
   }
   for (const auto share : Shares::all) {

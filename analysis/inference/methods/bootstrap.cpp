@@ -23,16 +23,16 @@ Resampling resampling_of(const Evidence& evidence) {
   return {.resamples = resamples_of(evidence), .level = 1 - evidence.plan.significance};
 }
 
-std::vector<PairResult> independent(const Evidence& evidence, const Groups& groups) {
+std::vector<Contrast> independent(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, studentized_bootstrap(groups.values, family_of(evidence), resampling_of(evidence)));
 }
 
-std::vector<PairResult> within_blocks(const Evidence& evidence, const Groups& groups) {
+std::vector<Contrast> within_blocks(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, bootstrap_within_blocks(groups.values, family_of(evidence), resampling_of(evidence)));
 }
 
 // With more blocks than a bootstrap can resample in a second, the mean difference is nearly normal.
-std::vector<PairResult> paired(const Evidence& evidence, const Groups& groups) {
+std::vector<Contrast> paired(const Evidence& evidence, const Groups& groups) {
   const auto family = static_cast<double>(evidence.family());
   std::vector<MeanDifference> result;
   for (const Contrast& contrast : evidence.contrasts) {

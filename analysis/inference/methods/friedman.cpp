@@ -13,9 +13,9 @@ using namespace statistics;
 
 namespace {
 
-std::vector<PairResult> friedman_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Contrast> friedman_pairs(const Evidence& evidence, const Groups& groups) {
   const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
-  std::vector<PairResult> result;
+  std::vector<Contrast> result;
   for (const Contrast& contrast : evidence.contrasts) {
     const std::size_t first = contrast.first, second = contrast.second;
     Test test = sign_test(groups.ranked[first], groups.ranked[second]);

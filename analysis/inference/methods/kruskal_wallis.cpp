@@ -16,8 +16,8 @@ using namespace statistics;
 
 namespace {
 
-std::vector<PairResult> kruskal_wallis_pairs(const Evidence& evidence, const Groups& groups) {
-  std::vector<PairResult> result;
+std::vector<Contrast> kruskal_wallis_pairs(const Evidence& evidence, const Groups& groups) {
+  std::vector<Contrast> result;
   std::vector<double> exact, unequal;
   const std::vector<MeanDifference> means =
       games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference);

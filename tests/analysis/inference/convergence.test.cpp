@@ -122,7 +122,7 @@ TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", 
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;
     CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations).front() == censored);
-    CHECK(error_bands(study, {&solve}, std::vector<double>{300}).front().median == censored);
+    CHECK(error_bands(study, {&solve}, std::vector<double>{300}).front().value == censored);
   }
   for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
     solve.status = status;
@@ -134,28 +134,28 @@ TEST_CASE("the band at a number of evaluations is that of the errors that the so
   const StudyResults study =
       traced_study({record_with_trace({16, 8, 4, 2}, 400), record_with_trace({20, 10}, 200),
                     record_with_trace({12, 6, 3, 1}, 400), record_with_trace({40, 30, 20, 10}, 400)});
-  const std::vector<Band> bands =
+  const std::vector<statistics::Estimate> bands =
       error_bands(study, solves_by_solver(study)[0], std::vector<double>{99, 100, 250, 400});
-  CHECK(bands[0].median == censored);  // before the first iteration is done
+  CHECK(bands[0].value == censored);  // before the first iteration is done
   // Type 5 of four values: the quartiles lie midway between neighbours. 12 16 20 40 at 100 evaluations.
   CHECK(bands[1].low == 14);
-  CHECK(bands[1].median == 18);
+  CHECK(bands[1].value == 18);
   CHECK(bands[1].high == 30);
   // 8, 10 (it has ended), 6, 30 at 250.
   CHECK(bands[2].low == 7);
-  CHECK(bands[2].median == 9);
+  CHECK(bands[2].value == 9);
   CHECK(bands[2].high == 20);
   // 2 10 1 10 at 400.
   CHECK(bands[3].low == 1.5);
-  CHECK(bands[3].median == 6);
+  CHECK(bands[3].value == 6);
   CHECK(bands[3].high == 10);
 }
 
 TEST_CASE("an answer that is not finite is worse than every number, not left out of a band", "[convergence]") {
   const StudyResults study =
       traced_study({record_with_trace({1}, 10), record_with_trace({2}, 10), record_with_trace({not_a_number}, 10)});
-  const Band band = error_bands(study, solves_by_solver(study)[0], std::vector<double>{10}).front();
-  CHECK(band.median == 2);
+  const statistics::Estimate band = error_bands(study, solves_by_solver(study)[0], std::vector<double>{10}).front();
+  CHECK(band.value == 2);
   CHECK(band.high == censored);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
     for (int i = 1; i <= n; ++i) {
       const double target = trace[static_cast<std::size_t>(i) - 1];
       const double cost = costs_to_targets(study, solve, std::vector<double>{target}, Metric::evaluations).front();
-      CHECK(error_bands(study, {&solve}, std::vector<double>{cost}).front().median == target);
+      CHECK(error_bands(study, {&solve}, std::vector<double>{cost}).front().value == target);
     }
   }
 }

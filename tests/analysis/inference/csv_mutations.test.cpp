@@ -131,8 +131,7 @@ struct Case {
 }  // namespace
 
 TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that refuses it", "[assessment][mutations]") {
-  const CsvRequest of_wide{.layout = Layout::one_column_a_group},
-      of_rows{.layout = Layout::one_column_a_group, .rows = RowsOf::one_block};
+  const CsvRequest of_wide{.is_wide = true}, of_rows{.is_wide = true, .rows_are_blocks = true};
   const std::vector<Case> cases{{wide_rows, of_wide},
                                 {wide_rows, of_rows},
                                 {two_wide, of_wide},
@@ -167,7 +166,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
     const Case& of = cases[mutator.below(cases.size())];
     CsvRequest request = of.request;
     if (mutator.below(2) == 0) request.better = Better::larger;
-    if (mutator.below(4) == 0) request.replicates = Replicates::as_given;
+    if (mutator.below(4) == 0) request.takes_any_rows = true;
     const std::string text = mutator.mutated(of.rows);
     CAPTURE(i, text);
     expect([&] { expect_words(assess(read_observations(text, "m.csv", request), plan)); });

@@ -50,15 +50,15 @@ TEST_CASE("equal values are the same within the margin where so many are not equ
   const Evidence two = evidence(with({{7, 7}, {7, 7}}), {});
   CHECK(two.contrasts[0].relation == Relation::undecided);
   CHECK(two.contrasts[0].p == 1);
-  CHECK(two.contrasts[0].extent == Extent::unknown);
+  CHECK(std::isnan(two.contrasts[0].size.high));
   CHECK_FALSE(is_same(evidence(with({{7, 7, 7}, {7, 7, 7}}), {})));
   CHECK(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}}), {})));
   // Three groups make three pairs: 3 * 2 / 70 is not below 0.05, 3 * 2 / 252 is.
   CHECK_FALSE(is_same(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}, {2, 2, 2, 2}}), {})));
   CHECK(is_same(evidence(with({{7, 7, 7, 7, 7}, {7, 7, 7, 7, 7}, {2, 2, 2, 2, 2}}), {})));
   // Nor is a difference that is not found a small one.
-  CHECK(evidence(with({{100, 100}, {101, 101}}), {}).contrasts[0].extent == Extent::unknown);
-  CHECK(evidence(with({{100, 100, 100, 100}, {101, 101, 101, 101}}), {}).contrasts[0].extent == Extent::within);
+  CHECK(std::isnan(evidence(with({{100, 100}, {101, 101}}), {}).contrasts[0].size.high));
+  CHECK(evidence(with({{100, 100, 100, 100}, {101, 101, 101, 101}}), {}).contrasts[0].is_within_margin());
 }
 
 TEST_CASE("what is equal in every block is the same where there are enough blocks", "[assessment][equivalence]") {

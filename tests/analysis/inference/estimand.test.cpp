@@ -186,8 +186,8 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
   const double reach = 2.7764451 * std::sqrt(2.0 / 3);
   CHECK(pair.difference.low == Approx(std::pow(10, -2 - reach)).epsilon(1e-6));
   CHECK(pair.difference.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
-  CHECK(judge(found, "B", "A").difference.value == Approx(100));
-  CHECK(judge(found, "B", "A").difference.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
+  CHECK(judge(found, "B", "A").estimate.value == Approx(100));
+  CHECK(judge(found, "B", "A").estimate.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
   const std::string text = text_of_assessment(assess(observations(study, position_error, Estimand::typical),
                                                      AnalysisPlan{.test = "welch", .significance = 0.1}));
   // t is 2.1318468
@@ -204,9 +204,9 @@ TEST_CASE("typical values are the same where their ratio is within the margin", 
   }
   CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::typical), "A", "B").relation != Relation::undecided);
   const JudgedStudy study = judged_runs(runs, R"(, "analysis": {"margin_percent": 3})");
-  CHECK(study.evidence(position_error, Estimand::typical).contrasts[0].extent == Extent::within);
+  CHECK(study.evidence(position_error, Estimand::typical).contrasts[0].is_within_margin());
   const JudgedStudy narrow = judged_runs(runs, R"(, "analysis": {"margin_percent": 1})");
-  CHECK(narrow.evidence(position_error, Estimand::typical).contrasts[0].extent != Extent::within);
+  CHECK(!narrow.evidence(position_error, Estimand::typical).contrasts[0].is_within_margin());
 }
 
 TEST_CASE("where each estimand has another winner, the first sentence names the estimand with its winner",

@@ -23,7 +23,7 @@ namespace {
 const std::string as_failure = " For a failed run, write Inf instead, which ranks as the worst.";
 
 const CsvRequest by_solver{.value = "error", .group = "solver"};
-const CsvRequest wide{.layout = Layout::one_column_a_group};
+const CsvRequest wide{.is_wide = true};
 
 Observations read(std::string_view text, const CsvRequest& request = by_solver) {
   return read_observations(text, "a/folder/file.csv", request);
@@ -143,7 +143,7 @@ TEST_CASE("rows that share a run are not replicates", "[csv]") {
   CHECK(words_of(means.flaws) == "Incomplete: 1 of 2 runs of B; a group that failed there looks better than it is.");
 
   CsvRequest forced = by_solver;
-  forced.replicates = Replicates::as_given;
+  forced.takes_any_rows = true;
   CHECK(read(text, forced).groups[0].values == Values{1, 3, 5, 7});
   CHECK(says(words_of(read(text, forced).flaws), {"2 rows share run 1 of A", "anyway"}));
 }
@@ -227,7 +227,7 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
   }
   CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run is complete"}));
   CsvRequest forced = by_run;
-  forced.replicates = Replicates::as_given;
+  forced.takes_any_rows = true;
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,9\nB,1,1\n", forced);
   CHECK(seen.groups[1].values == Values{1});
   CHECK(seen.replicate == "the mean of a run over its 1 to 2 rows of file.csv");
@@ -257,7 +257,7 @@ TEST_CASE("a run that is absent as a whole counts as one that the group lacks", 
   CHECK(flaw(text_with({21, 22, 23})).empty());      // seeds of its own
   CHECK(flaw(text_with({19, 20, 21, 22})).empty());  // of which two are the other's by chance
 
-  CsvRequest forced{.value = "error", .group = "solver", .run = "run", .replicates = Replicates::as_given};
+  CsvRequest forced{.value = "error", .group = "solver", .run = "run", .takes_any_rows = true};
   CHECK(words_of(read(text_with({1, 2}), forced).flaws) == "Incomplete: 18 of 20 runs of B" + why);
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("a row that is there twice is refused, and takes nothing from the othe
   CHECK(refusal(text + "A,1,6\n", request) ==
         "a/folder/file.csv: run 1 of A has 4 rows where other runs have 3; a row may be duplicated, or the other runs "
         "may lack rows; --force averages them as they are");
-  request.replicates = Replicates::as_given;
+  request.takes_any_rows = true;
   const Observations seen = read(text + "A,1,6\n", request);
   CHECK(seen.groups[0].values == Values{3, 2, 2, 2, 2, 2, 2, 2, 2, 2});
   CHECK(words_of(seen.flaws) == "run 1 of A has 4 rows where other runs have 3; averaged anyway.");
@@ -349,7 +349,7 @@ TEST_CASE("a group with fewer runs than another in a block has no value there", 
   CHECK(read(text + "B,p,3,Inf\n", request).flaws.empty());
 
   CsvRequest forced = request;
-  forced.replicates = Replicates::as_given;
+  forced.takes_any_rows = true;
   const Observations seen = read(text, forced);
   CHECK(seen.groups[1].values == Values{1, 7, 4});
   CHECK(words_of(seen.flaws) ==
@@ -373,7 +373,7 @@ TEST_CASE("a run that is the block gives one mean a run and group", "[csv]") {
 }
 
 TEST_CASE("a wide column without a title is a group like the others", "[csv]") {
-  const Observations seen = read("A,,C\n1,100,3\n2,200,4\n3,300,5\n", {.layout = Layout::one_column_a_group});
+  const Observations seen = read("A,,C\n1,100,3\n2,200,4\n3,300,5\n", {.is_wide = true});
   REQUIRE(seen.groups.size() == 3);
   CHECK(seen.groups[1].values == std::vector<double>{100, 200, 300});
 }
@@ -388,12 +388,10 @@ TEST_CASE("wide columns are groups, of unequal size where cells are empty", "[cs
 }
 
 TEST_CASE("rows of the wide layout are blocks where that is asked", "[csv]") {
-  const Observations rows =
-      read("A,B\n1,2\n3,\n5,6\n", {.layout = Layout::one_column_a_group, .rows = RowsOf::one_block});
+  const Observations rows = read("A,B\n1,2\n3,\n5,6\n", {.is_wide = true, .rows_are_blocks = true});
   CHECK(rows.blocks == Texts{"1", "3"});
   CHECK(rows.groups[1].values == Values{2, 6});
-  const Observations named =
-      read("problem,A,B\nx,1,2\ny,3,4\n", {.layout = Layout::one_column_a_group, .block = "problem"});
+  const Observations named = read("problem,A,B\nx,1,2\ny,3,4\n", {.is_wide = true, .block = "problem"});
   CHECK(named.blocks == Texts{"x", "y"});
   CHECK(names_of(named) == Texts{"A", "B"});
 }
@@ -402,7 +400,7 @@ TEST_CASE("a wide column that is no group is refused or known", "[csv]") {
   CHECK(says(refusal("problem,A\nx,1\n", wide), {"row 1 below the header, column 'problem': 'x', expected"}));
   CHECK(says(refusal("A,A\n1,2\n", wide), {"two columns 'A'"}));
   CHECK(says(refusal("run,A\n1,2\n1,3\n", wide), {"2 rows share run 1 of A"}));
-  CHECK(says(refusal("A\n1\n", {.layout = Layout::one_column_a_group, .group = "A"}), {"--group 'A'"}));
+  CHECK(says(refusal("A\n1\n", {.is_wide = true, .group = "A"}), {"--group 'A'"}));
   const Observations seen = read("run,A\n1,2\n2,3\n", wide);
   CHECK(names_of(seen) == Texts{"A"});
   CHECK(seen.notes == Texts{"Column 'run' numbers the repetitions and is not a group."});

@@ -26,7 +26,7 @@ std::vector<double> first(const std::vector<double>& values, std::size_t number)
 
 SequentialComparison looked_at(const std::vector<double>& a, const std::vector<double>& b, const Looks& looks) {
   const Variant of_a = variant(a), of_b = variant(b);
-  const std::vector<VariantStudy> studies{study_of_both({of_a, of_b}, {})};
+  const std::vector<VariantStudy> studies{study_of_both(of_a, of_b, {})};
   return compare_sequentially(studies, errors_alone, looks);
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("what is not decided is open while runs are missing, and at the limit 
 
 TEST_CASE("a plan of one look is the comparison without looks", "[variants][looks]") {
   const Variant a = variant(about(1, 0.3)), b = variant(about(1.17, 0.3));
-  const std::vector<VariantStudy> studies{study_of_both({a, b}, {})};
+  const std::vector<VariantStudy> studies{study_of_both(a, b, {})};
   const SequentialComparison one = compare_sequentially(studies, {}, {.step = 20, .most = 20});
   const VariantComparison plain = compared(a, b);
   for (std::size_t i = 0; i < plain.metrics.size(); ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("looks that are too many, too early or without runs are refused", "[va
                     ContainsSubstring("4 complete runs in common, and the first look is after 5"));
   const Solved targets{.runs = 6, .points = 3, .definition = R"({"path": {"kind": "helix"}, "start": "initial"})"};
   const Variant each = variant(targets, [](int run, int point) { return run + point; });
-  CHECK_THROWS_WITH(compare_sequentially(std::vector{study_of_both({each, each}, {})}, errors_alone, {}),
+  CHECK_THROWS_WITH(compare_sequentially(std::vector{study_of_both(each, each, {})}, errors_alone, {}),
                     ContainsSubstring("runs add no targets"));
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("labels that did not change fail a gate that looks five times in at mo
     }
     std::vector<VariantStudy> studies;
     for (std::size_t label = 0; label < labels; ++label) {
-      studies.push_back(study_of_both({all[label], all[labels + label]}, {.margin = 0}));
+      studies.push_back(study_of_both(all[label], all[labels + label], {.margin = 0}));
     }
     const SequentialComparison found = compare_sequentially(studies, errors_alone, {.step = 4, .most = 20});
     failed +=
@@ -124,7 +124,7 @@ TEST_CASE("what is equal in the first runs may differ in the next", "[variants][
   };
   const Variant a = variant(about(1, 0.1), varied), b = variant(later, varied_more);
   const SequentialComparison found =
-      compare_sequentially(std::vector{study_of_both({a, b}, {.margin = 0})},
+      compare_sequentially(std::vector{study_of_both(a, b, {.margin = 0})},
                            std::vector<std::string>{"position_error_cm", "variation_deg"}, {.step = 5, .most = 20});
   CHECK(found.runs > 5);
   CHECK(is_regression(found.comparisons.front().metrics.front()));
@@ -133,7 +133,7 @@ TEST_CASE("what is equal in the first runs may differ in the next", "[variants][
 TEST_CASE("looks at every level that a plan may ask end", "[variants][looks]") {
   const Variant a = variant(about(1, 0.3)), b = variant(about(1.2, 0.3));
   for (const double significance : {significances.first, significances.second}) {
-    const std::vector<VariantStudy> studies{study_of_both({a, b}, {.significance = significance})};
+    const std::vector<VariantStudy> studies{study_of_both(a, b, {.significance = significance})};
     CHECK_NOTHROW(compare_sequentially(studies, errors_alone, {.step = 2, .most = 40}));
   }
 }

@@ -90,7 +90,7 @@ inline void draw_target(results::SolveRecord& solve) { solve.target_position_m[0
 inline inference::VariantComparison compared(const inference::Variant& a, const inference::Variant& b,
                                              const std::vector<std::string>& metrics = {},
                                              const results::AnalysisPlan& plan = {}) {
-  const std::vector<inference::VariantStudy> studies{inference::study_of_both({a, b}, plan)};
+  const std::vector<inference::VariantStudy> studies{inference::study_of_both(a, b, plan)};
   return inference::compare_variants(studies, metrics).front();
 }
 

@@ -92,12 +92,12 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     const bool in_blocks = repetition % 2 == 0;
     const Variant a = in_blocks ? drawn(of_a) : variant(of_a), b = in_blocks ? drawn(of_b) : variant(of_b);
     CAPTURE(repetition, n, in_blocks);
-    const VariantStudy both = study_of_both({a, b}, {});
+    const VariantStudy both = study_of_both(a, b, {});
     const Contrast in_report = JudgedStudy(both.study).evidence(Metric::position_error_cm).contrasts.front();
     const MetricComparison compared_alone = error_of(a, b);
     if (compared_alone.contrast.is_fact) continue;  // ties made them equal
     CHECK(compared_alone.contrast.relation == in_report.relation);
-    CHECK(compared_alone.contrast.extent == in_report.extent);
+    CHECK(compared_alone.contrast.is_within_margin() == in_report.is_within_margin());
     if (!std::isnan(in_report.p)) CHECK(compared_alone.contrast.p == in_report.p);
     const bool is_lost = !std::ranges::all_of(of_a, [](double value) { return std::isfinite(value); });
     with_lost += is_lost && is_decided(in_report) ? 1 : 0;
@@ -132,12 +132,12 @@ TEST_CASE("a difference beyond the margin is a regression, one on both sides of 
   CHECK(!is_regression(error_of(variant(about(2, 0.1)), a)));
   const MetricComparison across = error_of(a, variant(about(1.07, 0.1)));
   CHECK(across.contrast.relation == Relation::better);
-  CHECK(across.contrast.extent == Extent::across);
+  CHECK(across.contrast.is_across_margin());
   CHECK(!is_regression(across));
   CHECK(is_open(across));
   const MetricComparison less = error_of(a, variant(about(1.2, 0.1)), {.margin = 0.5});
   CHECK(less.contrast.relation == Relation::better);
-  CHECK(less.contrast.extent == Extent::within);
+  CHECK(less.contrast.is_within_margin());
   CHECK(!is_open(less));
   CHECK(!is_regression(error_of(a, variant(about(1.2, 0.1)), {.margin = 0, .margin_cm = 1})));
 }
@@ -192,7 +192,7 @@ TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variant
     CHECK((plan == ranks ? of_times.ratio : of_times.difference).value == Approx(0.1).epsilon(0.1));
     const VariantComparison barely = compared(with(1, plan), with(1.02, plan), {"seconds"});
     CHECK(barely.metrics[0].contrast.relation == Relation::better);
-    CHECK(barely.metrics[0].contrast.extent == Extent::within);
+    CHECK(barely.metrics[0].contrast.is_within_margin());
   }
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("a metric is a line of the table: tables, figures, statistics, the pag
     CHECK(contains(text_of_file(out / "tables" / "baselines.csv"), "mean_" + line.column));
     const std::vector<Variant> all = variants(store, store.study("mine"));
     const std::vector<std::string> asked{line.column};
-    const std::vector<VariantStudy> studies{study_of_both({all.at(0), all.at(1)}, {})};
+    const std::vector<VariantStudy> studies{study_of_both(all.at(0), all.at(1), {})};
     CHECK(name_of(compare_variants(studies, asked).front().metrics.front().metric) == line.column);
     CHECK(compare_variants(studies, {}).front().metrics.size() == compared_metrics().size());
   }

@@ -168,7 +168,7 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
       .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
   const Evidence found = evidence(near, {.test = "welch", .margin = 0.05});
   CHECK(found.contrasts[0].relation == Relation::better);
-  CHECK(found.contrasts[0].extent == Extent::within);
+  CHECK(found.contrasts[0].is_within_margin());
   CHECK(says(found, "In short: A is better than B: mean 100 vs 101, by 0.885 to 1.12, less than 5 % (p = "));
   // Welch's interval is 1 -+ 2.306 sqrt(0.00625 * 2 / 5): 0.885 to 1.115, of 100.
   const auto verdict_at = [&](double margin) {

@@ -100,7 +100,7 @@ Judged told_at(const Significance& at) {
   const std::vector<Variant> both = variants(store, store.study("own"));
   const std::vector<std::string> error{"position_error_cm"};
   const AnalysisPlan plan{.significance = at.given.value_or(at.study), .margin = 0};
-  const std::vector<VariantStudy> studies{study_of_both({both[0], both[1]}, plan)};
+  const std::vector<VariantStudy> studies{study_of_both(both[0], both[1], plan)};
   told.compared = compare_variants(studies, error).front().metrics.front();
   return told;
 }
@@ -156,15 +156,15 @@ TEST_CASE("a study finds its evidence once for each metric, and of times that ar
   CHECK(error.contrasts.size() == 1);
   CHECK(time.groups.size() == 2);
   CHECK(time.contrasts.empty());
-  CHECK(judge(time, "A", "B").undefined == words_of(timing_doubts(study)));
+  CHECK(judge(time, "A", "B").why == words_of(timing_doubts(study)));
 }
 
 TEST_CASE("the one rule: found before small, small before open", "[judge]") {
-  CHECK(relation_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.05) == Relation::better);
-  CHECK(relation_of({.p_better = 1, .p_worse = 0.04}, 0.05) == Relation::worse);
-  CHECK(relation_of({.p_better = 0.04, .p_worse = 1, .within_margin = true}, 0.01) == Relation::same);
-  CHECK(relation_of({.p_better = 0.04, .p_worse = 1}, 0.01) == Relation::undecided);
-  CHECK(relation_of({}, 0.05) == Relation::undecided);
+  CHECK(relation_of(1, 0.04, 0.05, true) == Relation::better);
+  CHECK(relation_of(-1, 0.04, 0.05) == Relation::worse);
+  CHECK(relation_of(1, 0.04, 0.01, true) == Relation::same);
+  CHECK(relation_of(1, 0.04, 0.01) == Relation::undecided);
+  CHECK(relation_of(0, statistics::not_defined, 0.05) == Relation::undecided);
 }
 
 TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]") {
@@ -174,28 +174,28 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
     for (int run = 1; run <= 20; ++run) group.values.push_back(value_in(run, mean));
     observed.groups.push_back(group);
   }
-  const Judgement found = judge(evidence(observed, {}), "one", "other"),
-                  back = judge(evidence(observed, {}), "other", "one");
+  const Finding found = judge(evidence(observed, {}), "one", "other"),
+                back = judge(evidence(observed, {}), "other", "one");
   CHECK(found.relation == Relation::better);
   CHECK(back.relation == Relation::worse);
   CHECK(found.p == back.p);
-  CHECK(found.difference.value == Approx(-2));
-  CHECK(back.difference.low == -found.difference.high);
-  CHECK(found.test == "studentized bootstrap");
+  CHECK(found.estimate.value == Approx(-2));
+  CHECK(back.estimate.low == -found.estimate.high);
+  CHECK(found.method == "studentized bootstrap");
 
   observed.flaws = {{.kind = DoubtKind::said_elsewhere, .what = "made up"}};
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::undefined);
-  CHECK(judge(evidence(observed, {}), "one", "other").undefined == "made up");
+  CHECK(judge(evidence(observed, {}), "one", "other").why == "made up");
   observed.flaws.clear();
   for (double& value : observed.groups[1].values) value = statistics::not_defined;
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);
-  CHECK(judge(evidence(observed, {}), "one", "none").undefined == "none is left out of the comparison");
+  CHECK(judge(evidence(observed, {}), "one", "none").why == "none is left out of the comparison");
 }
 
 TEST_CASE("a number with a standard error is judged by the plan too", "[judge]") {
   CHECK(judge(2.3, 1, {.significance = 0.05}).relation == Relation::better);  // p = 0.0214
   CHECK(judge(-2.3, 1, {.significance = 0.05}).relation == Relation::worse);
   CHECK(judge(2.3, 1, {.significance = 0.01}).relation == Relation::undecided);
-  CHECK(judge(2.3, 1, {.significance = 0.05}).difference.low == Approx(2.3 - 1.959964));
-  CHECK(!judge(statistics::not_defined, 1, {}).undefined.empty());
+  CHECK(judge(2.3, 1, {.significance = 0.05}).estimate.low == Approx(2.3 - 1.959964));
+  CHECK(!judge(statistics::not_defined, 1, {}).why.empty());
 }

@@ -22,7 +22,7 @@ GroupSummary trimmed(std::vector<double> values) {
   return {.mean = result.mean, .std = standard_deviation(values) * std::sqrt(freedom), .n = result.n};
 }
 
-std::vector<PairResult> yuen_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Contrast> yuen_pairs(const Evidence& evidence, const Groups& groups) {
   std::vector<GroupSummary> summaries;
   for (const std::vector<double>& values : groups.values) summaries.push_back(trimmed(values));
   return of_means(evidence, tamhane(summaries, 1 - evidence.plan.significance, evidence.reference));
