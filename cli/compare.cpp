@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/name_with_unit.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/inference/look_note.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/names.hpp"

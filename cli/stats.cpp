@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "analysis/inference/margin.hpp"
-#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/inference/text.hpp"

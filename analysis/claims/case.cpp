@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"

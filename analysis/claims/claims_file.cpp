@@ -57,7 +57,8 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
   reader.choice("take", entry.take,
                 {{"all", FromCompanion::all}, {"solver", FromCompanion::solver}, {"others", FromCompanion::others}},
                 "");
-  reader.chosen("universes", entry.universes, {{"mean", results::Estimand::mean}, {"typical", results::Estimand::typical}}, "");
+  reader.chosen("universes", entry.universes,
+                {{"mean", results::Estimand::mean}, {"typical", results::Estimand::typical}}, "");
   reader.text("dimension", entry.dimension, "");
   reader.text("table", entry.table, "");
   reader.text("note", entry.note, "");

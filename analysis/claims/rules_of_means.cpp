@@ -11,9 +11,9 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
-#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"

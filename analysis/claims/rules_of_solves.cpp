@@ -121,7 +121,7 @@ Claims singularities(const Case& of) {
     const auto& [answers, near, nearest_deg] = facts.joints[joint];
     if (of.entry.joints[joint].empty()) continue;
     claim.evidence.push_back(fmt::format("{} of {} answers are within {} deg of {} (the nearest: {} deg).", near,
-                                         answers, Straight::near_deg, of.entry.joints[joint],
+                                         answers, StraightJoint::near_deg, of.entry.joints[joint],
                                          short_number(nearest_deg)));
   }
   return {claim};
@@ -252,7 +252,7 @@ Claims rounding_level(const Case& of) {
 
 namespace {
 
-bool is_solved_here(const Rate& rate) { return rate.ours.undefined.empty(); }
+bool is_solved_here(const Rate& rate) { return !std::isnan(rate.ours.value); }
 
 // All rates of one arm belong to one number of iterations, which is not printed. So a rate depends on that number only
 // if it can be the other's, too.
@@ -265,7 +265,7 @@ Claim rate_claim(const Case& of, const RatesOfArm& arm, const Rate& rate) {
   const auto other = std::ranges::find_if(arm.rates, others);
   const bool has_other = other != arm.rates.end(), holds = rate.is_as_printed();
   const bool depends = !holds && rate.first > 0 && (!has_other || shares_iterations(rate, *other));
-  const auto [estimate, low, high, undefined] = rate.ours;
+  const auto [estimate, low, high] = rate.ours;
   Claim claim = of.begun();
   claim.id = fmt::format("{}-{}-{}", of.entry.id, rate.solver, arm.arm);
   claim.statement =
@@ -307,7 +307,7 @@ const Rate* best_rival(const RatesOfArm& arm, const ClaimEntry& entry) {
   for (const Rate& rate : arm.rates) {
     const bool is_rival = entry.against.empty() ? rate.solver != entry.solver : rate.solver == entry.against;
     if (!is_rival || !is_solved_here(rate)) continue;
-    if (best == nullptr || rate.ours.estimate > best->ours.estimate) best = &rate;
+    if (best == nullptr || rate.ours.value > best->ours.value) best = &rate;
   }
   return best;
 }
@@ -340,7 +340,7 @@ Claims solves_more(const Case& of) {
     if (rival == nullptr || own == arm.rates.end() || !is_solved_here(*own)) continue;
     const Relation relation = judge(arm.study->evidence(Metric::solved), solver, rival->solver).relation;
     auto& list = relation == Relation::better ? more : relation == Relation::worse ? fewer : open;
-    list.push_back(fmt::format("{} ({} to {})", arm.arm, percent(rival->ours.estimate), percent(own->ours.estimate)));
+    list.push_back(fmt::format("{} ({} to {})", arm.arm, percent(rival->ours.value), percent(own->ours.value)));
   }
   if (more.empty() && open.empty() && fewer.empty()) {
     claim.verdict = Verdict::untested;

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "analysis/inference/name_with_unit.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::figures {
 

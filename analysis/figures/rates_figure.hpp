@@ -11,8 +11,8 @@ namespace ikbench::figures {
 
 struct RateSeries {
   std::string name;
-  int colour = 1;                              // line style; a printed number has that of ours
-  bool is_ring = false;                        // drawn like printed numbers
+  int colour = 1;                            // line style; a printed number has that of ours
+  bool is_ring = false;                      // drawn like printed numbers
   std::vector<statistics::Estimate> shares;  // one per row; undefined shares and intervals are not drawn
 };
 

@@ -115,7 +115,7 @@ class Lister {
     add(key, fmt::format("{:.12g}", field / unit), meaning);
   }
 
-  std::vector<PlanValue> values;
+  std::vector<std::array<std::string, 3>> values;
 
  private:
   void add(std::string_view key, std::string text, std::string_view meaning) {
@@ -207,7 +207,7 @@ Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
 
 }  // namespace
 
-std::vector<PlanValue> values_of(AnalysisPlan plan) {  // list_fields serves readers too
+std::vector<std::array<std::string, 3>> values_of(AnalysisPlan plan) {  // list_fields serves readers too
   Lister lister;
   list_fields(lister, plan);
   return lister.values;
@@ -220,11 +220,11 @@ AnalysisPlan plan_of(const StudyEntry& entry) {
 }
 
 std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after) {
-  const std::vector<PlanValue> old = values_of(before), now = values_of(after);
+  const auto old = values_of(before), now = values_of(after);
   std::vector<std::string> changes;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (old[i].text != now[i].text)
-      changes.push_back(fmt::format("{} {} -> {}", now[i].field, old[i].text, now[i].text));
+    const auto& [field, text, meaning] = now[i];
+    if (old[i][1] != text) changes.push_back(fmt::format("{} {} -> {}", field, old[i][1], text));
   }
   return fmt::format("{}", fmt::join(changes, ", "));
 }
@@ -251,11 +251,37 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
   if (!plan_json(entry).is_object()) doubts.push_back({.kind = DoubtKind::no_plan});
   if (!doubts.empty()) return list_of(doubts);
   std::vector<std::string> values;
-  for (const PlanValue& value : values_of(plan_of(entry))) values.push_back(value.field + ' ' + value.text);
+  for (const auto& [field, text, meaning] : values_of(plan_of(entry))) values.push_back(field + ' ' + text);
   return {fmt::format("The methods {} ({}).",
                       solves.empty() ? "are fixed in the study, which has no solves yet"
                                      : "were fixed in the study before its first solve in this store",
                       fmt::join(values, ", "))};
+}
+
+int runs_looked_at(const StudyResults& study) {
+  int runs = 0;
+  for (const SolverCounts& count : counts(study)) runs = std::max(runs, count.complete_runs);
+  return runs;
+}
+
+Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance) {
+  std::vector<std::string> earlier;
+  for (const Look& look : looks) {
+    if (look.runs != runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
+  }
+  if (earlier.empty()) return {};
+  constexpr std::size_t most_named = 5;
+  const std::size_t number_of_earlier = earlier.size();
+  if (number_of_earlier > most_named) earlier.erase(earlier.begin(), earlier.end() - most_named);
+  const std::size_t number = number_of_earlier + 1;
+  const double level = significance / static_cast<double>(number * (number - 1));
+  return {{.kind = DoubtKind::looked_before,
+           .who = earlier,
+           .count = static_cast<double>(number),
+           .of = static_cast<double>(runs),
+           .value = level,
+           .limit = 100 * significance,
+           .what = number_of_earlier > most_named ? "the latest before it" : "earlier ones"}};
 }
 
 }  // namespace ikbench::inference

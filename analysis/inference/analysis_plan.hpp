@@ -1,14 +1,16 @@
-// Reads a study's analysis plan, and tells whether the plan was fixed before the solves were made. Stores may be old or
-// foreign: a missing or invalid field takes its default.
+// Reads a study's analysis plan, tells whether the plan was fixed before the solves were made, and corrects
+// significance when a study is judged again with more runs. Stores may be old or foreign: a missing or invalid field
+// takes its default.
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "analysis/inference/doubt.hpp"
+#include "analysis/inference/study.hpp"
 #include "results/analysis_plan.hpp"
+#include "results/looks.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::inference {
@@ -16,13 +18,8 @@ namespace ikbench::inference {
 // Returns the plan in the study's definition. Ignores a control that is no label of the study.
 results::AnalysisPlan plan_of(const results::StudyEntry& entry);
 
-struct PlanValue {
-  std::string field, text, meaning;
-};
-std::vector<PlanValue> values_of(results::AnalysisPlan plan);
-
-// Number of solves by session id.
-using SolvesOfSessions = std::map<std::int64_t, std::int64_t>;
+// The field, its value as text, and its meaning.
+std::vector<std::array<std::string, 3>> values_of(results::AnalysisPlan plan);
 
 // Lists the changes: "significance 0.05 -> 0.01, unit run -> point"; empty if the plans are the same.
 std::string changes_between(const results::AnalysisPlan& before, const results::AnalysisPlan& after);
@@ -34,5 +31,12 @@ Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results:
 // Words plan_changes(), or says that nothing was changed; and counts the solves whose session recorded no plan.
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);
+
+// Number of runs that are complete for at least one solver: the size of a look.
+int runs_looked_at(const StudyResults& study);
+
+// Empty if no earlier look had fewer runs. Look k has the level significance / (k (k - 1)): over all k from 2 these sum
+// to significance, so all looks after the first together keep it (Bonferroni).
+Doubts look_doubts(const std::vector<results::Look>& looks, int runs, double significance);
 
 }  // namespace ikbench::inference

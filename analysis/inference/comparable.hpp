@@ -1,12 +1,15 @@
 // Decides which metrics and solvers of a study may be compared. Every statement on times and evaluations follows it.
+// Finds the machines that solved a study.
 #pragma once
 
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "analysis/inference/doubt.hpp"
 #include "analysis/inference/study.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::inference {
 
@@ -40,5 +43,10 @@ Doubts transport_doubts(const StudyResults& study);
 // Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
 Doubts evaluation_doubts(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";
+
+// Returns the recorded CPUs, with host names if there are several machines. Two sessions ran on different machines if
+// both host name (a machine may reboot) and system start (containers have their own names) differ. So cloud machines
+// with one host name count as one, and an unrecorded system start counts as another one.
+std::set<std::string> machines_of(std::span<const results::Session> sessions);
 
 }  // namespace ikbench::inference

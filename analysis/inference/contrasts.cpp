@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/inference/deciding.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/outcomes.hpp"

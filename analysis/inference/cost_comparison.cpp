@@ -89,16 +89,15 @@ Estimate SolverCost::expected(const Clusters& clusters) const {
   return clusters.estimate(time.expected(), std::move(of_replicates));
 }
 
-std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters,
-                                 const Success& is_success) {
+std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters) {
   std::vector<SolverCost> result;
   for (const Solves& solves : solves_by_solver(study)) {
     SolverCost& solver = result.emplace_back();
     std::vector<RunningTime> sums(clusters.drawn_at_once());
     for (const Solve* solve : solves) {
       const double spent = total_cost(study, *solve, cost);
-      solver.time.add(spent, is_success(*solve));
-      sums[clusters.of(*solve)].add(spent, is_success(*solve));
+      solver.time.add(spent, is_ok(*solve));
+      sums[clusters.of(*solve)].add(spent, is_ok(*solve));
     }
     if (solves.empty()) {
       solver.undefined = "there are no trials";
@@ -121,9 +120,8 @@ std::vector<std::pair<std::size_t, std::size_t>> compared_pairs(std::size_t solv
   return pairs;
 }
 
-std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const Clusters& clusters,
-                                   const Success& is_success) {
-  const std::vector<SolverCost> costs = costs_of(study, cost, clusters, is_success);
+std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const Clusters& clusters) {
+  const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
   std::size_t best = 0;
   for (std::size_t i = 1; i < costs.size(); ++i) {
     const double least = costs[best].time.expected();
@@ -138,7 +136,7 @@ std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const
     Compared compared = pair.log_ratio();
     has_ratio.push_back(is_finite(compared));
     if (!has_ratio.back()) compared = pair.shares_of_success();
-    found.push_back({.quantity = expected_name(cost),
+    found.push_back({.quantity = fmt::format("expected {}", name_of(cost)),
                      .first = study.solvers[first],
                      .second = study.solvers[second],
                      .estimate = {.value = compared.value}});

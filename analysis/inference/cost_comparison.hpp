@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,20 +22,15 @@ struct SolverCost {
 
   Estimate expected(const Clusters& clusters) const;  // expected running time
 };
-// In the order of the study's solvers. A solve that does not succeed is given up at its cost.
-using Success = std::function<bool(const Solve&)>;
-std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters,
-                                 const Success& is_success = is_ok);
+// In the order of the study's solvers. A solve that is not ok is given up at its cost.
+std::vector<SolverCost> costs_of(const StudyResults& study, Metric cost, const Clusters& clusters);
 
 // Which pairs are compared: all, or of more than twenty solvers those with the best alone.
 std::vector<std::pair<std::size_t, std::size_t>> compared_pairs(std::size_t solvers, std::size_t best);
 
-// What rows of compare_costs() are about.
-inline std::string expected_name(Metric cost) { return "expected " + std::string(name_of(cost)); }
 // Ratios of expected running times; better: the first spends less. A sample without a success has an infinite running
 // time and no ratio. Such a pair has no interval, and shares of success decide, each weighed by what the other spends:
 // p2 c1 - p1 c2 has the sign of c1 / p1 - c2 / p2. The cost of who never succeeds is infinite.
-std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const Clusters& clusters,
-                                   const Success& is_success = is_ok);
+std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const Clusters& clusters);
 
 }  // namespace ikbench::inference

@@ -1,11 +1,14 @@
-// Reads a user's CSV of either layout into observations, before any are averaged or refused.
+// Reads a user's CSV of either layout into observations, before any are averaged or refused, and finds the runs
+// in it: rows that share a run are no replicates.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "analysis/inference/csv_cells.hpp"
@@ -66,5 +69,26 @@ void take_logarithms(const CsvFile& file, Contents& contents);
 // Returns whether a column's name says that it numbers repetitions. "fold" does not count: folds of two data sets share
 // nothing but their number.
 bool names_replicates(std::string_view title);
+
+// Returns whether the column numbers repetitions and the request gives it no other role.
+bool numbers_runs(const std::string& title, const CsvRequest& request);
+
+using GroupRun = std::pair<std::size_t, std::size_t>;
+
+// The group and the run of each observation, sorted.
+template <typename RunOf>
+std::vector<GroupRun> group_runs(const Contents& contents, const RunOf& run_of) {
+  std::vector<GroupRun> keys;
+  keys.reserve(contents.observations.size());
+  for (const Observation& o : contents.observations) keys.emplace_back(o.group, run_of(o));
+  std::ranges::sort(keys);
+  return keys;
+}
+
+// Number of rows with this key; `keys` are sorted.
+std::size_t rows_of(const std::vector<GroupRun>& keys, const GroupRun& key);
+
+// Refuses rows that are no replicates. If they are taken as given, says why they are none; empty if all are replicates.
+std::string rows_share_a_run(const CsvFile& file, const Contents& contents, const CsvRequest& request);
 
 }  // namespace ikbench::inference

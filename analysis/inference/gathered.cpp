@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/make_study.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::inference {
@@ -54,6 +55,34 @@ double norm_deg(std::size_t joints, const std::set<std::size_t>& slides, Element
 
 double angle_deg(const std::vector<double>& answer, std::size_t joint) {
   return joint < answer.size() ? answer[joint] * 180 / std::numbers::pi : not_defined;
+}
+
+using JointAngles = std::vector<std::vector<double>>;
+
+double second_difference_deg(const JointAngles& answers, const std::set<std::size_t>& slides) {
+  const bool is_even = std::ranges::all_of(
+      answers, [&](const std::vector<double>& answer) { return answer.size() == answers.front().size(); });
+  if (answers.size() < 3 || !is_even) return not_defined;
+  double sum = 0;
+  for (std::size_t k = 1; k + 1 < answers.size(); ++k) {
+    const std::vector<double>&before = answers[k - 1], &here = answers[k], &after = answers[k + 1];
+    sum += norm_deg(here.size(), slides,
+                    [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
+  }
+  return sum / static_cast<double>(answers.size() - 2);
+}
+
+double mean_bend_deg(const JointAngles& answers) {
+  std::size_t joints = 0;
+  for (const std::vector<double>& answer : answers) joints = std::max(joints, answer.size());
+  std::vector<double> bends;
+  for (std::size_t k = 1; k + 1 < answers.size(); ++k) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      bends.push_back(std::abs(angle_deg(answers[k - 1], joint) - 2 * angle_deg(answers[k], joint) +
+                               angle_deg(answers[k + 1], joint)));
+    }
+  }
+  return mean(bends);
 }
 
 // Returns whether a clean solve took more than 10 % longer than its CPU time. A program may wait for other reasons, so
@@ -116,13 +145,15 @@ Problem Problems::operator[](std::size_t number) const {
           .has_start = all[2] != 0};
 }
 
-bool Gatherer::is_following(const SolveRecord& record, std::uint16_t solver) const {
-  return !answers_.empty() && solver == solver_ && record.run == run_ && record.point == point_ + 1 &&
+bool StudyMaker::is_following(const SolveRecord& record, std::uint16_t solver) const {
+  if (answers_.empty()) return false;
+  const Solve& last = solves_.back();
+  return solver == last.solver && record.run == last.run && record.point == last.point + 1 &&
          !record.answer_rad.empty() && record.answer_rad.size() == record.start_rad.size() &&
          record.start_rad == answers_.back();
 }
 
-std::uint16_t Gatherer::session_number(std::int64_t session) {
+std::uint16_t StudyMaker::session_number(std::int64_t session) {
   std::vector<std::int64_t>& known = gathered_.sessions;
   if (known.empty() || known.back() != session) {
     const auto found = std::ranges::find(known, session);
@@ -135,7 +166,7 @@ std::uint16_t Gatherer::session_number(std::int64_t session) {
   return static_cast<std::uint16_t>(known.size() - 1);
 }
 
-void Gatherer::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
+void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
   SolverFacts& own = gathered_.of_solver[solver];
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
@@ -153,22 +184,22 @@ void Gatherer::look_at_times(const SolveRecord& record, std::uint16_t solver, bo
   }
 }
 
-void Gatherer::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
+void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
   SolverFacts& own = gathered_.of_solver[solver];
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
   gathered_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
   own.joints.resize(std::max(own.joints.size(), record.answer_rad.size()));
   for (std::size_t joint = 0; joint < record.answer_rad.size(); ++joint) {
-    Straight& straight = own.joints[joint];
+    StraightJoint& straight = own.joints[joint];
     const double off = std::remainder(record.answer_rad[joint], std::numbers::pi);
     const double distance = std::abs(off * 180 / std::numbers::pi);
     straight.nearest_deg = std::min(straight.nearest_deg, distance);
     ++straight.answers;
-    straight.near += distance < Straight::near_deg ? 1 : 0;
+    straight.near += distance < StraightJoint::near_deg ? 1 : 0;
   }
 }
 
-void Gatherer::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {
+void StudyMaker::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {
   std::vector<SolveRecord>& drawn = gathered_.drawn;
   if (!is_first_of_solver && drawn.back().run != record.run) return;
   drawn.push_back(record);
@@ -177,54 +208,29 @@ void Gatherer::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {
   drawn.back().improved_to_cm = {};
 }
 
-double Gatherer::second_difference_deg() const {
-  const bool is_even = std::ranges::all_of(
-      answers_, [&](const std::vector<double>& answer) { return answer.size() == answers_.front().size(); });
-  if (answers_.size() < 3 || !is_even) return not_defined;
-  double sum = 0;
-  for (std::size_t k = 1; k + 1 < answers_.size(); ++k) {
-    const std::vector<double>&before = answers_[k - 1], &here = answers_[k], &after = answers_[k + 1];
-    sum += norm_deg(here.size(), slides_,
-                    [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
-  }
-  return sum / static_cast<double>(answers_.size() - 2);
-}
-
-double Gatherer::mean_bend_deg() const {
-  std::size_t joints = 0;
-  for (const std::vector<double>& answer : answers_) joints = std::max(joints, answer.size());
-  std::vector<double> bends;
-  for (std::size_t k = 1; k + 1 < answers_.size(); ++k) {
-    for (std::size_t joint = 0; joint < joints; ++joint) {
-      bends.push_back(std::abs(angle_deg(answers_[k - 1], joint) - 2 * angle_deg(answers_[k], joint) +
-                               angle_deg(answers_[k + 1], joint)));
-    }
-  }
-  return mean(bends);
-}
-
-void Gatherer::end_run() {
+void StudyMaker::end_run() {
   if (answers_.size() > 1) {
-    RunShape shape{.solver = solver_,
-                   .run = run_,
+    RunShape shape{.solver = solves_.back().solver,
+                   .run = solves_.back().run,
                    .points = static_cast<int>(answers_.size()),
-                   .second_difference_deg = second_difference_deg(),
-                   .mean_bend_deg = mean_bend_deg()};
+                   .second_difference_deg = second_difference_deg(answers_, study_.facts.slides),
+                   .mean_bend_deg = mean_bend_deg(answers_)};
     const std::vector<double>&first = answers_.front(), &last = answers_.back();
     if (first.size() == last.size() && is_near(first_.position_m, last_.position_m) &&
         is_near(first_.rotation, last_.rotation)) {
-      shape.return_deg = norm_deg(first.size(), slides_, [&](std::size_t joint) { return last[joint] - first[joint]; });
+      shape.return_deg =
+          norm_deg(first.size(), study_.facts.slides, [&](std::size_t joint) { return last[joint] - first[joint]; });
     }
     gathered_.shapes.push_back(shape);
   }
   answers_.clear();
 }
 
-Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
-  const bool is_first_of_solver = gathered_.of_solver.size() <= solver || solver != solver_ || run_ == 0;
+Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
+  const bool is_first_of_solver = solves_.empty() || solver != solves_.back().solver;
   if (gathered_.of_solver.size() <= solver) gathered_.of_solver.resize(solver + std::size_t{1});
   const bool is_following = this->is_following(record, solver);
-  if (solver != solver_ || record.run != run_) {
+  if (is_first_of_solver || record.run != solves_.back().run) {
     end_run();
     first_ = {record.target_position_m, record.target_rotation};
   }
@@ -244,7 +250,7 @@ Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
               .evaluations = record.evaluations,
               .run = record.run,
               .point = record.point,
-              .problem = gathered_.problems.number_of(record, starts_anew_ || !is_following),
+              .problem = gathered_.problems.number_of(record, study_.facts.starts_anew() || !is_following),
               .answer = digest_of(record.answer_rad),
               .iterations = static_cast<std::uint32_t>(
                   std::clamp<std::int64_t>(record.iterations, 0, std::numeric_limits<std::uint32_t>::max())),
@@ -262,20 +268,9 @@ Solve Gatherer::add(const SolveRecord& record, std::uint16_t solver) {
     gathered_.extras.push_back({record.trace_cm, record.variation_m});
     solve.extras = &gathered_.extras.back();
   }
-  solver_ = solver;
-  run_ = record.run;
-  point_ = record.point;
   answers_.push_back(record.answer_rad);
   last_ = {record.target_position_m, record.target_rotation};
   return solve;
-}
-
-Gathered Gatherer::finish(std::vector<std::string> labels) {
-  end_run();
-  gathered_.labels = std::move(labels);
-  gathered_.of_solver.resize(gathered_.labels.size());
-  gathered_.problems.forget_index();
-  return std::move(gathered_);
 }
 
 }  // namespace ikbench::inference

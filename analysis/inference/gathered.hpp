@@ -47,7 +47,7 @@ class Problems {
 };
 
 // Counts answers in which a joint is nearly straight: within near_deg of a multiple of 180 degrees.
-struct Straight {
+struct StraightJoint {
   static constexpr double near_deg = 5;
   int answers = 0, near = 0;
   double nearest_deg = std::numeric_limits<double>::infinity();
@@ -66,7 +66,7 @@ struct Outlier {
 struct SolverFacts {
   double worst_outside_deg = 0;               // excess beyond the limit, worst joint
   std::vector<double> transport_shares = {};  // message share of each time of a program
-  std::vector<Straight> joints = {};
+  std::vector<StraightJoint> joints = {};
   int outlying_repeats = 0;
 };
 
@@ -93,39 +93,6 @@ struct Gathered {
   std::optional<Outlier> worst_repeat = {};
   // Records of the first run of each solver, without traces.
   std::vector<results::SolveRecord> drawn = {};
-};
-
-// Gathers facts from solves that arrive ordered by solver, run and point.
-class Gatherer {
- public:
-  Gatherer(std::set<std::size_t> slides, bool starts_anew) : slides_(std::move(slides)), starts_anew_(starts_anew) {}
-
-  // `solver`: its index among the caller's labels.
-  Solve add(const results::SolveRecord& record, std::uint16_t solver);
-  Gathered finish(std::vector<std::string> labels);
-
- private:
-  struct Passed {
-    std::vector<double> position_m, rotation;
-  };
-
-  bool is_following(const results::SolveRecord& record, std::uint16_t solver) const;
-  void look_at_times(const results::SolveRecord& record, std::uint16_t solver, bool is_repeated);
-  void look_at_answer(const results::SolveRecord& record, std::uint16_t solver);
-  void keep_drawn(const results::SolveRecord& record, bool is_first_of_solver);
-  std::uint16_t session_number(std::int64_t session);
-  void end_run();
-  double second_difference_deg() const;
-  double mean_bend_deg() const;
-
-  std::set<std::size_t> slides_;
-  bool starts_anew_;
-  Gathered gathered_;
-  // State of the current run.
-  std::uint16_t solver_ = 0;
-  int run_ = 0, point_ = 0;
-  std::vector<std::vector<double>> answers_;
-  Passed first_, last_;
 };
 
 }  // namespace ikbench::inference

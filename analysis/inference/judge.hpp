@@ -1,7 +1,8 @@
 // Decides which of two is better. Claims, summary, tables and `ikbench compare` all ask here. The study's plan decides:
-// its test, adjustment, significance and margin.
+// its test, adjustment, significance and margin. Words the test that decides, and ranks groups by it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -21,10 +22,20 @@ Finding judge(const Evidence& evidence, std::string_view first, std::string_view
 Finding judge(const statistics::GroupSummary& first, const statistics::GroupSummary& second, Better better,
               const results::AnalysisPlan& plan);
 
-// Judges whether a normally distributed number is above 0 (better) or below 0 (worse).
-Finding judge(double value, double standard_error, const results::AnalysisPlan& plan);
-
 // Returns whether p is below the plan's significance.
 bool is_significant(double p, const results::AnalysisPlan& plan);
+
+// Names the deciding test of a pair; deciding_words adds the test of all groups that goes with it.
+std::string_view pair_test_words(const Evidence& evidence);
+std::string_view deciding_words(const Evidence& evidence);
+// Names the test of two groups with one value each.
+std::string_view test_of_constants_words(const Evidence& evidence);
+// A group's score by the deciding method: its mean rank, average rank or mean. Smaller is better; infinite if not
+// defined.
+double standing(const Evidence& evidence, const GroupEvidence& group);
+// Index of the group with the best standing().
+std::size_t best_group(const Evidence& evidence);
+// The test of all groups that goes with the deciding test of pairs; null if it was not made or does not exist.
+const TestResult* deciding_test(const Evidence& evidence);
 
 }  // namespace ikbench::inference

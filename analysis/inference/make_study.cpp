@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "analysis/inference/analysis_plan.hpp"
-#include "analysis/inference/machines.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "numerics/number.hpp"
 
@@ -109,12 +109,11 @@ StudyResults made(StudyMaker maker, const std::vector<SolveRecord>& solves, cons
 
 }  // namespace
 
-StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves)
-    : study_(of_entry(entry)), series_(entry.series), gatherer_(study_.facts.slides, study_.facts.starts_anew()) {
+StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves) : study_(of_entry(entry)), series_(entry.series) {
   solves_.reserve(solves);
 }
 
-StudyMaker::StudyMaker(std::string name) : study_{.name = std::move(name)}, gatherer_({}, false) {}
+StudyMaker::StudyMaker(std::string name) : study_{.name = std::move(name)} {}
 
 void StudyMaker::check(const SolveRecord& record) const {
   if (record.run < 1 || record.run > most_runs || record.point < 1 || record.point > most_points) {
@@ -164,7 +163,7 @@ void StudyMaker::add(const SolveRecord& record) {
   }
   study_.runs = std::max(study_.runs, record.run);
   study_.points = std::max(study_.points, record.point);
-  solves_.push_back(gatherer_.add(record, solver));
+  solves_.push_back(condensed(record, solver));
 }
 
 StudyResults StudyMaker::finish(const std::vector<Session>& sessions) {
@@ -174,8 +173,12 @@ StudyResults StudyMaker::finish(const std::vector<Session>& sessions) {
         fmt::format("study '{}' has {} runs of {} points by {} solvers; expected at most {} solves", study_.name,
                     study_.runs, study_.points, solvers, most_solves));
   }
+  end_run();
+  gathered_.labels = study_.solvers;
+  gathered_.of_solver.resize(study_.solvers.size());
+  gathered_.problems.forget_index();
   study_.solves = SolveList(std::move(solves_));
-  study_.gathered = std::make_shared<const Gathered>(gatherer_.finish(study_.solvers));
+  study_.gathered = std::make_shared<const Gathered>(std::move(gathered_));
   add_sessions(study_, series_, sessions);
   return std::move(study_);
 }

@@ -27,13 +27,27 @@ class StudyMaker {
   StudyResults finish(const std::vector<results::Session>& sessions = {});
 
  private:
+  struct TargetOfSolve {
+    std::vector<double> position_m, rotation;
+  };
   void check(const results::SolveRecord& record) const;
   std::uint16_t number_of(const std::string& solver);
+  // Takes the facts from a record (gathered.cpp).
+  Solve condensed(const results::SolveRecord& record, std::uint16_t solver);
+  bool is_following(const results::SolveRecord& record, std::uint16_t solver) const;
+  void look_at_times(const results::SolveRecord& record, std::uint16_t solver, bool is_repeated);
+  void look_at_answer(const results::SolveRecord& record, std::uint16_t solver);
+  void keep_drawn(const results::SolveRecord& record, bool is_first_of_solver);
+  std::uint16_t session_number(std::int64_t session);
+  void end_run();
 
   StudyResults study_;
   std::vector<results::Series> series_ = {};  // from the study's definition
   std::vector<Solve> solves_;
-  Gatherer gatherer_;
+  Gathered gathered_;
+  // Of the current run.
+  std::vector<std::vector<double>> answers_;
+  TargetOfSolve first_, last_;
 };
 
 StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations.hpp"
 #include "analysis/inference/solve.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 

@@ -14,8 +14,6 @@
 
 #include "analysis/inference/csv_cells.hpp"
 #include "analysis/inference/csv_contents.hpp"
-#include "analysis/inference/csv_replicates.hpp"
-#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {

@@ -1,5 +1,6 @@
-// Reads observations from a user's CSV, as pandas, R and spreadsheets write it. Every mistake in a file throws
-// std::invalid_argument: one sentence with the file, the row and what was expected.
+// Reads observations from a user's CSV, as pandas, R and spreadsheets
+// write it. Every mistake in a file throws std::invalid_argument: one sentence with the file, the row and what was
+// expected.
 #pragma once
 
 #include <cstddef>

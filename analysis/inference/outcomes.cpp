@@ -1,13 +1,17 @@
 #include "analysis/inference/outcomes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/power.hpp"
+#include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {
@@ -81,6 +85,11 @@ void describe_shares(Evidence& evidence, std::span<const std::vector<double>> va
     evidence.groups[i].mean = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
     evidence.groups[i].median = {};
   }
+}
+
+std::string rare_failures_words(int observations, std::string_view of_what, double significance) {
+  return fmt::format("{} {} do not exclude a failure in up to {} % of them", observations, of_what,
+                     rounded_number(100 * statistics::most_without_success(observations, significance), 2));
 }
 
 }  // namespace ikbench::inference

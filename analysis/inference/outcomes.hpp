@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +30,8 @@ void describe_shares(Evidence& evidence, std::span<const std::vector<double>> va
 // Observations needed to find a difference of shares as large as the margin (Contrast::runs_to_decide).
 Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
                                std::span<const std::vector<double>> values);
+
+// "20 runs do not exclude a failure in up to 14 % of them"
+std::string rare_failures_words(int observations, std::string_view of_what, double significance);
 
 }  // namespace ikbench::inference

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/gathered.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/solve.hpp"
@@ -51,6 +50,8 @@ const SolverFacts& gathered_of(const StudyResults& study, std::string_view solve
 Problem problem_of(const StudyResults& study, const Solve& solve);
 // The first solve of each place (run and point), ordered by place.
 std::vector<const Solve*> places_of(const StudyResults& study);
+// Number of solves by session id.
+using SolvesOfSessions = std::map<std::int64_t, std::int64_t>;
 SolvesOfSessions solves_of_sessions(const StudyResults& study);
 // The wall time of a solve [s], or with seconds_per_evaluation its evaluations times its solver's pace.
 double seconds_of(const StudyResults& study, const Solve& solve);

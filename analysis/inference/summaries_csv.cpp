@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "analysis/inference/csv_cells.hpp"
-#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/observations_csv.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 

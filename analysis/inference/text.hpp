@@ -1,5 +1,5 @@
-// Escapes any text (labels and titles come from study files) for Markdown, LaTeX and gnuplot, and writes numbers as
-// text.
+// Escapes any text (labels and titles come from study files) for Markdown, LaTeX and gnuplot, writes numbers as text,
+// and splits names of quantities from their units.
 #pragma once
 
 #include <cstddef>
@@ -28,5 +28,13 @@ std::string short_number(double value);                            // three digi
 // "31 to 122", "31"; "at least 31" if the range has no end or spans more than a factor of 100.
 std::string range_words(double low, double high);
 std::string percent(double share);  // "5 %", three digits
+
+struct NameWithUnit {
+  std::string name, unit;  // unit is empty if there is none
+};
+
+// Splits a user's name of a column or quantity: "error_cm", "error [cm]".
+NameWithUnit split_unit(std::string_view name);
+std::string text_of(const NameWithUnit& quantity);  // "error [cm]"
 
 }  // namespace ikbench::inference

@@ -1,4 +1,5 @@
-// Prepares times for judgement: interruptions by other programs decide nothing, and are reported.
+// Prepares times for judgement: interruptions by other programs decide nothing, and are reported, and so are
+// two speeds of the machine.
 #pragma once
 
 #include <string>
@@ -32,5 +33,10 @@ Doubts repeat_doubts(const StudyResults& study);
 
 // Doubts that the machine was loaded, because many of one solver's solves took long.
 Doubts load_doubts(const StudyResults& study);
+
+// Two speeds show in every solver as two groups of seconds per evaluation with almost nothing between. Takes clean
+// times of solves with at least half the usual evaluations; in shorter ones overhead counts too much. Empty with fewer
+// than two such solvers.
+Doubts speed_doubts(const StudyResults& study);
 
 }  // namespace ikbench::inference

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/machines.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 

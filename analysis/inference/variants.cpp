@@ -20,8 +20,8 @@
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/not_finite.hpp"
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/inference/unseen.hpp"
 #include "analysis/inference/variant_differences.hpp"
 #include "analysis/statistics/quantile.hpp"
 

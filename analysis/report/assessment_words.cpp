@@ -10,8 +10,8 @@
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/inference/unseen.hpp"
 #include "analysis/report/words.hpp"
 
 namespace ikbench::report {

@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/inference/name_with_unit.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::report {

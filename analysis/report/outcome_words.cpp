@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/inference/deciding.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"

@@ -68,7 +68,7 @@ Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<
               .caption = "How the study is judged",
               .columns = {"method", "value", "meaning"},
               .notes = std::move(notes)};
-  for (const PlanValue& value : values_of(used)) table.rows.push_back({value.field, value.text, value.meaning});
+  for (const auto& [field, text, meaning] : values_of(used)) table.rows.push_back({field, text, meaning});
   if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
     table.notes.push_back(
         fmt::format("Set on the command line after the data were collected, not by the study: {}.", given));

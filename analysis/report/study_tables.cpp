@@ -11,7 +11,6 @@
 
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/speeds.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/statistics/descriptive.hpp"

@@ -126,8 +126,6 @@ const Table& table_of(const MultiverseReport& report, const std::string& name) {
   return *std::ranges::find(report.tables, name, &Table::name);
 }
 
-double percent(double share) { return 100 * share; }
-
 }  // namespace
 
 TEST_CASE("what universes explain of the printed numbers is what listing them says", "[multiverse]") {
@@ -167,7 +165,7 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
       }
       CHECK(number_at(support, row, "explained_on_average") == Approx(sum / weight).margin(0.0501));
       CHECK(number_at(support, row, "explained_at_most") == at_most);
-      CHECK(number_at(support, row, "of_the_best_percent") == Approx(percent(in_best / best)).margin(0.0501));
+      CHECK(number_at(support, row, "of_the_best_percent") == Approx(100 * in_best / best).margin(0.0501));
     }
   }
   CHECK(row == support.rows.size());
@@ -183,8 +181,8 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
       share += explained[u][i] ? all[u].weight : 0;
       of_best += explained[u][i] && counts[u] == most ? 1 : 0;
     }
-    CHECK(number_at(numbers, i, "interpretations_percent") == Approx(percent(share)).margin(0.0501));
-    CHECK(number_at(numbers, i, "of_the_best_percent") == Approx(percent(of_best / best)).margin(0.0501));
+    CHECK(number_at(numbers, i, "interpretations_percent") == Approx(100 * share).margin(0.0501));
+    CHECK(number_at(numbers, i, "of_the_best_percent") == Approx(100 * of_best / best).margin(0.0501));
     CHECK(std::get<std::string>(cell_at(numbers, i, "default")) == (explained[0][i] ? "inside" : "outside"));
   }
   REQUIRE(report.sentences.size() == 3);

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
-#include "analysis/inference/look_note.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/leaders.hpp"

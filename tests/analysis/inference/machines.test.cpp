@@ -1,8 +1,7 @@
 // The machines that solved a study.
-#include "analysis/inference/machines.hpp"
-
 #include <vector>
 
+#include "analysis/inference/comparable.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

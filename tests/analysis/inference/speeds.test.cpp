@@ -1,9 +1,8 @@
 // A machine that went at two speeds.
-#include "analysis/inference/speeds.hpp"
-
 #include <vector>
 
 #include "analysis/inference/make_study.hpp"
+#include "analysis/inference/times.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 

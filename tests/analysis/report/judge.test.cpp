@@ -191,11 +191,3 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);
   CHECK(judge(evidence(observed, {}), "one", "none").why == "none is left out of the comparison");
 }
-
-TEST_CASE("a number with a standard error is judged by the plan too", "[judge]") {
-  CHECK(judge(2.3, 1, {.significance = 0.05}).relation == Relation::better);  // p = 0.0214
-  CHECK(judge(-2.3, 1, {.significance = 0.05}).relation == Relation::worse);
-  CHECK(judge(2.3, 1, {.significance = 0.01}).relation == Relation::undecided);
-  CHECK(judge(2.3, 1, {.significance = 0.05}).estimate.low == Approx(2.3 - 1.959964));
-  CHECK(!judge(statistics::not_defined, 1, {}).why.empty());
-}
