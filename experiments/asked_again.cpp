@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "experiments/study_fields.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/table_reader.hpp"
+#include "numerics/json.hpp"
 #include "numerics/random.hpp"
 
 namespace ikbench::experiments {
@@ -82,7 +82,7 @@ Configuration joints_in(const std::vector<double>& joints) {
 }  // namespace
 
 AskedAgain::AskedAgain(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
-  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  const auto definition = numerics::parsed_json(entry.definition);
   if (!definition.is_object() || definition.contains("urdf")) return;  // a URDF arm's table is rounded differently
   if (std::ranges::none_of(entry.series, is_by_this_source)) return;
   try {

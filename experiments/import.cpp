@@ -8,7 +8,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "experiments/recheck.hpp"
 #include "experiments/study.hpp"
 #include "numerics/functions.hpp"
+#include "numerics/json.hpp"
 #include "numerics/random.hpp"
 #include "numerics/units.hpp"
 #include "solvers/bounds.hpp"
@@ -42,10 +42,10 @@ class AskedStudy {
   AskedStudy(const Store& store, const std::string& name) : entry_(store.study(name)), arm_(arm_in(entry_)) {
     requirement_ = requirement_of(entry_);
     requirement_.orientation_is_exact = false;  // no wrist of ours completed the answers
-    const auto definition = nlohmann::json::parse(entry_.definition, nullptr, false);
+    const auto definition = numerics::parsed_json(entry_.definition);
     is_chained_ = definition.value("start", "previous") == "previous";
     is_wrapped_ = definition.value("wrap", "no") == "into_limits";
-    if (definition.contains("analysis")) plan_ = definition["analysis"].dump();
+    if (definition.contains("analysis")) plan_ = numerics::text_of(definition["analysis"]);
     for (SolveRecord& solve : store.solves(name)) {
       if (solve.timing == Timing::imported) continue;
       points_ = std::max(points_, solve.point);
@@ -204,7 +204,7 @@ Series series_of(const StudyEntry& entry, const ImportRequest& request, const st
   return {.key = hash(configuration) + before_source + hash(Key(0).with(request.digest)),
           .label = label,
           .algorithm = std::string(imported_algorithm),
-          .options = nlohmann::json{{"file", request.source}}.dump()};
+          .options = numerics::text_of(nlohmann::json{{"file", request.source}})};
 }
 
 std::int64_t begin_session(Store& store, const ImportRequest& request, const AskedStudy& asked,

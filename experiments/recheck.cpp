@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/asked_again.hpp"
+#include "numerics/json.hpp"
 #include "numerics/units.hpp"
 #include "results/digest.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -164,7 +164,7 @@ Pose target_of(const SolveRecord& solve) {
 }
 
 Requirement requirement_of(const StudyEntry& entry) {
-  const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+  const auto definition = numerics::parsed_json(entry.definition);
   const auto number = [&](const char* pointer) {
     const nlohmann::json::json_pointer at(pointer);
     return definition.contains(at) && definition[at].is_number() ? definition[at].get<double>() : 0.0;
@@ -181,7 +181,7 @@ Requirement requirement_of(const StudyEntry& entry) {
 
 struct Recheck::Looking {
   explicit Looking(const StudyEntry& entry) : arm(stored_arm(entry.definition)), requirement(requirement_of(entry)) {
-    const auto definition = nlohmann::json::parse(entry.definition, nullptr, false);
+    const auto definition = numerics::parsed_json(entry.definition);
     is_from_urdf = definition.is_object() && definition.contains("urdf");
     if (arm) checked.emplace(*arm, requirement);
     if (arm) asked.emplace(entry, *arm);

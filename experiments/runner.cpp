@@ -6,7 +6,6 @@
 #include <chrono>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -17,6 +16,7 @@
 #include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
+#include "numerics/json.hpp"
 #include "results/same_solves.hpp"
 #include "solvers/registry.hpp"
 
@@ -217,7 +217,7 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
 std::string labels_of(const Study& study) {
   nlohmann::json labels = nlohmann::json::array();
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  return labels.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return numerics::text_of(labels);
 }
 
 void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {

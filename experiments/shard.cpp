@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "numerics/json.hpp"
 
 namespace ikbench::experiments {
 
@@ -29,7 +30,7 @@ StudySize size_of(const Study& study) {
 }
 
 StudySize size_of(const StudyEntry& study) {
-  const auto definition = nlohmann::json::parse(study.definition);  // the store has checked it
+  const auto definition = numerics::parsed_json(study.definition);  // the store has checked it
   return {.runs = definition.at("runs").get<int>(),
           .points = definition.value("points", 1),
           .solvers = static_cast<int>(std::ranges::count_if(study.series, std::not_fn(is_imported))),

@@ -9,13 +9,13 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/series_key.hpp"
+#include "numerics/json.hpp"
 #include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
 
@@ -54,7 +54,7 @@ std::string options_text(Settings options, const SolverEntry& entry) {
     }
   }
   if (entry.population > 0) options["population"] = std::to_string(entry.population);
-  return nlohmann::json(options).dump();
+  return numerics::text_of(nlohmann::json(options));
 }
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }

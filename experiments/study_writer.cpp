@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
@@ -13,6 +12,7 @@
 #include "experiments/orientation.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_reader.hpp"
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"
@@ -142,10 +142,6 @@ nlohmann::ordered_json json_of(AnalysisPlan plan) {
   JsonWriter writer;
   list_fields(writer, plan);
   return writer.out;
-}
-
-std::string dumped(const nlohmann::ordered_json& json) {
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 // The study with its initial configuration in the units of files.
@@ -314,9 +310,9 @@ std::string to_json(const Study& study) {
                             {"farthest_cm", farthest.distance / centimetre},
                             {"reach_cm", farthest.reach / centimetre}};
   }
-  return dumped(json);
+  return numerics::text_of(json);
 }
 
-std::string to_json(const AnalysisPlan& plan) { return dumped(json_of(plan)); }
+std::string to_json(const AnalysisPlan& plan) { return numerics::text_of(json_of(plan)); }
 
 }  // namespace ikbench::experiments

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::numerics {
@@ -77,12 +77,12 @@ std::string toml_of(const nlohmann::json& json, int levels) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
       if (key != "name")
-        text +=
-            fmt::format("{}{} = {}", text.empty() ? "" : ", ", nlohmann::json(key).dump(), toml_of(value, levels - 1));
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", text_of(nlohmann::json(key)),
+                            toml_of(value, levels - 1));
     }
     return fmt::format("{{{}}}", text);
   }
-  return json.dump();
+  return text_of(json);
 }
 
 void TomlReader::text(std::string_view key, std::string& field, std::string_view) {

@@ -2,9 +2,9 @@
 #include "results/export.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 #include "results/csv.hpp"
 #include "results/files.hpp"
@@ -101,9 +101,6 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
   append_csv_row(text, cells);
 }
 
-// Replaces bytes that are not UTF-8, which JSON needs, by U+FFFD.
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 Json json_of(const SolveRecord& record) {
   Json object = Json::object();
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
@@ -167,24 +164,24 @@ std::string to_json(const StudyEntry& study, const std::vector<Session>& session
   for (const ColumnInfo& column : columns())
     head["columns"].push_back({{"name", column.name}, {"type", column.type}, {"meaning", column.meaning}});
   head["study"] = study.name;
-  head["definition"] = Json::parse(study.definition);
+  head["definition"] = numerics::parsed_ordered_json(study.definition);
   head["series"] = Json::array();
   for (const Series& series : study.series)
     head["series"].push_back({{"key", series.key},
                               {"label", series.label},
                               {"algorithm", series.algorithm},
-                              {"options", Json::parse(series.options)}});
+                              {"options", numerics::parsed_ordered_json(series.options)}});
   head["sessions"] = Json::array();
   for (const Session& session : sessions)
     head["sessions"].push_back({{"id", session.id}, {"environment", session.environment}});
 
   // Solves follow one by one, so that only one is an object at a time.
-  std::string text = dump(head);
+  std::string text = numerics::text_of(head);
   text.pop_back();
   text += ",\"solves\":[";
   for (const SolveRecord& record : records) {
     text += &record == &records.front() ? "\n" : ",\n";
-    text += dump(json_of(record));
+    text += numerics::text_of(json_of(record));
   }
   text += "]}\n";
   return text;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"
 
@@ -111,8 +111,7 @@ class SolverFolder {
                     {"run_attributes", Json::array()},
                     {"attributes", {"evaluations", "raw_y"}},
                     {"scenarios", scenarios}};
-    write_file(folder_ / fmt::format("IOHprofiler_f{}_{}.json", point, name),
-               json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_file(folder_ / fmt::format("IOHprofiler_f{}_{}.json", point, name), numerics::text_of(json, 1) + "\n");
   }
 
  private:
@@ -134,7 +133,7 @@ void refuse_full(const std::filesystem::path& folder) {
 
 std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, const StudyEntry& study,
                                            const std::vector<SolveRecord>& solves) {
-  const Json definition = Json::parse(study.definition);
+  const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;
   for (const SolveRecord& solve : solves) {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
+
+#include "numerics/json.hpp"
 
 namespace ikbench::results {
 
@@ -25,17 +26,17 @@ std::vector<std::string> own_configurations(const StudyEntry& study) {
   return keys;
 }
 
-int runs_of(const StudyEntry& study) { return nlohmann::json::parse(study.definition).at("runs").get<int>(); }
+int runs_of(const StudyEntry& study) { return numerics::parsed_json(study.definition).at("runs").get<int>(); }
 
 }  // namespace
 
 std::string difference_in_solves(const std::string& definition, const std::string& other) {
-  const auto left = nlohmann::json::parse(definition, nullptr, false);
-  const auto right = nlohmann::json::parse(other, nullptr, false);
+  const auto left = numerics::parsed_json(definition);
+  const auto right = numerics::parsed_json(other);
   if (!left.is_object() || !right.is_object()) return left == right ? "" : "one definition cannot be read";
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
-    return json.contains(key) ? json[key].dump().substr(0, most) : "not there";
+    return json.contains(key) ? numerics::text_of(json[key]).substr(0, most) : "not there";
   };
   std::set<std::string> keys;
   for (const auto* json : {&left, &right})

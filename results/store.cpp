@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/json.hpp"
 #include "results/store_codec.hpp"
 #include "results/store_digests.hpp"
 #include "results/store_file.hpp"
@@ -63,7 +63,7 @@ nlohmann::json object_in(const std::string& text, const std::string& what) {
     throw Damage(fmt::format("{} has {} bytes, expected at most {}", what, text.size(), largest_json));
   if (const int depth = depth_of(text); depth > deepest_json)
     throw Damage(fmt::format("{} is nested {} deep, expected at most {}", what, depth, deepest_json));
-  auto json = nlohmann::json::parse(text, nullptr, false);
+  auto json = numerics::parsed_json(text);
   if (!json.is_object()) throw Damage(fmt::format("{} is not a JSON object", what));
   return json;
 }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "numerics/embedded_file.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"
@@ -152,7 +152,7 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
 
 std::optional<Robot> stored_arm(std::string_view definition) {
   try {
-    const auto arm = nlohmann::json::parse(definition).at("arm");
+    const auto arm = numerics::parsed_json(definition).at("arm");
     std::string text;
     for (const char* part : {"links", "base", "tool"}) text += fmt::format("{} = {}\n", part, toml_of(arm.at(part)));
     return parse_robot(text, "stored.toml");

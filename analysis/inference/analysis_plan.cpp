@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "analysis/inference/text.hpp"
+#include "numerics/json.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::inference {
@@ -132,7 +132,7 @@ std::optional<AnalysisPlan> plan_in(const Json& json) {
 }
 
 Json plan_json(const StudyEntry& entry) {
-  const Json definition = Json::parse(entry.definition, nullptr, false);
+  const Json definition = numerics::parsed_json(entry.definition);
   return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
 }
 
@@ -157,7 +157,7 @@ Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessi
     const auto study = session.environment.find("study"), solvers = session.environment.find("solvers");
     if (study == session.environment.end() || study->second != entry.name || solvers == session.environment.end())
       continue;
-    const Json labels = Json::parse(solvers->second, nullptr, false);
+    const Json labels = numerics::parsed_json(solvers->second);
     for (const Json& label : labels.is_array() ? labels : Json::array()) {
       if (!label.is_string()) continue;
       const auto name = label.get<std::string>();
@@ -189,7 +189,7 @@ Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions,
     const auto session = std::ranges::find(sessions, id, &Session::id);
     std::optional<AnalysisPlan> then;
     if (session != sessions.end() && session->environment.contains("analysis")) {
-      then = plan_in(Json::parse(session->environment.at("analysis"), nullptr, false));
+      then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
     }
     if (!then) {
       result.nowhere += count;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/study_facts.hpp"
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::inference {
@@ -51,7 +51,7 @@ int defined_number(const std::string& study, const nlohmann::json& definition, c
 }
 
 StudyResults of_entry(const StudyEntry& entry) {
-  const auto json = nlohmann::json::parse(entry.definition, nullptr, false);
+  const auto json = numerics::parsed_json(entry.definition);
   StudyResults study{.name = entry.name,
                      .runs = defined_number(entry.name, json, "runs", most_runs),
                      .points = defined_number(entry.name, json, "points", most_points),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "numerics/json.hpp"
+
 namespace ikbench::inference {
 
 namespace {
@@ -63,7 +65,7 @@ std::vector<std::string> texts(const Json& list) {
 }  // namespace
 
 StudyFacts facts_of(std::string definition) {
-  const Json all = Json::parse(definition, nullptr, false);
+  const Json all = numerics::parsed_json(definition);
   return facts_of(all, std::move(definition));
 }
 
@@ -93,7 +95,7 @@ StudyFacts facts_of(const Json& all, std::string definition) {
 }
 
 std::string text_option(std::string_view options, const std::string& name) {
-  return text(Json::parse(options, nullptr, false), name);
+  return text(numerics::parsed_json(options), name);
 }
 
 }  // namespace ikbench::inference

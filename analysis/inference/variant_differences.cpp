@@ -7,7 +7,6 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::inference {
 
@@ -40,7 +40,7 @@ bool counts(std::string_view key) {
 
 // {"stop": {"iterations": 200}} as stop.iterations: 200. An option that is named like a key of the study is told apart.
 void add_values(Facts& facts, const std::string& json) {
-  const Json parsed = Json::parse(json, nullptr, false);
+  const Json parsed = numerics::parsed_json(json);
   if (!parsed.is_object() || parsed.empty()) return;  // flat, an empty one would be a value without a name
   const Json flat = parsed.flatten();                 // named: it has to outlive the loop
   for (const auto& [pointer, value] : flat.items()) {
@@ -48,8 +48,7 @@ void add_values(Facts& facts, const std::string& json) {
     std::ranges::replace(key, '/', '.');
     if (!counts(key)) continue;
     if (facts.contains(key)) key = "option " + key;
-    facts[key] =
-        value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    facts[key] = value.is_string() ? value.get<std::string>() : numerics::text_of(value);
   }
 }
 

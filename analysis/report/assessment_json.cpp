@@ -9,6 +9,7 @@
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/json.hpp"
 #include "analysis/statistics/effect_size.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::report {
 
@@ -131,7 +132,7 @@ std::string json_of(const Evidence& evidence) {
   object["tests"] = tests;
   object["contrasts"] = contrasts;
   object["sentences"] = words_of(sentences_of(evidence));
-  return object.dump(2, ' ', false, Json::error_handler_t::replace);  // names may be anything
+  return numerics::text_of(object, 2);  // names may be anything
 }
 
 }  // namespace ikbench::report

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::report {
 
@@ -21,8 +21,7 @@ namespace {
 using SortedJson = nlohmann::json;
 
 std::string text_of_json(const SortedJson& value) {
-  return value.is_string() ? value.get<std::string>()
-                           : value.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
+  return value.is_string() ? value.get<std::string>() : numerics::text_of(value);
 }
 
 // One row per value: path.kind, helix.
@@ -42,7 +41,7 @@ void add_values(std::vector<std::vector<Cell>>& rows, const SortedJson& value, c
 
 // Text that is no JSON is shown as it stands.
 SortedJson parsed(const std::string& text) {
-  SortedJson value = SortedJson::parse(text, nullptr, false);
+  SortedJson value = numerics::parsed_json(text);
   return value.is_discarded() ? SortedJson(text) : value;
 }
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/words.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::report {
 
@@ -220,7 +220,7 @@ std::string variants_json(const VariantsReport& of) {
     for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_of(row[c]);
     json["rows"].push_back(std::move(object));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return numerics::text_of(json, 2) + "\n";
 }
 
 }  // namespace ikbench::report

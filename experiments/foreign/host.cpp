@@ -19,6 +19,7 @@
 #include "experiments/environment.hpp"
 #include "experiments/foreign/shared_object.hpp"
 #include "experiments/solve_runner.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::experiments {
@@ -48,13 +49,13 @@ class Suite {
     std::size_t room = 0;
     std::free(std::exchange(line_, nullptr));
     if (::getline(&line_, &room, in_.get()) < 0) return std::nullopt;
-    return Json::parse(line_);
+    return numerics::parsed_ordered_json(line_);
   }
   void say_line(const std::string& line) {
     if (std::fputs((line + '\n').c_str(), out_.get()) < 0 || std::fflush(out_.get()) != 0)
       throw std::runtime_error("nobody listens");
   }
-  void say(const Json& message) { say_line(message.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+  void say(const Json& message) { say_line(numerics::text_of(message)); }
 
  private:
   struct Close {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
@@ -32,7 +33,7 @@ constexpr std::array<std::string_view, 10> keys_of_entries{"solver",  "label",  
                                                            "files",   "mode",      "patience_s", "population",
                                                            "options", "if_missing"};
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string line_of(const Json& json) { return numerics::text_of(json) + '\n'; }
 
 Json numbers(const Eigen::VectorXd& values) {
   Json list = Json::array();
@@ -181,8 +182,7 @@ Settings options_of(const Hello& hello, const Settings& settings) {
 
 std::optional<Message> message_in(const std::string& line) {
   constexpr int deepest = 20;  // copies of deeper values would overflow the stack
-  const auto is_flat = [](int depth, Json::parse_event_t, const Json&) { return depth <= deepest; };
-  Json json = Json::parse(line, is_flat, false);
+  Json json = numerics::parsed_ordered_json(line, deepest);
   if (!json.is_object() || !json.contains("message") || !json["message"].is_string()) return std::nullopt;
   Message message{.name = json["message"].get<std::string>(), .json = std::move(json), .id = std::nullopt};
   if (const auto id = message.json.find("id"); id != message.json.end() && id->is_number()) {

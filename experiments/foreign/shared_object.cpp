@@ -9,6 +9,7 @@
 #include <cfenv>
 #include <chrono>
 
+#include "numerics/json.hpp"
 #include "solvers/bounds.hpp"
 
 #if defined(__SSE2__)
@@ -76,7 +77,7 @@ SharedObject::SharedObject(const std::filesystem::path& file, std::string_view n
     throw std::invalid_argument(
         fmt::format("its solver \"{}\" lacks its size, name, create, destroy or start", names.back()));
   const std::string options = text_or_nothing(solver_->options);
-  options_ = nlohmann::ordered_json::parse(options.empty() ? "[]" : options, nullptr, false);
+  options_ = numerics::parsed_ordered_json(options.empty() ? "[]" : options);
   if (!options_.is_array()) throw std::invalid_argument("its options are no JSON list");
 }
 

@@ -296,7 +296,7 @@ void print_coverage(int simulations) {
 
 // error_rates [SIMULATIONS per row]
 int main(int argc, char** argv) {
-  int simulations = 400;
+  int simulations = 500;
   if (argc > 1) {
     const std::string_view text = argv[1];
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), simulations);

@@ -123,11 +123,11 @@ void print_same(int simulations) {
   for (const int n : {4, 5, 10, 20}) {
     print("shares of 1 and 0.8", n, true, [](Random& r, int g) { return g == 0 || r.uniform() < 0.8 ? 1.0 : 0.0; });
   }
-  for (const int n : {5, 20, 50}) {
+  for (const int n : {5, 20, 50, 100}) {
     print("1 % of the second fail, with eleven times the value", n, false,
           [](Random& r, int g) { return 0.01 * r.normal() + (g == 0 ? 1 : failing(r, 0.01, 11)); });
   }
-  for (const int n : {5, 20, 50}) {
+  for (const int n : {5, 20, 50, 100}) {
     print("5 % of the second fail, with three times the value", n, false,
           [](Random& r, int g) { return 0.01 * r.normal() + (g == 0 ? 1 : failing(r, 0.05, 3)); });
   }

@@ -1,0 +1,22 @@
+// Reads and writes JSON text, compiled once here rather than wherever it is used.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace ikbench::numerics {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;  // members keep their order of insertion
+
+// Returns a discarded value (is_discarded()) if the text is not JSON.
+Json parsed_json(std::string_view text);
+// The same; leaves out what is nested deeper than `deepest`.
+OrderedJson parsed_ordered_json(std::string_view text, int deepest = 1000);
+
+// Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD.
+std::string text_of(const Json& json, int indent = -1);
+std::string text_of(const OrderedJson& json, int indent = -1);
+
+}  // namespace ikbench::numerics
