@@ -242,14 +242,25 @@ succeeds run budgets.toml --no-figures --out budgets
 over=0
 for label in late spends; do
   status=$(column budgets/store.sqlite status $label)
-  grep -qx -e ok -e tolerance_missed <<<"$status" && fail "$label: $(counted <<<"$status")"
   ((over += $(grep -cx over_budget <<<"$status")))
 done
+grep -qx -e ok -e tolerance_missed <<<"$status" && fail "spends: $(counted <<<"$status")"
+# The wait for a processor, which another program may have, is not the solver's time.
+forgiven=$(for name in status seconds waited_seconds transport_seconds round_trips; do
+  column budgets/store.sqlite $name late >late.$name
+done
+paste late.{status,seconds,waited_seconds,transport_seconds,round_trips} | awk '
+  function taken(x) { return x > 0 ? x : 0 }
+  ($1 == "ok" || $1 == "tolerance_missed") {
+    if ($2 - taken($3) - $5 * taken($4) > 0.2) { print "late:", $0 >"/dev/stderr"; exit 1 }
+    ++n
+  }
+  END { print n + 0 }') || fail "a late solve is not over its budget"
 ((over > 0)) || fail "no solve is over its budget"
 has_no "$(column budgets/store.sqlite status boasts)" over_budget
 has "$(<budgets/report.md)" "$over solves of programs took far more than their budget of time or evaluations (over_budget)."
 has "$(<budgets/report.md)" "Evaluations of boasts, spends are not compared: they are its own word, and the others' were counted."
-grep -q '^| late | 16 | 0 |' budgets/tables/solved.md || fail "a late solve counts as solved: $(<budgets/tables/solved.md)"
+grep -q "^| late | 16 | $forgiven |" budgets/tables/solved.md || fail "a late solve counts as solved: $(<budgets/tables/solved.md)"
 has_no "$(<budgets/tables/statistics-cost.md)" '| boasts |'
 succeeds report budgets/store.sqlite --no-figures
 has_no "$out$err" damaged
