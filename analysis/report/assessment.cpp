@@ -12,6 +12,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/answer.hpp"
 #include "analysis/report/assessment_json.hpp"
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_tables.hpp"
@@ -78,8 +79,7 @@ Assessment assessment_of(const Evidence& evidence) {
                     .quantity = evidence.quantity,
                     .unit = evidence.unit,
                     .sentences = sentences_of(evidence),
-                    .in_short = in_short(evidence),
-                    .rare_failures = rare_failures_words(evidence),
+                    .answer = answer(evidence),
                     .flaws = evidence.flaws,
                     .tables = tables_of(evidence),
                     .json = json_of(evidence)};
@@ -92,7 +92,7 @@ Assessment assessment_of(const Evidence& evidence) {
 }
 
 // Converts logarithms to the unit of the values.
-Observations told(Observations observations) {
+Observations in_unit(Observations observations) {
   if (observations.scale == ValueScale::plain) return observations;
   for (Group& group : observations.groups) {
     for (double& value : group.values) value = std::pow(10, value);
@@ -104,7 +104,7 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found);
   if (is_worth_drawing(found) && !found.of_outcomes) {
-    result.figures.insert(result.figures.begin(), box_figure(told(observations), quantile_type(found.plan.quartiles),
+    result.figures.insert(result.figures.begin(), box_figure(in_unit(observations), quantile_type(found.plan.quartiles),
                                                              figure_name(found, "observations")));
   }
   return result;
@@ -113,19 +113,6 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
 }  // namespace
 
 std::string heading_of(const Assessment& assessment) { return "Statistics: " + assessment.quantity; }
-
-std::vector<std::string> headlines_of(std::span<const Assessment> assessments) {
-  std::vector<std::string> headlines, failures;
-  for (const Assessment& each : assessments) {
-    if (each.in_short.sentences.empty()) continue;
-    const std::string_view flaw = each.flaws.empty() ? "" : " (flawed)";
-    headlines.push_back(fmt::format("{}{}: {}", each.quantity, flaw, words_of(each.in_short)));
-    const bool is_new = std::ranges::find(failures, each.rare_failures) == failures.end();
-    if (!each.rare_failures.empty() && is_new) failures.push_back(each.rare_failures);
-  }
-  for (const std::string& words : failures) headlines.push_back(words + '.');
-  return headlines;
-}
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
   return with_observations(tested(observations, plan), observations);

@@ -3,14 +3,11 @@
 // disagree, and what this does not show.
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/inference/judged_study.hpp"
-#include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/sentence.hpp"
 #include "analysis/report/table.hpp"
 
@@ -20,10 +17,9 @@ struct Assessment {
   std::string name;      // as in Observations; tables and figures are "statistics-<name>-..."
   std::string quantity;  // "position error [cm]"
   std::string unit = {};
-  std::vector<Sentence> sentences;  // plain text
-  InShort in_short = {};            // summary of it
-  std::string rare_failures = {};   // a sentence on failures that it does not exclude
-  inference::Doubts flaws = {};     // reasons to doubt it
+  std::vector<Sentence> sentences;       // plain text
+  std::vector<std::string> answer = {};  // its sentences, without full stops
+  inference::Doubts flaws = {};          // reasons to doubt it
   std::vector<Table> tables;
   std::vector<figures::Figure> figures;
   std::string json;  // one object with every number
@@ -31,9 +27,6 @@ struct Assessment {
 
 // "Statistics: position error [cm]"
 std::string heading_of(const Assessment& assessment);
-// Sentences for a summary: the answer of each assessment, then once the failures that so few observations do not
-// exclude.
-std::vector<std::string> headlines_of(std::span<const Assessment> assessments);
 
 Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan);

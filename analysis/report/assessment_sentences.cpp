@@ -8,9 +8,8 @@
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/answer.hpp"
 #include "analysis/report/assessment_disagreements.hpp"
-#include "analysis/report/assessment_doubts.hpp"
-#include "analysis/report/assessment_verdicts.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/outcome_words.hpp"
 #include "analysis/report/words.hpp"
@@ -173,16 +172,8 @@ Sentence too_few(const Evidence& evidence) {
 
 Sentence limits(const Evidence& evidence) {
   std::vector<std::string> parts;
-  std::vector<const Contrast*> open;
-  for (const Contrast& contrast : evidence.contrasts) {
-    if (contrast.relation == Relation::undecided) open.push_back(&contrast);
-  }
-  if (!open.empty()) {
-    const std::string runs = runs_words(evidence, runs_of_all(open));
-    parts.push_back(fmt::format(words::undecided_is_not_equal,
-                                "why"_a = runs.empty()
-                                              ? "a difference remains possible"
-                                              : fmt::format("{}, with {} power", runs, percent(evidence.plan.power))));
+  if (std::ranges::count(evidence.contrasts, Relation::undecided, &Contrast::relation) > 0) {
+    parts.emplace_back(words::undecided_is_not_equal);
   }
   if (std::string failures = rare_failures_words(evidence); !failures.empty()) parts.push_back(std::move(failures));
   if (!evidence.flaws.empty()) parts.emplace_back(words::flawed_p);
@@ -207,7 +198,9 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
     return sentences;
   }
   say({"Flawed", words_of(evidence.flaws)});
-  say({"In short", words_of(in_short(evidence))});
+  if (const auto sentences_of_answer = answer(evidence); !sentences_of_answer.empty()) {
+    say({"In short", fmt::format("{}.", fmt::join(sentences_of_answer, ". "))});
+  }
   say(change_words(evidence));
   describe();
   if (evidence.of_outcomes) say(shares_words(evidence));
@@ -216,7 +209,6 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
     return sentences;
   }
   if (evidence.constant) {
-    for (Sentence& sentence : who_differs(evidence)) say(std::move(sentence));
     say({"", fmt::format(words::constants, "test"_a = test_of_constants_words(evidence))});
     return sentences;
   }
@@ -226,7 +218,6 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
   say(assumptions(evidence));
   say(decades(evidence));
   for (Sentence& sentence : analyses(evidence)) say(std::move(sentence));
-  for (Sentence& sentence : who_differs(evidence)) say(std::move(sentence));
   say(disagreements(evidence));
   say(limits(evidence));
   return sentences;

@@ -8,9 +8,9 @@
 
 namespace ikbench::report {
 
-// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm; next K-ABC 0.208 cm, p = 0.0003)." The plan's test
-// finds the first worse than nobody; solvers that it does not separate from the first share its place. With a control:
-// names who is better than it, and who is not. A cost shows the size of the errors too. Empty if no solver has a value.
+// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm) is better than K-ABC (0.208 cm): p = 0.0003." The
+// short answer of the evidence, with each solver's value; a cost shows the size of the errors too. Empty if no solver
+// has a value.
 Sentence leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 // One sentence per estimand in estimands_of(study, metric).
 std::vector<Sentence> leader_sentences(const inference::JudgedStudy& study, inference::Metric metric);

@@ -332,10 +332,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  std::vector<Assessment> assessments = assessments_of(study, paper);
-  std::vector<Assessment> sound;
-  std::ranges::copy_if(assessments, std::back_inserter(sound), [](const Assessment& a) { return a.flaws.empty(); });
-  std::ranges::move(headlines_of(sound), std::back_inserter(content.summary));
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   see(study, tables, request.shares, content);
@@ -343,7 +339,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),
                            .figures = std::move(figures),
-                           .assessments = std::move(assessments),
+                           .assessments = assessments_of(study, paper),
                            .motion = moving_arm(entry, study)},
                           request.folder, request.figures);
   report.results = results;

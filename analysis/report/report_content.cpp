@@ -150,7 +150,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
     for (const figures::Figure& figure : assessment.figures) names.push_back(figure.name);
     Section& filled = content.results.emplace_back(section(own, pieces));
     filled.sentences = assessment.sentences;
-    if (!assessment.in_short.sentences.empty()) content.seen[own.heading] = assessment.in_short.sentences.front() + '.';
+    if (!assessment.answer.empty()) content.seen[own.heading] = assessment.answer.front() + '.';
   }
   fill({convergence()}, content.results);
   fill(last(), content.results);

@@ -1,5 +1,8 @@
 #include "analysis/report/statistics_report.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -11,8 +14,12 @@ Report write_statistics(const std::vector<Assessment>& assessments, const Statis
                                       .title = request.title,
                                       .command = request.command},
                           .assessments = assessments};
-  publication.content.summary = headlines_of(assessments);
   for (const Assessment& assessment : assessments) {
+    if (!assessment.answer.empty()) {
+      publication.content.summary.push_back(fmt::format("{}{}: {}.", assessment.quantity,
+                                                        assessment.flaws.empty() ? "" : " (flawed)",
+                                                        fmt::join(assessment.answer, ". ")));
+    }
     std::ranges::copy(assessment.flaws, std::back_inserter(publication.content.warnings));
   }
   return publish(std::move(publication), request.folder, request.figures);

@@ -13,49 +13,41 @@ inline constexpr Template decided = "{first} is {better}{by} than {others}";
 inline constexpr Template same = "{first} and {others} are the same within {margin}";
 inline constexpr Template undecided = "{first} against {others} is undecided";
 inline constexpr Template not_judged = "{first} cannot be judged against {others}";
-inline constexpr Template none_better =
-    "{first} has the best {average}, but is not shown to be better than another group";
-inline constexpr Template control_not_better = "{first} is not shown to be better than another group";
 inline constexpr Template nearest = "Against {other}, the best of these: {effect}";
+inline constexpr Template is_fact = "a fact of these targets, because all runs are equal";
 inline constexpr Template single_values = "nothing can be judged, because no group has more than one observation";
 inline constexpr Template all_equal = "all observations are equal, but there are too few to call the groups the same";
+inline constexpr Template others_differ = "Other pairs that differ ({count} of {pairs}; the better first): {list}";
+inline constexpr Template others_do_not_differ = "No other pair is shown to differ";
+inline constexpr Template others_not_judged = "Other pairs that cannot be judged: {count} of {pairs}";
+inline constexpr Template another_test =
+    "In a new study another test could judge (ikbench run: --set analysis.test={test}; ikbench stats: --test {test})";
+
+// The tests that decided.
 inline constexpr Template decided_by = "Decided by: {tests}";
+inline constexpr Template corrected = "{test}, corrected for {pairs} pairs";
+inline constexpr Template by_sign_of_known = "the sign test against solvers whose runs are all equal";
+inline constexpr Template by_fact = "no test between solvers whose runs are all equal, where the difference is a fact";
+inline constexpr Template by_order =
+    "{test} for groups that do not overlap, where one has a single value or both have too few different ones";
+inline constexpr Template by_constants = "{test} for groups of one value each";
 
 // Size of a difference.
 inline constexpr Template has_mean = "{name} has the mean {mean}";
-inline constexpr Template has_no_mean = "{name} has no mean";
-inline constexpr Template mean_not_finite = "{name} has no mean: {lost} of {n} values not finite";
-inline constexpr Template not_by_ranks = "{kind} {means}, which ranks do not compare";
+inline constexpr Template has_no_mean = "{name} has no mean: {lost} of {n} values not finite";
+inline constexpr Template not_by_ranks = "{means}, which ranks do not compare";
 inline constexpr Template ahead = "ahead in {share} of {of}";
 inline constexpr Template interval = "{what} between {low} and {high}{unit}";
-inline constexpr Template excludes_none =
-    "which excludes {none} by another method ({method}) than the test that decides";
 inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
 inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
-// Pairs.
-inline constexpr Template pairs_differ = "{differ} of the {pairs} {of} {verb}";
-inline constexpr Template pairs_not_of_best = "None of them includes {best}: {pairs}";
-inline constexpr Template others_differ = "Of the {pairs} other pairs {differ} {verb} (the better first): {list}";
-inline constexpr Template others_do_not_differ = "None of the {pairs} other pairs is shown to differ";
-inline constexpr Template others_not_judged = "{count} of them cannot be judged";
-inline constexpr Template another_test =
-    "In a new study another test would judge {what} (ikbench run: --set analysis.test={test}; ikbench stats: --test {test})";
-
 // The leader, in a line.
-inline constexpr Template leader = "{first} ({value}; next {second} {of_second}, {p}{remarks})";
-inline constexpr Template leader_not_tested = "{first} ({value}; not tested)";
-inline constexpr Template none_tested = "no solver is tested ({values})";
-inline constexpr Template each_worse = "no solver, because the tests find each worse than another";
-inline constexpr Template shared_by_many = "{first} or one of {others} others ({value}; {finding}{remarks})";
-inline constexpr Template shared = "{all} ({values}; {finding}{remarks})";
+inline constexpr Template none_tested = "no solver is tested: {values}";
 inline constexpr Template exploratory =
     "the study is judged by the quantity above. The {count} below are not corrected for being several.";
-inline constexpr Template against_control = "{better} {are} better than the control {control} ({value})";
 
 // Numbers that contradict the test, and what would change the answer.
-inline constexpr Template interval_excludes = "{interval} excludes {none}";
-inline constexpr Template interval_includes = "{interval} includes {none}";
+inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
 inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
@@ -64,7 +56,7 @@ inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
 inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
 inline constexpr Template other_conditions = "other targets, arms, budgets or settings";
-inline constexpr Template undecided_is_not_equal = "undecided does not mean equal: {why}";
+inline constexpr Template undecided_is_not_equal = "undecided does not mean equal: a difference remains possible";
 inline constexpr Template flawed_p = "with flawed observations the p-values are no evidence";
 inline constexpr Template only_summaries = "summaries do not show distributions: no ranks, no medians, no normality";
 inline constexpr Template only_these_conditions =

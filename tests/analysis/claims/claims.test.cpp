@@ -172,7 +172,7 @@ TEST_CASE("a solver that is the most accurate by its mean alone is so in part, w
                  "It holds by the mean, which the paper compares and which the worst cases decide; by "
                  "typical error PSO is better: so in part."));
   CHECK(contains(evidence_text(claim), " Smallest typical error: PSO ("));
-  CHECK(contains(evidence_text(claim), " Most often within 0.01 cm: IK-BA (100 %; next PSO 95 %, p = "));
+  CHECK(contains(evidence_text(claim), " Most often within 0.01 cm: IK-BA (100 %) is better than PSO (95 %)"));
   study.plan.estimands = {Estimand::mean};
   CHECK(verdict_of(claims_of(study), "most_accurate") == Verdict::holds);
 }

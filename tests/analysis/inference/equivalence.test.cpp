@@ -96,7 +96,6 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
       "(all observations are equal, but there are too few to call the groups the same; it takes at least 4 "
       "observations per group)";
   CHECK(text.find("In short: g0 against g1 is undecided " + why) != std::string::npos);
-  CHECK(text.find("Undecided: g0 vs g1 " + why) != std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
 }
 
@@ -144,7 +143,7 @@ TEST_CASE("what n observations cannot exclude stands beside the finding", "[asse
   const Evidence same = evidence(with({near, other}), {.test = "welch"});
   REQUIRE(is_same(same));
   CAPTURE(text_of(same));
-  CHECK(text_of(same).find("The same within 5 %: g0 vs g1.") != std::string::npos);
+  CHECK(text_of(same).find("g0 and g1 are the same within 5 %") != std::string::npos);
   const Evidence better = evidence(with({near, far}), {});
   REQUIRE(is_decided(better.contrasts[0]));
   for (const Evidence* found : {&same, &better}) {

@@ -215,9 +215,9 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   const std::string sentence = leaders_text(study, position_error);
   CAPTURE(sentence);
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
-  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (0.0202 cm; next B 0.505 cm, p = "));
-  CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm; next A 0.0202 cm, p = "));
-  CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %; next B 50 %, p = "));
+  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (0.0202 cm) is better than B (0.505 cm) and C (2.03 cm): p at most "));
+  CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm) is better than A (0.0202 cm) and C ("));
+  CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %) is better than B (50 %) and A (0 %): "));
 }
 
 TEST_CASE("the verdict of a study without a paper is by one quantity, and the others are exploratory", "[estimand]") {
@@ -295,7 +295,7 @@ TEST_CASE("without a tolerance a cost has the error beside it", "[estimand]") {
   const JudgedStudy study = with_a_liar("");
   const std::string fewest = leader_words(study, Metric::evaluations, Estimand::mean);
   CAPTURE(fewest);
-  CHECK(fewest.starts_with("Fewest evaluations: liar (1 with error 67.9 cm; next A 1006 with error 1.31 cm, p = "));
+  CHECK(fewest.starts_with("Fewest evaluations: liar (1 with error 67.9 cm) is better than A (1006 with error 1.31 cm): p = "));
   CHECK(!contains(leader_words(study, position_error, Estimand::mean), "with error"));
 }
 
@@ -309,7 +309,8 @@ TEST_CASE("a mean that is lifted to the tolerance says so", "[estimand]") {
   const JudgedStudy study = judged_runs(runs, R"(, "stop": {"tolerance_cm": 0.1})");
   const std::string sentence = leader_words(study, position_error, Estimand::mean);
   CAPTURE(sentence);
-  CHECK(contains(sentence, "A and B (each at most the tolerance of 0.1 cm; the same within 5 %"));
+  CHECK(contains(sentence, "A (at most 0.1 cm) is better than C (1.01 cm): p = "));
+  CHECK(contains(sentence, ". A and B (at most 0.1 cm) are the same within 5 %."));
 }
 
 TEST_CASE("solvers that a first one is not tested against have their values", "[estimand]") {
@@ -322,7 +323,7 @@ TEST_CASE("solvers that a first one is not tested against have their values", "[
   runs.push_back({"D", {90}});
   const std::string sentence = leader_words(judged_runs(runs), position_error, Estimand::mean);
   CAPTURE(sentence);
-  CHECK(contains(sentence, "; not tested against C 1.5 cm and D 90 cm"));
+  CHECK(contains(sentence, ". A cannot be judged against C (1.5 cm) and D (90 cm)."));
 }
 
 TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
@@ -350,8 +351,8 @@ TEST_CASE("the first is whom the test is for, not whom the mean is for", "[estim
   }
   const JudgedStudy study = judged_runs(runs, R"(, "analysis": {"test": "kruskal_wallis", "estimands": ["mean"]})");
   const std::string sentence = leaders_text(study, position_error);
-  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (1.11 cm; next B 1.06 cm, p = "));
-  CHECK(contains(sentence, "; the test decides, the average would name B)"));
+  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (1.11 cm) is better by ranks than B (1.06 cm): p = "));
+  CHECK(contains(sentence, " and the mean favours the other."));
 }
 
 TEST_CASE("with a control the first line is the verdict on it, and no other pair is undecided", "[estimand]") {
@@ -369,8 +370,9 @@ TEST_CASE("with a control the first line is the verdict on it, and no other pair
   const std::string sentence = leaders_text(study, position_error);
   CAPTURE(sentence);
   CHECK(contains(sentence,
-                 "best (0.51 cm) and good (0.51 cm) are better than the control C (1.01 cm); worse: far 2.01 cm"));
-  CHECK(contains(sentence, "; undecided: near 1.01 cm (p = "));
+                 "control C (1.01 cm) is better than far (2.01 cm): p = "));
+  CHECK(contains(sentence, ". C is worse than best (0.51 cm) and good (0.51 cm): p at most "));
+  CHECK(contains(sentence, ". C against near (1.01 cm) is undecided: p = "));
 }
 
 TEST_CASE("those that the test does not separate from the first share its place", "[estimand]") {
@@ -379,10 +381,10 @@ TEST_CASE("those that the test does not separate from the first share its place"
   };
   const std::string label = "Smallest mean error (large errors dominate): ";
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"A", {3}}, {"B", {1.5}}, {"B", {2}}, {"B", {3}}})
-            .starts_with(label + "A or B (2 cm and 2.17 cm; undecided, p = "));
+            .starts_with(label + "A (2 cm) against B (2.17 cm) is undecided: p = "));
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}, {"B", {3}}, {"B", {2}}, {"C", {4}}, {"C", {2}}}) ==
-        label + "A, B or C (1.5 cm, 2.5 cm and 3 cm; undecided).");
-  CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "no solver is tested (A 1 cm and B 2 cm).");  // a run each
+        label + "A (1.5 cm) against B (2.5 cm) and C (3 cm) is undecided.");
+  CHECK(sentence_of({{"A", {1}}, {"B", {2}}}) == label + "no solver is tested: A (1 cm) and B (2 cm).");  // a run each
   CHECK(sentence_of({{"A", {1}}, {"A", {2}}}) == label + "A (1.5 cm).");
   CHECK(sentence_of({{"A", {never}}}).empty());
   const auto same = [](const char* solver, double value) {
@@ -390,7 +392,7 @@ TEST_CASE("those that the test does not separate from the first share its place"
   };
   std::vector<GivenRun> runs = same("A", 2), others = same("B", 2);
   runs.insert(runs.end(), others.begin(), others.end());
-  CHECK(sentence_of(runs) == label + "A and B (each 2 cm; the same within 5 %).");
+  CHECK(sentence_of(runs) == label + "A (2 cm) and B (2 cm) are the same within 5 %.");
 }
 
 TEST_CASE("two solvers that repeat themselves differ by a fact without a test, however many runs there are",
@@ -404,8 +406,8 @@ TEST_CASE("two solvers that repeat themselves differ by a fact without a test, h
   for (Solve& solve : study.solves.to_change()) solve.answer = 1 + solve.solver;  // one for all its runs
   CHECK(leaders_text(study, position_error)
             .starts_with(
-                "Smallest mean error (large errors dominate): A (0.2 cm; next B 0.4 cm, a fact of these targets, "
-                "because all runs are equal)."));
+                "Smallest mean error (large errors dominate): A (0.2 cm) is better than B (0.4 cm): a fact of these targets, "
+                "because all runs are equal."));
   const Evidence& found = study.evidence(position_error, Estimand::mean);
   CHECK(found.groups[0].described.n == 1);
   CHECK(std::isnan(found.contrasts.at(0).p));
@@ -438,7 +440,7 @@ TEST_CASE("the runs of a solver are held against the known value of one that rep
 
 TEST_CASE("points as observations have no test, and so no first", "[estimand]") {
   CHECK(contains(leaders_text(judged_runs(three_winners(), R"(, "analysis": {"unit": "point"})"), position_error),
-                 "Most often within 0.01 cm: no solver is tested (C 80 %, B 50 % and "));
+                 "Most often within 0.01 cm: no solver is tested: C (80 %), B (50 %) and "));
 }
 
 TEST_CASE("the caution about decades looks at the solves and not at the means of runs", "[estimand]") {

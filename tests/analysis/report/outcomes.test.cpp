@@ -104,7 +104,7 @@ TEST_CASE("all of one group against none of the other: undecided, with the inter
   const Assessment assessed = assess(observed, {});
   CHECK(says(assessed, "Methods: every observation is 0 or 1, so shares are compared. Fisher's exact test decides"));
   CHECK(says(assessed, "In short: A against B is undecided (p = 0.1; difference between "));
-  CHECK(says(assessed, "percentage points, which excludes zero by another method (Newcombe's score interval"));
+  CHECK(says(assessed, "), although the interval of the difference excludes zero."));
   CHECK(says(assessed, "it takes at least 4 observations per group"));
   CHECK(says(assessed,
              "Caution: no pair can differ by this test. It takes at least 4 observations per group, and here are 3."));

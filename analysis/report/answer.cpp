@@ -1,0 +1,390 @@
+#include "analysis/report/answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/method.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
+#include "analysis/statistics/rounding.hpp"
+
+namespace ikbench::report {
+
+using namespace statistics;
+using namespace inference;
+using namespace fmt::literals;
+
+namespace {
+
+using Pairs = std::vector<const Contrast*>;
+using Label = std::function<std::string(std::size_t group)>;
+
+std::size_t better_of(const Contrast& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
+std::size_t other_than(std::size_t group, const Contrast& pair) {
+  return pair.first == group ? pair.second : pair.first;
+}
+
+// Puts what is said of several items together: "A and B (reason); C (another)".
+class ByReason {
+ public:
+  void add(const std::string& reason, std::string item) {
+    auto found = std::ranges::find(items_, reason, &Items::first);
+    if (found == items_.end()) found = items_.insert(found, {reason, {}});
+    found->second.push_back(std::move(item));
+  }
+  using Items = std::pair<std::string, std::vector<std::string>>;
+  const std::vector<Items>& items() const { return items_; }
+
+ private:
+  std::vector<Items> items_ = {};
+};
+
+bool includes_none(const Evidence& evidence, const Contrast& pair) {
+  return pair.difference.low < no_difference(evidence) && pair.difference.high > no_difference(evidence);
+}
+
+// Returns whether a number that is positive where the first is ahead contradicts the deciding test.
+bool is_against(const Contrast& pair, double for_first) { return sign_of(for_first) == -pair.ahead; }
+
+bool is_against(const Evidence& evidence, const Contrast& pair, double Description::*average) {
+  const double first = evidence.groups[pair.first].described.*average,
+               second = evidence.groups[pair.second].described.*average;
+  const double difference = without_rounding(second - first, std::max(std::abs(first), std::abs(second)));
+  return is_against(pair, evidence.better == Better::smaller ? difference : -difference);
+}
+
+// Numbers that contradict the test: "the interval of the difference includes zero and the median favours the other".
+std::string doubt_words(const Evidence& evidence, const Contrast& pair) {
+  const bool is_open = pair.relation == Relation::undecided;
+  if (!is_open && !is_decided(pair)) return "";
+  const double none = no_difference(evidence);
+  std::vector<std::string> doubts, measures;
+  if (is_open ? pair.difference.low > none || pair.difference.high < none : includes_none(evidence, pair)) {
+    doubts.push_back(fmt::format(words::interval_against,
+                                 "of"_a = evidence.scale == ValueScale::log10 ? "ratio"
+                                          : evidence.of_outcomes              ? "difference"
+                                                                              : "difference between means",
+                                 "includes"_a = is_open ? "excludes" : "includes", "none"_a = none_words(evidence)));
+  }
+  if (!is_open) {
+    if (is_against(evidence, pair, &Description::mean)) measures.emplace_back("the mean");
+    if (is_against(evidence, pair, &Description::median)) measures.emplace_back("the median");
+    if (is_against(pair, pair.superiority.value - 0.5)) {
+      measures.push_back(evidence.blocks > 0 ? "the share of " + evidence.block_noun : "A12");
+    }
+  }
+  if (!measures.empty()) {
+    doubts.push_back(fmt::format(words::favour_other, "measures"_a = listed(measures),
+                                 "favour"_a = measures.size() == 1 ? "favours" : "favour"));
+  }
+  return fmt::format("{}", fmt::join(doubts, " and "));
+}
+
+// "0.156 to 0.57", "12 to 30 percentage points"
+std::string size_words(const Evidence& evidence, const Contrast& pair) {
+  const auto [low, high] = interval_sizes(evidence, pair);
+  const double unit = evidence.of_outcomes ? 0.01 : 1;
+  const std::string least = rounded_number(low / unit, 3), most = rounded_number(high / unit, 3);
+  return fmt::format("{}{}{}", least, least == most ? "" : " to " + most,
+                     evidence.of_outcomes                  ? " percentage points"
+                     : evidence.scale == ValueScale::log10 ? " times"
+                                                           : "");
+}
+
+std::string interval_words(const Evidence& evidence, const Contrast& pair) {
+  const double unit = evidence.of_outcomes ? 0.01 : 1;
+  return fmt::format(words::interval, "what"_a = evidence.scale == ValueScale::log10 ? "ratio" : "difference",
+                     "low"_a = rounded_number(pair.difference.low / unit, 3),
+                     "high"_a = rounded_number(pair.difference.high / unit, 3),
+                     "unit"_a = evidence.of_outcomes ? " percentage points" : "");
+}
+
+std::string mean_words(const Evidence& evidence, std::size_t group) {
+  const Description& of = evidence.groups[group].described;
+  const std::string name = name_words(evidence, group);
+  if (std::isfinite(of.mean))
+    return fmt::format(words::has_mean, "name"_a = name, "mean"_a = rounded_number(of.mean, 3));
+  return fmt::format(words::has_no_mean, "name"_a = name, "lost"_a = of.not_finite, "n"_a = of.n);
+}
+
+// "mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"; by ranks "ahead in 98 % of blocks (mean ...)".
+Clause effect_of(const Evidence& evidence, const Contrast& pair, std::size_t group) {
+  const std::size_t other = other_than(group, pair);
+  const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
+  const double share = better_of(pair) == pair.first ? pair.superiority.value : 1 - pair.superiority.value;
+  const std::string ahead =
+      std::isnan(share) ? ""
+                        : fmt::format(words::ahead, "share"_a = percent(share),
+                                      "of"_a = evidence.blocks > 0 ? evidence.block_noun : "pairs of observations");
+  if (!std::isfinite(mean + of_other)) return {ahead, {mean_words(evidence, group), mean_words(evidence, other)}};
+  const std::string_view average = evidence.of_outcomes                  ? "share"
+                                   : evidence.scale == ValueScale::log10 ? "geometric mean"
+                                                                         : "mean";
+  const std::string means = fmt::format(
+      "{} {}", average,
+      evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other));
+  if (evidence.ranks_decide()) return {ahead, {fmt::format(words::not_by_ranks, "means"_a = means)}};
+  Clause effect = extent_clause(evidence, pair);
+  const bool has_size = !includes_none(evidence, pair) && !is_against(evidence, pair, &Description::mean) &&
+                        std::isfinite(pair.difference.low + pair.difference.high);
+  std::vector<std::string> parts{means};
+  if (has_size) parts.push_back("by " + size_words(evidence, pair));
+  if (!effect.text.empty()) parts.push_back((has_size ? "" : "by ") + effect.text);
+  effect.text = fmt::format("{}", fmt::join(parts, ", "));
+  return effect;
+}
+
+// Names a test that would judge unjudged pairs; empty if none would.
+std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
+  bool by_means = false, by_ranks = false;
+  for (const Contrast* pair : pairs) {
+    const Description &first = evidence.groups[pair->first].described,
+                      &second = evidence.groups[pair->second].described;
+    if (std::min(first.n, second.n) < 2) continue;  // no test judges it
+    (std::isfinite(first.std) && std::isfinite(second.std) ? by_means : by_ranks) = true;
+  }
+  const bool has_other = !evidence.from_summaries && !evidence.ranks_decide();
+  const std::string_view test = has_other && by_ranks                           ? "kruskal_wallis"
+                                : by_means && evidence.plan.test == "bootstrap" ? "tamhane"
+                                                                                : "";
+  return test.empty() ? "" : fmt::format(words::another_test, "test"_a = test);
+}
+
+// The best group (or the control) against the others.
+class Answer {
+ public:
+  Answer(const Evidence& evidence, Label label, bool is_short)
+      : evidence_(evidence),
+        best_(evidence.reference.value_or(best_group(evidence))),
+        label_(std::move(label)),
+        is_short_(is_short) {}
+
+  std::vector<std::string> sentences() {
+    say_decided(pairs(Relation::better), "better");
+    say_decided(pairs(Relation::worse), "worse");
+    if (const Pairs same = pairs(Relation::same); !same.empty()) say_same(same);
+    if (const Pairs open = pairs(Relation::undecided); !open.empty()) say_open(open);
+    if (const Pairs undefined = pairs(Relation::undefined); !undefined.empty()) say_undefined(undefined);
+    return std::move(sentences_);
+  }
+
+ private:
+  // The pairs of the best with that relation to the other, the best other first.
+  Pairs pairs(Relation relation) const {
+    Pairs result;
+    for (const Contrast& pair : evidence_.contrasts) {
+      const bool is_own = pair.first == best_ || pair.second == best_;
+      if (is_own && (pair.first == best_ ? pair.relation : reversed(pair.relation)) == relation) {
+        result.push_back(&pair);
+      }
+    }
+    std::ranges::stable_sort(result, {}, [&](const Contrast* pair) {
+      return standing(evidence_, evidence_.groups[other_than(best_, *pair)]);
+    });
+    return result;
+  }
+  // The value of the best is told once.
+  std::string first() const { return sentences_.empty() ? label_(best_) : name_words(evidence_, best_); }
+  std::string others(const Pairs& pairs) const {
+    std::vector<std::string> names;
+    for (const Contrast* pair : pairs) names.push_back(label_(other_than(best_, *pair)));
+    return listed(names);
+  }
+  void say(const Clause& clause, const std::string& doubts = "") {
+    const std::string separator = clause.remarks.empty() ? "" : ": ";
+    sentences_.push_back(
+        (is_short_ ? clause.text + separator + fmt::format("{}", fmt::join(clause.remarks, "; ")) : words_of(clause)) +
+        doubts);
+  }
+  // ", although the median favours the other"; names the pairs unless it holds for all.
+  std::string doubts(const Pairs& pairs) const {
+    ByReason doubts;
+    for (const Contrast* pair : pairs) {
+      if (const std::string doubt = doubt_words(evidence_, *pair); !doubt.empty()) {
+        doubts.add(doubt, name_words(evidence_, other_than(best_, *pair)));
+      }
+    }
+    std::vector<std::string> parts;
+    for (const auto& [doubt, names] : doubts.items()) {
+      parts.push_back(names.size() == pairs.size() ? doubt : fmt::format("{} ({})", doubt, listed(names)));
+    }
+    return parts.empty() ? "" : ", although " + listed(parts);
+  }
+
+  // "IK-BA is better than K-ABC and BA (p at most 0.0003)", "Against K-ABC, the best of these: mean ...".
+  void say_decided(const Pairs& pairs, std::string_view better) {
+    if (pairs.empty()) return;
+    double largest_p = not_defined;
+    for (const Contrast* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
+    const Contrast& nearest = *pairs.front();
+    const bool is_one = pairs.size() == 1;
+    const Clause effect = effect_of(evidence_, nearest, best_);
+    Clause text{fmt::format(words::decided, "first"_a = first(), "better"_a = better,
+                            "by"_a = !evidence_.ranks_decide()           ? ""
+                                     : evidence_.decides_within_blocks() ? " by ranks within blocks"
+                                                                         : " by ranks",
+                            "others"_a = others(pairs))};
+    if (is_one && !is_short_) {
+      if (!effect.text.empty()) text.text += ": " + effect.text;
+      text.remarks = effect.remarks;
+    }
+    if (!std::isnan(largest_p)) {
+      text.remarks.push_back(is_one || largest_p < 1e-300 ? p_words(largest_p) : "p at most " + at_most(largest_p));
+    } else if (is_short_ && nearest.is_fact) {
+      text.remarks.emplace_back(words::is_fact);
+    }
+    say(text, doubts(pairs));
+    if (is_one || is_short_) return;
+    say({fmt::format(words::nearest, "other"_a = name_words(evidence_, other_than(best_, nearest)),
+                     "effect"_a = words_of(effect))});
+  }
+  void say_same(const Pairs& pairs) {
+    const bool is_one = pairs.size() == 1;
+    const Contrast& front = *pairs.front();
+    Clause text{fmt::format(words::same, "first"_a = first(), "others"_a = others(pairs),
+                            "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
+    if (is_one && !is_short_ && front.difference.low != front.difference.high) {
+      text.remarks = {interval_words(evidence_, front)};
+    }
+    say(text);
+  }
+  void say_open(const Pairs& pairs) {
+    Clause text{fmt::format(words::undecided, "first"_a = first(), "others"_a = others(pairs))};
+    const Contrast& front = *pairs.front();
+    const bool has_interval = std::isfinite(front.difference.low);
+    if (pairs.size() == 1) {
+      const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
+      text.remarks.emplace_back(is_equal ? words::all_equal : p_words(front.p));
+      if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front));
+    }
+    const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
+    if (!runs.empty()) text.remarks.push_back(runs);
+    say(text, doubts(pairs));
+  }
+  void say_undefined(const Pairs& pairs) {
+    ByReason reasons;
+    for (const Contrast* pair : pairs) reasons.add(pair->undefined, name_words(evidence_, other_than(best_, *pair)));
+    std::vector<std::string> parts;
+    for (const auto& [reason, names] : reasons.items()) parts.push_back(fmt::format("{} ({})", listed(names), reason));
+    say({fmt::format(words::not_judged, "first"_a = first(), "others"_a = is_short_ ? others(pairs) : clauses(parts))});
+    const std::string other = is_short_ ? "" : another_test_words(evidence_, pairs);
+    if (!other.empty()) say({other});
+  }
+
+  const Evidence& evidence_;
+  std::size_t best_;
+  Label label_;
+  bool is_short_;
+  std::vector<std::string> sentences_ = {};
+};
+
+// "Other pairs that differ (2 of 10; the better first): K-ABC vs BA; ..."
+std::vector<std::string> other_pairs_words(const Evidence& evidence) {
+  const std::size_t best = evidence.reference.value_or(best_group(evidence));
+  std::vector<std::string> differ;
+  std::size_t others = 0, undefined = 0;
+  for (const Contrast& pair : evidence.contrasts) {
+    if (pair.first == best || pair.second == best) continue;
+    ++others;
+    undefined += pair.relation == Relation::undefined ? 1 : 0;
+    const std::size_t better = better_of(pair);
+    if (is_decided(pair)) {
+      differ.push_back(
+          fmt::format("{} vs {}", name_words(evidence, better), name_words(evidence, other_than(better, pair))));
+    }
+  }
+  std::vector<std::string> sentences;
+  if (!differ.empty()) {
+    sentences.push_back(
+        fmt::format(words::others_differ, "count"_a = differ.size(), "pairs"_a = others, "list"_a = clauses(differ)));
+  } else if (undefined < others) {
+    sentences.emplace_back(words::others_do_not_differ);
+  }
+  if (undefined > 0) {
+    sentences.push_back(fmt::format(words::others_not_judged, "count"_a = undefined, "pairs"_a = others));
+  }
+  return sentences;
+}
+
+// "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
+std::string decided_by(const Evidence& evidence) {
+  const auto& pairs = evidence.contrasts;
+  const auto constants = std::ranges::count_if(pairs, [&](const Contrast& c) { return are_constants(evidence, c); });
+  const auto by_order = std::ranges::count(pairs, true, &Contrast::is_by_order);
+  const auto facts = std::ranges::count(pairs, true, &Contrast::is_fact);
+  const auto against_known = std::ranges::count_if(pairs, [&](const Contrast& c) {
+    return c.is_by_order && evidence.groups[c.first].copies + evidence.groups[c.second].copies > 0;
+  });
+  std::vector<std::string> tests;
+  if (constants + by_order + facts < std::ssize(pairs)) {
+    tests.push_back(evidence.pairs > 1 ? fmt::format(words::corrected, "test"_a = pair_test_words(evidence),
+                                                     "pairs"_a = corrected_for(evidence))
+                                       : std::string(pair_test_words(evidence)));
+  }
+  if (against_known > 0) tests.emplace_back(words::by_sign_of_known);
+  if (facts > 0) tests.emplace_back(words::by_fact);
+  if (by_order > against_known) {
+    tests.push_back(
+        fmt::format(words::by_order, "test"_a = evidence.blocks > 0 ? "the sign test" : "the exact test of ranks"));
+  }
+  if (constants > 0) tests.push_back(fmt::format(words::by_constants, "test"_a = test_of_constants_words(evidence)));
+  return fmt::format("{}", fmt::join(tests, "; "));
+}
+
+}  // namespace
+
+bool has_judged(const Evidence& evidence) {
+  return std::ranges::any_of(evidence.contrasts, [](const Contrast& c) { return c.relation != Relation::undefined; });
+}
+
+std::vector<std::string> answer(const Evidence& evidence) {
+  if (evidence.contrasts.empty()) return {};
+  if (has_single_values(evidence)) return {std::string(words::single_values)};
+  const auto label = [&](std::size_t group) { return name_words(evidence, group); };
+  std::vector<std::string> sentences = Answer(evidence, label, false).sentences();
+  std::ranges::move(other_pairs_words(evidence), std::back_inserter(sentences));
+  if (!evidence.constant && has_judged(evidence)) {
+    sentences.push_back(fmt::format(words::decided_by, "tests"_a = decided_by(evidence)));
+  }
+  return sentences;
+}
+
+std::vector<std::string> short_answer(const Evidence& evidence, const Label& label) {
+  return Answer(evidence, label, true).sentences();
+}
+
+Sentence change_words(const Evidence& evidence) {
+  Pairs open;
+  bool is_small = false, is_doubted = false;
+  for (const Contrast& pair : evidence.contrasts) {
+    if (pair.relation == Relation::undecided) open.push_back(&pair);
+    if (!is_decided(pair)) continue;
+    is_small = is_small || pair.is_within_margin() || pair.is_across_margin();
+    is_doubted = is_doubted || !doubt_words(evidence, pair).empty();
+  }
+  if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
+  std::vector<std::string> parts;
+  if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
+  if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
+    parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
+  }
+  const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3; };
+  if (std::ranges::count(evidence.contrasts, Relation::undefined, &Contrast::relation) > 0 &&
+      std::ranges::any_of(evidence.groups, is_short)) {
+    parts.emplace_back(words::more_than_two);
+  }
+  if (is_doubted) parts.emplace_back(words::another_measure);
+  if (is_small) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin_words(evidence)));
+  parts.emplace_back(words::other_conditions);
+  return {"What would change it", fmt::format("{}.", fmt::join(parts, "; "))};
+}
+
+}  // namespace ikbench::report
