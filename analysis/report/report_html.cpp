@@ -3,18 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <kainjow/mustache.hpp>
 #include <string_view>
 #include <utility>
 
 #include "analysis/figures/dark.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/report/encoding.hpp"
-#include "analysis/report/html_pieces.hpp"
+#include "analysis/report/json.hpp"
+#include "analysis/report/words.hpp"
 #include "numerics/embedded_file.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::report {
 
+using namespace results;
 using namespace figures;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -31,17 +38,201 @@ constexpr std::string_view report_html = template_named("report.html"), report_c
                            report_js = template_named("report.js"), moving_arm_js = template_named("moving_arm.js");
 
 constexpr std::string_view at_a_glance = "overview";  // the figure beside the verdict
+constexpr std::size_t largest_svg = 400'000;          // bytes; a larger one is shown as a link
+constexpr std::size_t largest_sum = 1'500'000;        // bytes of all figures together, for a page below 3 MB
+constexpr std::size_t most_page_rows = 60;            // most rows of a table on the page; its files have all
 
-Data topics_data(const std::vector<Sentence>& sentences) {
-  Data list(Data::type::list);
+using Data = kainjow::mustache::data;
+
+// Data of the page's template, which escapes texts. It leaves out what is false, null or an empty list.
+Data data_of(const Json& json) {
+  if (json.is_string()) return Data(one_line(json.get<std::string>()));
+  if (json.is_array()) {
+    Data list(Data::type::list);
+    for (const Json& item : json) list.push_back(data_of(item));
+    return list;
+  }
+  if (!json.is_object()) return Data(json.is_boolean() && json.get<bool>());
+  Data object;
+  for (const auto& [key, value] : json.items()) {
+    if (!value.is_null()) object.set(key, data_of(value));
+  }
+  return object;
+}
+
+Json unless_empty(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+// Makes a name safe as an id and in a link, even if a foreign table brings it.
+std::string id_of(std::string_view name) {
+  std::string id;
+  for (const char c : name) {
+    const bool is_safe = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+    id += is_safe ? c : '-';
+  }
+  return id;
+}
+
+constexpr std::string_view colour_of(Nearness nearness) {
+  constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
+  return colours[static_cast<std::size_t>(nearness)];
+}
+
+// Explains cells with two numbers; empty if there are none.
+std::string legend_of(const Table& table) {
+  bool has_any = false, has_colours = false;
+  for (const std::vector<Cell>& row : table.rows) {
+    for (const Cell& cell : row) {
+      const auto* const beside = std::get_if<Beside>(&cell);
+      has_any = has_any || beside != nullptr;
+      has_colours = has_colours || (beside != nullptr && beside->nearness != Nearness::unknown);
+    }
+  }
+  return !has_any ? "" : std::string(words::legend) + (has_colours ? std::string(words::legend_of_colours) : "");
+}
+
+Json cell_json(const Cell& cell, bool is_left) {
+  constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
+  if (const auto* beside = std::get_if<Beside>(&cell)) {
+    return {{"text", short_number(beside->ours)},
+            {"number", computable(cell)},
+            {"printed", beside->printed},
+            {"nearness", colour_of(beside->nearness)},
+            {"words", beside->words}};
+  }
+  const std::string text = readable(cell);
+  const auto* graded = std::get_if<Graded>(&cell);
+  const bool is_words =
+      graded || std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
+  return {{"text", text},
+          {"right", !is_left},
+          {"short", is_left && character_count(text) <= short_text},
+          {"verdict", graded && graded->nearness != Nearness::unknown ? Json(colour_of(graded->nearness)) : Json()},
+          {"number", is_words ? Json() : Json(computable(cell))}};
+}
+
+Json table_json(const Table& table) {
+  Json heads = Json::array(), rows = Json::array();
+  const std::vector<std::size_t> used = columns_in_use(table);
+  for (const std::size_t c : used) {
+    std::string head = table.columns[c];
+    std::ranges::replace(head, '_', ' ');  // so that a long name may break into lines
+    heads.push_back({{"text", head}, {"right", !is_left(table, c)}});
+  }
+  const std::size_t all = table.rows.size(), shown = std::min(all, most_page_rows);
+  for (std::size_t r = 0; r < shown; ++r) {
+    Json cells = Json::array();
+    for (const std::size_t c : used) cells.push_back(cell_json(table.rows[r][c], is_left(table, c)));
+    rows.push_back({{"cells", cells}});
+  }
+  return {{"id", id_of(table.name)},
+          {"name", table.name},
+          {"caption", numbered_caption(table)},
+          {"legend", unless_empty(legend_of(table))},
+          {"heads", heads},
+          {"rows", rows},
+          {"size", fmt::format("{} row{}", all, all == 1 ? "" : "s")},
+          {"more", shown < all ? Json(fmt::format(words::first_rows, "shown"_a = shown, "all"_a = all)) : Json()},
+          {"has_notes", !table.notes.empty()},
+          {"notes", table.notes}};
+}
+
+// "in part" is the class in-part.
+std::string kind_of(Verdict verdict) {
+  std::string kind(name_of(verdict));
+  std::ranges::replace(kind, ' ', '-');
+  return kind;
+}
+
+Json claim_json(const Claim& claim, const ReportContent& content) {
+  const bool has_table = piece_named(content, claim.table) != nullptr;
+  return {{"claim", claim.statement},
+          {"verdict", verdict_words(claim)},
+          {"kind", kind_of(claim.verdict)},
+          {"printed", claim.printed ? Json(name_of(*claim.printed)) : Json()},
+          {"printed_kind", claim.printed ? Json(kind_of(*claim.printed)) : Json()},
+          {"number", claim.number},
+          {"stated_in", unless_empty(claim.section)},
+          {"evidence", evidence_text(claim)},
+          {"table", has_table ? Json(id_of(claim.table)) : Json()},
+          {"link", has_table ? title_of(claim.table) : ""}};
+}
+
+// The paper's claims and our own questions, as a list of the lists that are not empty.
+Json verdicts_json(const ReportContent& content) {
+  Json lists = Json::array();
+  for (const By by : {By::paper, By::us}) {
+    Json claims = Json::array();
+    for (const Claim& claim : claims_by(by, content.claims)) claims.push_back(claim_json(claim, content));
+    if (!claims.empty()) lists.push_back({{"besides", by == By::us}, {"claims", claims}});
+  }
+  return lists;
+}
+
+Json topics_json(const std::vector<Sentence>& sentences) {
+  Json list = Json::array();
   for (const Sentence& sentence : sentences) {
-    Data data;
-    data.set("topic", text_data(sentence.topic.empty() ? "" : sentence.topic + ':'));
-    data.set("rest", text_data(sentence.topic.empty() ? sentence.text : ' ' + sentence.text));
-    list.push_back(data);
+    const bool has_topic = !sentence.topic.empty();
+    list.push_back(
+        {{"topic", has_topic ? sentence.topic + ':' : ""}, {"rest", has_topic ? ' ' + sentence.text : sentence.text}});
   }
   return list;
 }
+
+// The tables and figures of a page. Together the pictures stay below a limit; those beyond it are links.
+class Pieces {
+ public:
+  Pieces(const ReportContent& content, std::filesystem::path figures)
+      : content_(content), figures_(std::move(figures)) {}
+
+  Json json(const Piece& piece) {
+    const auto* table = std::get_if<Table>(&piece);
+    return {{table ? "table" : "figure", table ? table_json(*table) : figure_json(std::get<ReportFigure>(piece))},
+            {"title", title_of(name_of(piece))},
+            {"seen", unless_empty(seen_at(piece, content_))}};
+  }
+  // The figure's SVG in base64, with colours for a dark background too; null if it is not drawn, or too large. As an
+  // image source it runs no script, and its ids cannot clash.
+  Json picture(const ReportFigure& piece) {
+    const auto file = piece.drawn ? read_file(figures_ / (piece.figure.name + ".svg")) : std::optional<std::string>();
+    if (!file || file->size() > largest_svg) return {};
+    std::string svg = base64(with_dark_colours(*file));
+    if (sum_ + svg.size() > largest_sum) return {};
+    sum_ += svg.size();
+    return svg;
+  }
+  // Tooltips of the series, by figure id.
+  const Json& told() const { return told_; }
+  int left_out() const { return left_out_; }  // pictures beyond the limit so far
+
+ private:
+  Json figure_json(const ReportFigure& piece) {
+    const Figure& figure = piece.figure;
+    // Ids must be unique on the page, but a table and its figure may share a name.
+    const Piece* const first = piece_named(content_, figure.name);
+    const std::string id =
+        id_of(figure.name) + (first != nullptr && std::holds_alternative<Table>(*first) ? "-figure" : "");
+    const Json svg = picture(piece);
+    const bool is_left_out = piece.drawn && svg.is_null();
+    left_out_ += is_left_out ? 1 : 0;
+    Json series = Json::array();
+    for (const HoverTexts& of : figure.hover_texts)
+      series.push_back({{"series", one_line(of.series)}, {"words", of.words}});
+    if (!svg.is_null() && !series.empty()) told_[id] = series;
+    return {{"id", id},
+            {"name", figure.name},
+            {"caption", figure.caption},
+            {"wide", figure.width_cm > 12},
+            {"drawn", piece.drawn},
+            {"svg", svg},
+            {"left_out", is_left_out}};
+  }
+
+  const ReportContent& content_;
+  std::filesystem::path figures_;
+  std::size_t sum_ = 0;  // bytes of all pictures so far
+  int left_out_ = 0;
+  Json told_ = Json::object();
+};
 
 // "2 tables, 1 figure"
 std::string piece_counts(const std::vector<Piece>& pieces) {
@@ -56,65 +247,52 @@ std::string piece_counts(const std::vector<Piece>& pieces) {
 
 bool is_shown(const Section& section) { return !section.pieces.empty(); }
 
-// The folded part of a shown section gets its own heading.
-Data items_data(const Section& section, HtmlPieces& pieces) {
-  Data items(Data::type::list);
+Json section_json(const Section& section, const ReportContent& content, Pieces& pieces) {
+  const bool is_folded = !is_shown(section);
+  Json items = Json::array();
   for (const std::vector<Piece>* part : {&section.pieces, &section.folded}) {
     for (const Piece& piece : *part) {
       if (name_of(piece) == at_a_glance) continue;  // it stands at the top
-      Data item = pieces.data(piece);
-      item.set("fold", is_shown(section) && part == &section.folded);
+      Json item = pieces.json(piece);
+      item["fold"] = !is_folded && part == &section.folded;  // the folded part of a shown section has its own heading
       items.push_back(item);
     }
   }
-  return items;
-}
-
-Data section_data(const Section& section, const ReportContent& content, HtmlPieces& pieces) {
-  Data data;
-  data.set("id", Data("section-" + id_of(section.heading)));
-  data.set("heading", text_data(section.heading));
-  if (!section.sentences.empty()) {
-    data.set("has_sentences", true);
-    data.set("sentences", topics_data(section.sentences));
-  }
-  data.set("folded", !is_shown(section));
-  data.set("items", items_data(section, pieces));
-  if (!is_shown(section)) data.set("size", Data(piece_counts(section.folded)));
   const auto seen = content.seen.find(section.heading);
   const std::string line = seen != content.seen.end() ? seen->second : section.paragraph;
-  if (!is_shown(section) && !line.empty()) data.set("line", text_data(line));
-  if (!section.paragraph.empty() && (is_shown(section) || line != section.paragraph)) {
-    data.set("paragraph", text_data(section.paragraph));
-  }
-  return data;
+  return {{"id", "section-" + id_of(section.heading)},
+          {"heading", section.heading},
+          {"has_sentences", !section.sentences.empty()},
+          {"sentences", topics_json(section.sentences)},
+          {"folded", is_folded},
+          {"items", items},
+          {"size", is_folded ? piece_counts(section.folded) : ""},
+          {"line", is_folded ? unless_empty(line) : Json()},
+          {"paragraph", is_folded && line == section.paragraph ? Json() : unless_empty(section.paragraph)}};
 }
 
 // The animated view follows the last shown section; the folded ones come after it.
-Data sections_data(const ReportContent& content, HtmlPieces& pieces) {
+Json sections_json(const ReportContent& content, Pieces& pieces) {
   const auto last = std::find_if(content.results.rbegin(), content.results.rend(), is_shown);
   bool is_before = last != content.results.rend();
-  Data sections(Data::type::list);
+  Json sections = Json::array();
   for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
     for (const Section& section : *part) {
-      Data data = section_data(section, content, pieces);
+      Json json = section_json(section, content, pieces);
       const bool is_last = is_before && &section == &*last;
-      data.set("first", is_before);
-      data.set("last", is_last);
+      json["first"] = is_before;
+      json["last"] = is_last;
       is_before = is_before && !is_last;
-      sections.push_back(data);
+      sections.push_back(json);
     }
   }
   return sections;
 }
 
-Data solvers_data(const std::vector<std::string>& solvers) {
-  Data list(Data::type::list);
+Json solvers_json(const std::vector<std::string>& solvers) {
+  Json list = Json::array();
   for (std::size_t i = 0; i < solvers.size(); ++i) {
-    Data data;
-    data.set("name", text_data(solvers[i]));
-    data.set("colour", Data(fmt::format("s{}", i % series_colours.size())));
-    list.push_back(data);
+    list.push_back({{"name", solvers[i]}, {"colour", fmt::format("s{}", i % series_colours.size())}});
   }
   return list;
 }
@@ -138,75 +316,60 @@ std::string warnings_line(const Doubts& warnings) {
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }
 
 // The part above the sections.
-void set_header(const ReportContent& content, HtmlPieces& pieces, Data& page) {
-  page.set("title", text_data(content.title));
-  page.set("study", text_data(content.study));
-  page.set("kind", text_data(content.kind));
-  page.set("has_studied", !content.studied.empty());
-  page.set("studied", list_data(content.studied));
-  if (content.claims.empty()) {
-    page.set("has_own", !content.answer.empty());
-    page.set("own", topics_data(content.answer));
-  } else {
-    page.set("answers", list_data(answers_of(content)));
-  }
+Json header_json(const ReportContent& content, Pieces& pieces) {
+  const bool has_claims = !content.claims.empty();
   std::vector<std::string> summary = content.summary;
-  if (!content.claims.empty()) {
+  if (has_claims) {
     const std::vector<std::string> answer = words_of(content.answer);
     summary.insert(summary.begin(), answer.begin(), answer.end());
   }
-  page.set("has_summary", !summary.empty());
-  page.set("summary", list_data(summary));
-  page.set("verdicts", verdicts_data(content));
   const Piece* glance = piece_named(content, at_a_glance);
-  if (const auto* figure = glance ? std::get_if<ReportFigure>(glance) : nullptr; figure && figure->drawn) {
-    page.set("glance", pieces.data(*glance));
-  }
-  if (!content.warnings.empty()) {
-    page.set("has_warnings", true);
-    page.set("several", text_data(warnings_line(content.warnings)));
-    page.set("warnings", list_data(list_of(content.warnings)));
-  }
-  if (!content.command.empty()) page.set("command", text_data(content.command));
-  if (content.solvers.size() > 1) {
-    page.set("has_solvers", true);
-    page.set("solvers", solvers_data(content.solvers));
-  }
+  const auto* figure = glance ? std::get_if<ReportFigure>(glance) : nullptr;
+  return {{"title", content.title},
+          {"study", content.study},
+          {"kind", content.kind},
+          {"has_studied", !content.studied.empty()},
+          {"studied", content.studied},
+          {"has_own", !has_claims && !content.answer.empty()},
+          {"own", topics_json(content.answer)},
+          {"answers", answers_of(content)},
+          {"has_summary", !summary.empty()},
+          {"summary", summary},
+          {"verdicts", verdicts_json(content)},
+          {"glance", figure && figure->drawn ? pieces.json(*glance) : Json()},
+          {"has_warnings", !content.warnings.empty()},
+          {"several", content.warnings.empty() ? "" : warnings_line(content.warnings)},
+          {"warnings", list_of(content.warnings)},
+          {"command", unless_empty(content.command)},
+          {"has_solvers", content.solvers.size() > 1},
+          {"solvers", solvers_json(content.solvers)}};
 }
 
 }  // namespace
 
-std::string to_html(const ReportContent& content, const HtmlExtras& extras) {
-  HtmlPieces pieces(content, extras.figures);
-  Data page;
-  set_header(content, pieces, page);
-  if (!extras.downloads.empty()) {
-    page.set("has_downloads", true);
-    page.set("downloads", list_data(extras.downloads));
-  }
-
-  std::string scripts = source(report_js);
-  const bool moves = extras.motion && extras.drawing_library;
-  if (extras.motion) {
-    Data motion;
+std::string to_html(const ReportContent& content, const PageFiles& files) {
+  Pieces pieces(content, files.figures);
+  Json json = header_json(content, pieces);
+  json["has_downloads"] = !files.downloads.empty();
+  json["downloads"] = files.downloads;
+  const bool moves = files.motion && files.drawing_library;
+  if (files.motion) {
     const Piece* piece = piece_named(content, content.path);
     const auto* figure = piece ? std::get_if<ReportFigure>(piece) : nullptr;
-    if (const auto svg = figure && figure->drawn ? pieces.picture(figure->figure) : std::nullopt) {
-      motion.set("still", Data(*svg));
-    }
-    motion.set("moves", moves);
-    page.set("motion", motion);
+    json["motion"] = {{"still", figure ? pieces.picture(*figure) : Json()}, {"moves", moves}};
   }
-  if (moves) {
-    page.set("data", Data(*extras.motion));
-    page.set("library", Data(*extras.drawing_library));
-    page.set("view", Data(std::string(moving_arm_js)));
-    scripts += ' ' + source(*extras.drawing_library) + ' ' + source(moving_arm_js);
-  }
+  json["sections"] = sections_json(content, pieces);
+  if (pieces.left_out() > 0) json["beside"] = fmt::to_string(pieces.left_out());
+  json["has_shown"] = std::ranges::any_of(content.results, is_shown);
 
-  page.set("sections", sections_data(content, pieces));
-  if (pieces.left_out() > 0) page.set("beside", Data(fmt::to_string(pieces.left_out())));
-  page.set("has_shown", std::ranges::any_of(content.results, is_shown));
+  Data page = data_of(json);
+  std::string scripts = source(report_js);
+  if (moves) {  // as they are, line by line
+    page.set("data", Data(*files.motion));
+    page.set("library", Data(*files.drawing_library));
+    page.set("view", Data(std::string(moving_arm_js)));
+    scripts += ' ' + source(*files.drawing_library) + ' ' + source(moving_arm_js);
+  }
   page.set("told", Data(json_in_page(pieces.told())));
   const std::string style = series_css() + std::string(report_css);
   page.set("style", Data(style));

@@ -88,6 +88,12 @@ inline constexpr Template constants =
     "All values within a group are equal. p comes from {test}. If a quantity is fixed by design, such as a budget of "
     "evaluations, its difference is a fact and needs no test.";
 
+// The page.
+inline constexpr Template legend = "Large: ours. Small: as printed.";
+inline constexpr Template legend_of_colours =
+    " Green: the printed number is where 95 % of our repetitions are. Yellow: outside, but near. Red: far.";
+inline constexpr Template first_rows = "The first {shown} of {all} rows; all of them are in the CSV.";
+
 // `ikbench compare`.
 inline constexpr Template regression = "Regression beyond {margin}: {list}. {rest}";
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
