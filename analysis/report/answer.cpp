@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
@@ -191,11 +192,14 @@ class Answer {
     });
     return result;
   }
-  // The value of the best is told once.
+  // Labels tell the value of the best, and of the best other of each sentence.
   std::string first() const { return sentences_.empty() ? label_(best_) : name_words(evidence_, best_); }
   std::string others(const Pairs& pairs) const {
     std::vector<std::string> names;
-    for (const Contrast* pair : pairs) names.push_back(label_(other_than(best_, *pair)));
+    for (const Contrast* pair : pairs) {
+      const std::size_t other = other_than(best_, *pair);
+      names.push_back(names.empty() ? label_(other) : name_words(evidence_, other));
+    }
     return listed(names);
   }
   void say(const Clause& clause, const std::string& doubts = "") {

@@ -87,7 +87,7 @@ Assessment assessment_of(const Evidence& evidence) {
   add_differences(evidence, result.figures);
   add_ranks(evidence, result.figures);
   if (evidence.flaws.empty()) return result;
-  for (Figure& figure : result.figures) figure.caption += " Flawed: " + words_of(evidence.flaws);
+  for (Figure& figure : result.figures) figure.caption += fmt::format(" Flawed: {}", words_of(evidence.flaws));
   return result;
 }
 

@@ -1,6 +1,5 @@
 #include "analysis/report/assessment_json.hpp"
 
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -60,9 +59,8 @@ Json group_json(const GroupEvidence& group) {
 }
 
 Json test_json(const TestResult& test) {
-  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "robust"};
   Json object{{"test", test.test},
-              {"role", roles[static_cast<std::size_t>(test.role)]},
+              {"role", role_words(test.role)},
               {"without", test.without},
               {"symbol", test.symbol},
               {"statistic", json_number(test.statistic)},

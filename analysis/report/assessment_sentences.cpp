@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "analysis/inference/judge.hpp"
+#include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/answer.hpp"
 #include "analysis/report/assessment_disagreements.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/report/outcome_words.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/power.hpp"
 
@@ -68,17 +68,31 @@ Sentence methods(const Evidence& evidence) {
   std::string family;
   if (!evidence.plan.control.empty()) {
     family =
-        fmt::format(", for each group against the control {}", row_label(evidence.plan.control, longest_name_in_text));
+        fmt::format(words::family_of_control, "control"_a = row_label(evidence.plan.control, longest_name_in_text));
   } else if (evidence.pairs > 1) {
-    family = fmt::format(", for all {} pairs", evidence.pairs);
+    family = fmt::format(words::family_of_all, "pairs"_a = evidence.pairs);
   }
-  if (!evidence.from_summaries && evidence.ranks_decide() && evidence.pairs > 1) {
-    family += fmt::format("; p-values are corrected by {}", adjustment_words(evidence));
+  if (!evidence.from_summaries && (evidence.ranks_decide() || evidence.of_outcomes) && evidence.pairs > 1) {
+    family += fmt::format(words::correction, "whose"_a = adjustment_words(evidence));
   }
-  return {"Methods", fmt::format(words::method, "test"_a = deciding_words(evidence),
-                                 "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
-                                 "margin"_a = margin_words(evidence)) +
-                         sensitivity(evidence)};
+  const std::string method = fmt::format(words::method, "test"_a = deciding_words(evidence),
+                                         "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
+                                         "margin"_a = margin_words(evidence));
+  return {"Methods", evidence.of_outcomes ? fmt::format(words::method_of_shares, "method"_a = method,
+                                                        "interval"_a = evidence.method->interval)
+                                          : method + sensitivity(evidence)};
+}
+
+// "Shares of solved: IK-BA 18 of 20 (90 %, 70 to 97 %); BA ..."
+Sentence shares(const Evidence& evidence) {
+  std::vector<std::string> shares;
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    const GroupEvidence& group = evidence.groups[i];
+    shares.push_back(fmt::format(words::share, "name"_a = name_words(evidence, i), "ones"_a = ones_of(group),
+                                 "n"_a = group.described.n, "share"_a = percent(group.mean.value),
+                                 "low"_a = 100 * group.mean.low, "high"_a = 100 * group.mean.high));
+  }
+  return {"Shares of " + evidence.quantity, clauses(shares) + '.'};
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -93,7 +107,7 @@ std::string result_words(const TestResult& test) {
 }
 
 std::string normality_words(const Evidence& evidence) {
-  if (evidence.from_summaries) return "Summaries do not show whether the values are normal.";
+  if (evidence.from_summaries) return std::string(words::normality_unknown);
   std::vector<std::string> not_normal;
   std::size_t known = 0;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
@@ -102,12 +116,11 @@ std::string normality_words(const Evidence& evidence) {
     if (p < evidence.plan.significance)
       not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
   }
-  if (known == 0) return "Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
+  if (known == 0) return std::string(words::normality_untested);
   if (!not_normal.empty()) {
-    return fmt::format("Normality is rejected for {} (Shapiro-Wilk, separately for each group).", listed(not_normal));
+    return fmt::format(words::not_normal, "names"_a = listed(not_normal));
   }
-  return fmt::format("Normality is not rejected for any group{} (Shapiro-Wilk).",
-                     known < evidence.groups.size() ? " that can be tested" : "");
+  return fmt::format(words::normal, "tested"_a = known < evidence.groups.size() ? " that can be tested" : "");
 }
 
 Sentence assumptions(const Evidence& evidence) {
@@ -122,8 +135,9 @@ Sentence assumptions(const Evidence& evidence) {
                      : variances_differ(evidence) ? "equal variances are rejected"
                                                   : "equal variances are not rejected";
   if (std::isfinite(evidence.variance_ratio)) {
-    text += fmt::format("; the variance of {} is {} times that of {}", name_words(evidence, evidence.most_variable),
-                        rounded_number(evidence.variance_ratio, 3), name_words(evidence, evidence.least_variable));
+    text += fmt::format(words::variances, "most"_a = name_words(evidence, evidence.most_variable),
+                        "ratio"_a = rounded_number(evidence.variance_ratio, 3),
+                        "least"_a = name_words(evidence, evidence.least_variable));
   }
   return {"Assumptions", fmt::format("{} ({}). {}", text, fmt::join(tests, "; "), normality_words(evidence))};
 }
@@ -157,8 +171,7 @@ std::vector<Sentence> analyses(const Evidence& evidence) {
                         : test.p < evidence.plan.significance
                             ? (evidence.groups.size() == 2 ? "; the groups differ" : "; at least one group differs")
                             : "; no difference is shown");
-    if (test.role == Role::paper && variances_differ(evidence))
-      text += " It assumes equal variances, which are rejected.";
+    if (test.role == Role::paper && variances_differ(evidence)) text += words::assumes_equal_variances;
   }
   return {{"All groups together", planned}, {"Other tests of all groups, which do not decide", others}};
 }
@@ -203,9 +216,9 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
   }
   say(change_words(evidence));
   describe();
-  if (evidence.of_outcomes) say(shares_words(evidence));
+  if (evidence.of_outcomes) say(shares(evidence));
   if (evidence.groups.size() < 2) {
-    say({"", "There is only one group, so there is nothing to compare."});
+    say({"", std::string(words::one_group)});
     return sentences;
   }
   if (evidence.constant) {
@@ -213,7 +226,7 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
     return sentences;
   }
   if (has_single_values(evidence)) return sentences;
-  say(evidence.of_outcomes ? outcome_methods_words(evidence) : methods(evidence));
+  say(methods(evidence));
   say(too_few(evidence));
   say(assumptions(evidence));
   say(decades(evidence));

@@ -10,7 +10,7 @@
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/report/outcome_words.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/effect_size.hpp"
 
 namespace ikbench::report {
@@ -18,6 +18,7 @@ namespace ikbench::report {
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -36,6 +37,15 @@ Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
 Cell unless_zero(int count) {
   if (count == 0) return {};
   return std::int64_t{count};
+}
+
+// Adds the notes of a table of groups: one observation, the intervals, the data.
+Table with_notes(Table table, const Evidence& evidence, const std::string& intervals) {
+  if (!evidence.replicate.empty())
+    table.notes.push_back(fmt::format(words::observation, "what"_a = evidence.replicate));
+  if (!intervals.empty()) table.notes.push_back(intervals);
+  table.notes.insert(table.notes.end(), evidence.notes.begin(), evidence.notes.end());
+  return table;
 }
 
 Table groups_table(const Evidence& evidence) {
@@ -61,21 +71,22 @@ Table groups_table(const Evidence& evidence) {
                           interval(group.median), group.q1, group.q3, of.min, of.max,
                           or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
   }
-  if (!evidence.replicate.empty()) table.notes.push_back(fmt::format("One observation is {}.", evidence.replicate));
-  if (!evidence.from_summaries) {
-    table.notes.push_back(
-        fmt::format("Intervals: Student's t and studentized bootstrap for the mean, order statistics for the median. "
-                    "Quartiles: Hyndman-Fan type {}.",
-                    evidence.plan.quartiles));
-  }
-  for (const std::string& note : evidence.notes) table.notes.push_back(note);
-  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
-  return table;
+  return with_notes(
+      std::move(table), evidence,
+      evidence.from_summaries ? "" : fmt::format(words::intervals_and_quartiles, "type"_a = evidence.plan.quartiles));
 }
 
-std::string role_words(Role role) {
-  constexpr std::array<std::string_view, 3> words{"assumption", "classical", "robust"};
-  return std::string(words[static_cast<std::size_t>(role)]);
+// Of outcomes: shares with intervals replace means.
+Table outcomes_table(const Evidence& evidence) {
+  Table table{
+      .name = table_name(evidence, "groups"),
+      .caption = fmt::format("Observations of 0 and 1: {}", evidence.quantity),
+      .columns = {"group", "n", "ones", "share", percent(1 - evidence.plan.significance) + " interval of the share"}};
+  for (const GroupEvidence& group : evidence.groups) {
+    table.rows.push_back({group.name, std::int64_t{group.described.n}, ones_of(group), group.mean.value,
+                          Range{group.mean.low, group.mean.high}});
+  }
+  return with_notes(std::move(table), evidence, std::string(words::ones_interval));
 }
 
 Table tests_table(const Evidence& evidence) {
@@ -88,16 +99,15 @@ Table tests_table(const Evidence& evidence) {
                                                                    : (significant ? "the groups differ" : "undecided");
     const bool defined = test.undefined.empty(), has_effect = std::isfinite(test.effect);
     table.rows.push_back(
-        {role_words(test.role),
+        {std::string(role_words(test.role)),
          fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
          defined ? Cell(test.symbol) : Cell(), or_nothing(test.statistic), defined ? or_nothing(test.df) : Cell(),
          defined ? or_nothing(test.df_within) : Cell(), or_nothing(PValue{test.p}),
          has_effect ? Cell(test.effect_symbol) : Cell(), or_nothing(test.effect),
          defined ? std::string(finding) : "not defined: " + test.undefined});
   }
-  table.notes.push_back(fmt::format("Significance {}. {} decides. The plan chooses the test, not the data.",
-                                    rounded_number(evidence.plan.significance, 3), deciding_words(evidence)));
-  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
+  table.notes.push_back(fmt::format(words::significance, "level"_a = rounded_number(evidence.plan.significance, 3),
+                                    "test"_a = deciding_words(evidence)));
   return table;
 }
 
@@ -109,10 +119,10 @@ Cell size_words(const Contrast& contrast) {
 
 // Says how many pairs p-values and intervals are corrected for.
 std::string family_note(const Evidence& evidence) {
-  if (evidence.pairs == 1) return fmt::format("{} decides.", deciding_words(evidence));
-  return fmt::format("{} decides. p: adjusted for {} pairs. Interval of the difference: {}, adjusted for {} pairs.",
-                     deciding_words(evidence), corrected_for(evidence), evidence.method->interval,
-                     corrected_for(evidence));
+  return evidence.pairs == 1
+             ? fmt::format(words::decides, "test"_a = deciding_words(evidence))
+             : fmt::format(words::decides_all, "test"_a = deciding_words(evidence), "pairs"_a = corrected_for(evidence),
+                           "interval"_a = evidence.method->interval);
 }
 
 Table contrasts_table(const Evidence& evidence) {
@@ -139,19 +149,14 @@ Table contrasts_table(const Evidence& evidence) {
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries && !evidence.of_outcomes) {
-    table.notes.push_back(evidence.blocks > 0
-                              ? "Ahead in blocks: the share of blocks in which the first is better; ties count half. "
-                                "Its interval is not adjusted, and is not defined with ties."
-                              : "A12: the probability that an observation of the first is better than one of the "
-                                "second; ties count half. Its interval is not adjusted.");
+    table.notes.emplace_back(evidence.blocks > 0 ? words::share_of_blocks : words::a12);
   }
   if (const std::string limit = rare_failures_words(evidence); !limit.empty()) table.notes.push_back(limit + '.');
   if (evidence.reference) {
-    table.notes.push_back(fmt::format(
-        "The table shows the pairs with {}{}.", evidence.groups[*evidence.reference].name,
-        evidence.plan.control.empty() ? ", the best; there are too many groups to show all pairs" : ", the control"));
+    const std::string& name = evidence.groups[*evidence.reference].name;
+    table.notes.push_back(evidence.plan.control.empty() ? fmt::format(words::pairs_with_best, "name"_a = name)
+                                                        : fmt::format(words::pairs_with_control, "name"_a = name));
   }
-  if (!evidence.flaws.empty()) table.notes.push_back("Flawed: " + words_of(evidence.flaws));
   return table;
 }
 
@@ -161,6 +166,9 @@ std::vector<Table> tables_of(const Evidence& evidence) {
   std::vector<Table> tables{evidence.of_outcomes ? outcomes_table(evidence) : groups_table(evidence)};
   if (!evidence.tests.empty()) tables.push_back(tests_table(evidence));
   if (!evidence.contrasts.empty()) tables.push_back(contrasts_table(evidence));
+  for (Table& table : tables) {
+    if (!evidence.flaws.empty()) table.notes.push_back(fmt::format(words::flawed, "why"_a = words_of(evidence.flaws)));
+  }
   return tables;
 }
 

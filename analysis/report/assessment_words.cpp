@@ -132,6 +132,13 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
   }
 }
 
+std::string_view role_words(Role role) {
+  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "robust"};
+  return roles[static_cast<std::size_t>(role)];
+}
+
+std::int64_t ones_of(const GroupEvidence& group) { return std::llround(group.mean.value * group.described.n); }
+
 std::string_view replicates_words(const Evidence& evidence) {
   return evidence.decides_within_blocks() ? std::string_view(evidence.block_noun) : "observations per group";
 }

@@ -1,6 +1,7 @@
 // Words numbers, names and lists for the sentences of an assessment.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +34,8 @@ std::pair<double, double> interval_sizes(const inference::Evidence& evidence, co
 Clause extent_clause(const inference::Evidence& evidence, const inference::Contrast& contrast);
 // "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
 std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+std::string_view role_words(inference::Role role);            // "assumption", "classical", "robust"
+std::int64_t ones_of(const inference::GroupEvidence& group);  // of outcomes
 std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or the blocks' noun: "targets"
 // The observations needed to decide a pair: "it takes 31 to 122 observations per group to see a difference of 5 %"; for

@@ -14,6 +14,7 @@
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -21,6 +22,7 @@ namespace ikbench::report {
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -108,56 +110,32 @@ Enforced enforced_of(const JudgedStudy& study, const StudyResults& other) {
   return result;
 }
 
-// 0.0017 -> 0.071 cm (42 x)
-std::string change(double before, double after, std::string_view unit) {
-  const double ratio = after / before;
-  return fmt::format("{} -> {} {}{}", short_number(before), short_number(after), unit,
-                     std::isfinite(ratio) ? fmt::format(" ({} x)", rounded_number(ratio, 3)) : "");
-}
-
 const Side& side_of(const std::vector<Side>& sides, const std::string& solver) {
   return *std::ranges::find(sides, solver, &Side::solver);
 }
 
-// Names the new first solver, and the test against it.
-std::string overtaken(const Side& side, const Enforced& enforced, const Measure& measure) {
-  const auto is_first = [&](const Side& other) { return (other.*measure.placing).place == 1; };
-  const auto first = std::ranges::find_if(enforced.sides, is_first);
-  if (first == enforced.sides.end() || is_first(side)) return "";
-  const Finding found = judge(enforced.*measure.tested, first->solver, side.solver);
-  if (!std::isfinite(found.p)) return "";
-  return fmt::format(" ({} is now first, {}; {}, {})", first->solver,
-                     found.relation == Relation::better  ? "which is better"
-                     : found.relation == Relation::worse ? "though the test finds it worse"
-                     : found.relation == Relation::same  ? "which is the same within the margin"
-                                                         : "which is undecided",
-                     found.method, p_words(found.p));
-}
-
-std::string placing_words(Placing of) { return fmt::format("{}{}", of.place, of.shared ? " (shared)" : ""); }
-
-std::string move_words(const Side& free, const Enforced& all_enforced, const Measure& measure) {
-  const Side& enforced = side_of(all_enforced.sides, free.solver);
-  const Placing before = free.*measure.placing, after = enforced.*measure.placing;
-  if (before.place == 0 || after.place == 0) return fmt::format("not ranked by {} in both studies", measure.name);
-  const std::string where = fmt::format("rank by {}: {} -> {} of {}", measure.name, placing_words(before),
-                                        placing_words(after), all_enforced.sides.size());
-  const auto is_first = [](Placing of) { return of.place == 1 && !of.shared; };
-  if (is_first(before) && is_first(after)) return where + ", still ranked first";
-  if (is_first(before)) return where + ", no longer first" + overtaken(enforced, all_enforced, measure);
-  if (is_first(after)) return where + ", now ranked first";
-  return where + (before.place == after.place && before.shared == after.shared ? ", unchanged" : "");
-}
-
-std::string sentence(const Side& free, const Enforced& all_enforced) {
-  const Side& enforced = side_of(all_enforced.sides, free.solver);
-  return fmt::format(
-      "{}: position error {}, {} cm for accepted answers; variation of accepted answers {}; answers outside the limits "
-      "{} of {} -> refused {} of {}; {}; {}.",
-      free.solver, change(free.error_cm.mean, enforced.error_cm.mean, "cm"), short_number(enforced.accepted_error_cm),
-      change(free.accepted_variation_deg, enforced.accepted_variation_deg, "deg"), free.counts.outside_limits,
-      free.counts.solves, enforced.counts.of(Status::refused), enforced.counts.solves,
-      move_words(free, all_enforced, by_error), move_words(free, all_enforced, by_variation));
+// "First by error: IK-BA; with enforced limits DE, which is undecided (Games-Howell test, p = 0.766)": names who ranks
+// first alone in each study, and the test of the two.
+std::string first_words(const std::vector<Side>& free, const Enforced& enforced, const Measure& measure) {
+  const auto first_of = [&](const std::vector<Side>& sides) {
+    const auto is_first = [&](const Side& side) {
+      const Placing& of = side.*measure.placing;
+      return of.place == 1 && !of.shared;
+    };
+    const auto first = std::ranges::find_if(sides, is_first);
+    return first == sides.end() ? std::string("none") : first->solver;
+  };
+  const std::string before = first_of(free), after = first_of(enforced.sides);
+  std::string test;
+  if (before != after && before != "none" && after != "none") {
+    const Finding found = judge(enforced.*measure.tested, after, before);
+    if (std::isfinite(found.p)) {
+      test = fmt::format(words::limits_test, "other"_a = before, "relation"_a = name_of(found.relation),
+                         "test"_a = found.method, "p"_a = p_words(found.p));
+    }
+  }
+  return fmt::format(words::limits_first, "measure"_a = measure.name, "before"_a = before, "after"_a = after,
+                     "test"_a = test);
 }
 
 Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
@@ -194,15 +172,12 @@ Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
   for (const Side& side : before) {
     add_row(side, free, "recorded");
     add_row(side_of(after.sides, side.solver), enforced, "enforced");
-    table.notes.push_back(sentence(side, after));
   }
-  table.notes.emplace_back(
-      "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: "
-      "they are refused. Ranks order the means of the solvers that are in both studies; 1 is the smallest.");
-  table.notes.emplace_back(
-      "A refused answer leaves the arm where it was. Its variation of 0 deg should not help a solver, so the ranks in "
-      "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over "
-      "all. The tests of variation compare the runs' means over such answers.");
+  for (const Measure& measure : {by_error, by_variation}) {
+    table.notes.push_back(first_words(before, after, measure));
+  }
+  table.notes.emplace_back(words::limits);
+  table.notes.emplace_back(words::limits_refused);
   for (const StudyResults* const study : {&free, &enforced}) {
     for (const std::string& note : status_notes(*study)) table.notes.push_back(study->name + ": " + note);
   }

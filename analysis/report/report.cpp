@@ -325,8 +325,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
                       reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);
-  for (std::size_t i = 1; i < same_limits_too.size(); ++i)
-    content.summary.push_back(baselines_sentence(same_limits_too[i]));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {

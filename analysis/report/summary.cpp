@@ -138,25 +138,4 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   return sentences;
 }
 
-std::string baselines_sentence(const StudyResults& other) {
-  const auto means = [&](Metric metric, int digits) {  // mean of every solver, in order
-    std::vector<std::string> texts;
-    for (const Sample& sample : samples(other, metric)) {
-      texts.push_back(rounded_number(average_in(statistics::describe(sample.values), metric), digits));
-    }
-    return texts;
-  };
-  const auto error = means(Metric::position_error_cm, 2), variation = means(Metric::variation_deg, 3);
-  const auto seconds = means(Metric::seconds, 2), evaluations = means(Metric::evaluations, 3);
-  const bool comparable = times_are_comparable(other);
-  std::string list;
-  for (std::size_t i = 0; i < other.solvers.size(); ++i) {
-    list += fmt::format("{}{} {} cm, {} deg, {}{} evaluations", i == 0 ? "" : "; ", other.solvers[i], error[i],
-                        variation[i], comparable ? seconds[i] + " s and " : "and ", evaluations[i]);
-  }
-  return fmt::format("Baselines: means{} in the study {} on the same targets: {}{}.",
-                     comparable ? " (of times, medians)" : "", other.name, list,
-                     comparable ? "" : fmt::format("; its {}", times_not_judged));
-}
-
 }  // namespace ikbench::report

@@ -23,7 +23,4 @@ std::string limits_sentence(const inference::StudyResults& study);
 // Says why times are not ranked.
 std::string times_sentence(const inference::StudyResults& study);
 
-// A sentence on the solvers of another study with the same targets.
-std::string baselines_sentence(const inference::StudyResults& other);
-
 }  // namespace ikbench::report

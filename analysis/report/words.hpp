@@ -71,6 +71,18 @@ inline constexpr Template logarithms =
     "Tests compare logarithms. So a mean is a geometric mean, and a difference is a ratio.";
 inline constexpr Template blocks = "All groups share {count} blocks. A block is {what}.";
 inline constexpr Template method = "{test} decides, at {level}{family}; differences below {margin} do not matter.";
+inline constexpr Template family_of_control = ", for each group against the control {control}";
+inline constexpr Template family_of_all = ", for all {pairs} pairs";
+inline constexpr Template correction = "; p-values are corrected by {whose}";
+inline constexpr Template share = "{name} {ones} of {n} ({share}, {low:.0f} to {high:.0f} %)";
+inline constexpr Template one_group = "There is only one group, so there is nothing to compare.";
+inline constexpr Template variances = "; the variance of {most} is {ratio} times that of {least}";
+inline constexpr Template assumes_equal_variances = " It assumes equal variances, which are rejected.";
+inline constexpr Template normality_unknown = "Summaries do not show whether the values are normal.";
+inline constexpr Template normality_untested =
+    "Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
+inline constexpr Template not_normal = "Normality is rejected for {names} (Shapiro-Wilk, separately for each group).";
+inline constexpr Template normal = "Normality is not rejected for any group{tested} (Shapiro-Wilk).";
 inline constexpr Template method_of_shares =
     "every observation is 0 or 1, so shares are compared. {method} Intervals: Wilson's of a share; of a difference "
     "{interval}.";
@@ -87,6 +99,38 @@ inline constexpr Template described_only =
 inline constexpr Template constants =
     "All values within a group are equal. p comes from {test}. If a quantity is fixed by design, such as a budget of "
     "evaluations, its difference is a fact and needs no test.";
+
+// Notes of the tables of an assessment.
+inline constexpr Template ones_interval = "Interval: Wilson's.";
+inline constexpr Template intervals_and_quartiles =
+    "Intervals: Student's t and studentized bootstrap for the mean, order statistics for the median. Quartiles: "
+    "Hyndman-Fan type {type}.";
+inline constexpr Template significance =
+    "Significance {level}. {test} decides. The plan chooses the test, not the data.";
+inline constexpr Template decides = "{test} decides.";
+inline constexpr Template decides_all =
+    "{test} decides. p: adjusted for {pairs} pairs. Interval of the difference: {interval}, adjusted for {pairs} pairs.";
+inline constexpr Template share_of_blocks =
+    "Ahead in blocks: the share of blocks in which the first is better; ties count half. Its interval is not adjusted, "
+    "and is not defined with ties.";
+inline constexpr Template a12 =
+    "A12: the probability that an observation of the first is better than one of the second; ties count half. Its "
+    "interval is not adjusted.";
+inline constexpr Template pairs_with_control = "The table shows the pairs with {name}, the control.";
+inline constexpr Template pairs_with_best =
+    "The table shows the pairs with {name}, the best; there are too many groups to show all pairs.";
+inline constexpr Template flawed = "Flawed: {why}";
+
+// The table of joint limits.
+inline constexpr Template limits_first = "First by {measure}: {before}; with enforced limits {after}{test}.";
+inline constexpr Template limits_test = " (against {other}: {relation}, {test}, {p})";
+inline constexpr Template limits =
+    "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: they "
+    "are refused. Ranks order the means of the solvers that are in both studies; 1 is the smallest.";
+inline constexpr Template limits_refused =
+    "A refused answer leaves the arm where it was. Its variation of 0 deg should not help a solver, so the ranks in "
+    "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over all. "
+    "The tests of variation compare the runs' means over such answers.";
 
 // The page.
 inline constexpr Template legend = "Large: ours. Small: as printed.";
