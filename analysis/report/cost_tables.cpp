@@ -15,12 +15,14 @@
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -35,19 +37,17 @@ std::string name_of_table(Metric cost, std::string_view part) {
   return fmt::format("statistics-cost{}{}", cost == Metric::seconds ? "-seconds" : "", part);
 }
 
-// What intervals are from, and what `those` of them are.
-std::string interval_note(const Clusters& clusters, std::string_view those) {
-  if (!clusters.undefined().empty()) return fmt::format("There are no intervals: {}.", clusters.undefined());
-  return fmt::format(
-      "Intervals: {}, from {} bootstrap samples of the {} with all their solves, the same for all solvers. {} An "
-      "interval without width means that all {} agree, not that it is certain.",
-      percent(clusters.level()), clusters.replicates().size(), clusters.noun(), those, clusters.noun());
+// Says what the intervals are from, and what they mean.
+std::string interval_note(const Clusters& clusters, std::string_view meaning) {
+  if (!clusters.undefined().empty()) return fmt::format(words::no_intervals, "why"_a = clusters.undefined());
+  return fmt::format(words::cluster_intervals, "level"_a = percent(clusters.level()),
+                     "samples"_a = clusters.replicates().size(), "clusters"_a = clusters.noun(), "meaning"_a = meaning);
 }
 
 Table cost_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
   Table table{.name = name_of_table(cost, ""),
-              .caption = fmt::format("Cost [{}] of an answer {}", name_of(cost),
-                                     within_words(study, Metric::position_error_cm)),
+              .caption = fmt::format(words::cost_caption, "cost"_a = name_of(cost),
+                                     "within"_a = within_words(study, Metric::position_error_cm)),
               .columns = {"solver", "solves", "solved", "ert", "ert interval"}};
   std::vector<std::string> undefined;
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
@@ -58,20 +58,18 @@ Table cost_table(const StudyResults& study, Metric cost, const Clusters& cluster
                           time.successes > 0 ? range_of(ert.low, ert.high) : Cell()});
     if (!costs[i].undefined.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], costs[i].undefined));
   }
-  table.notes = {
-      "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved ones; "
-      "inf where there are none.",
-      interval_note(clusters, "An end of inf: in some samples nothing is solved.")};
+  table.notes = {std::string(words::running_time), interval_note(clusters, words::infinite_end)};
   if (cost == Metric::seconds) table.notes.push_back(speed_note(study));
-  for (const std::string& reason : undefined) table.notes.push_back(fmt::format("Not defined for {}.", reason));
+  for (const std::string& reason : undefined)
+    table.notes.push_back(fmt::format(words::not_defined_for, "reason"_a = reason));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;
 }
 
 Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
   Table table{.name = name_of_table(cost, "-pairs"),
-              .caption = fmt::format("Which of two solvers spends fewer {} on an answer {}", name_of(cost),
-                                     within_words(study, Metric::position_error_cm)),
+              .caption = fmt::format(words::cost_pairs_caption, "cost"_a = name_of(cost),
+                                     "within"_a = within_words(study, Metric::position_error_cm)),
               .columns = {"first", "second", "spends less", "ert ratio", "ert ratio interval", "remark"}};
   for (const Finding& finding : compare_costs(study, cost, clusters)) {
     const auto& [value, low, high] = finding.estimate;
@@ -81,11 +79,7 @@ Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& cl
     table.rows.push_back({finding.first, finding.second, less, number_of(value), range_of(low, high),
                           finding.why.empty() ? Cell() : Cell(finding.why)});
   }
-  table.notes = {
-      "Ratios are first / second: below 1 the first spends less. The interval decides. In a sample that solves nothing "
-      "the running time is infinite: such a pair has no interval, and the shares solved decide, each weighed by the "
-      "other's cost.",
-      interval_note(clusters, "They hold for all pairs together.")};
+  table.notes = {std::string(words::cost_ratios), interval_note(clusters, words::hold_for_pairs)};
   return table;
 }
 
@@ -107,13 +101,13 @@ std::string leaders_at(const std::vector<AtBudget>& standings, const std::vector
 std::optional<Table> anytime_table(const StudyResults& study, const Clusters& clusters) {
   const std::optional<Anytime> found = anytime(study, clusters);
   if (!found) return std::nullopt;
-  Table table{.name = "statistics-cost-anytime",
-              .caption = std::isfinite(tolerance_cm(study))
-                             ? fmt::format("Share of answers {} within a part of the budget",
-                                           within_words(study, Metric::position_error_cm))
-                             : "Share of solves and target errors that are reached within a part of the budget",
-              .columns = {"part of budget", "evaluations", "solver", "share", "share interval", "behind by",
-                          "behind interval", "position"}};
+  Table table{
+      .name = "statistics-cost-anytime",
+      .caption = std::isfinite(tolerance_cm(study))
+                     ? fmt::format(words::anytime_caption, "within"_a = within_words(study, Metric::position_error_cm))
+                     : std::string(words::anytime_targets_caption),
+      .columns = {"part of budget", "evaluations", "solver", "share", "share interval", "behind by", "behind interval",
+                  "position"}};
   std::string leaders;
   for (std::size_t k = 0; k < budget_parts.size(); ++k) {
     for (std::size_t i = 0; i < study.solvers.size(); ++i) {
@@ -126,12 +120,10 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
     leaders += fmt::format("{} at {}: {}", k == 0 ? "" : ";", percent(budget_parts[k]),
                            leaders_at(found->standings[k], study.solvers));
   }
-  table.notes = {fmt::format("Ahead{}.", leaders),
-                 fmt::format("The budget is {} evaluations, {}. behind by: the largest share at that budget, less this "
-                             "one. ahead: above every other; behind: below the largest; undecided: neither is shown.",
-                             rounded_number(found->budget, 6),
-                             found->is_of_study ? "the study's limit" : "those of the longest solve"),
-                 interval_note(clusters, "Those of differences hold for all solvers and budgets together.")};
+  table.notes = {fmt::format(words::anytime_leaders, "leaders"_a = leaders),
+                 fmt::format(words::anytime_columns, "budget"_a = rounded_number(found->budget, 6),
+                             "source"_a = found->is_of_study ? "the study's limit" : "those of the longest solve"),
+                 interval_note(clusters, words::hold_for_budgets)};
   return table;
 }
 

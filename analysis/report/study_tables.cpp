@@ -13,6 +13,7 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/quantile.hpp"
@@ -22,23 +23,22 @@ namespace ikbench::report {
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
 std::string_view unit_note(Unit unit, std::span<const Metric> metrics) {
   if (unit == Unit::point) {
-    return "One observation is one point. Points of one run depend on each other, so p-values and standard deviations "
-           "are too optimistic.";
+    return words::points;
   }
   const auto is_time = [](Metric metric) { return info_of(metric).kind == Kind::time; };
-  if (std::ranges::all_of(metrics, is_of_run)) return "One observation is a run.";
-  if (std::ranges::none_of(metrics, is_time)) return "One observation is the mean of a run over its points.";
-  if (std::ranges::all_of(metrics, is_time)) return "One observation is the median of a run over its points.";
+  if (std::ranges::all_of(metrics, is_of_run)) return words::runs;
+  if (std::ranges::none_of(metrics, is_time)) return words::means;
+  if (std::ranges::all_of(metrics, is_time)) return words::medians;
   if (std::ranges::none_of(metrics, is_of_run)) {
-    return "One observation is the mean of a run over its points; of times it is the median.";
+    return words::means_and_medians;
   }
-  return "One observation is the mean of a run over its points; of times it is the median; a length of a path, its jumps "
-         "and the like are of the whole run.";
+  return words::means_medians_and_runs;
 }
 
 void add_notes(Table& table, const StudyResults& study, std::span<const Metric> metrics) {
@@ -98,10 +98,10 @@ StudyAnova anova(const StudyResults& study, Metric metric) {
   for (Sample& sample : samples(study, metric)) {
     const Description description = statistics::describe(sample.values);
     if (description.n == 0) {
-      result.left_out.push_back(fmt::format("Left out of the ANOVA: {} (no observations).", sample.solver));
+      result.left_out.push_back(fmt::format(words::anova_without_observations, "solver"_a = sample.solver));
     } else if (description.not_finite > 0) {
-      result.left_out.push_back(fmt::format("Left out of the ANOVA: {} ({} of {} observations not finite).",
-                                            sample.solver, description.not_finite, description.n));
+      result.left_out.push_back(fmt::format(words::anova_without_not_finite, "solver"_a = sample.solver,
+                                            "lost"_a = description.not_finite, "n"_a = description.n));
     } else {
       groups.push_back(std::move(sample.values));
     }
@@ -129,10 +129,10 @@ Table anova_table(const StudyResults& study, Metric metric) {
   }
   if (!is_judged) leave_out_test(table);
   if (is_judged && !ours.table.undefined.empty())
-    table.notes.push_back("F and p are not defined: " + ours.table.undefined + ".");
+    table.notes.push_back(fmt::format(words::anova_undefined, "why"_a = ours.table.undefined));
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
   add_notes(table, study, std::span(&metric, 1));
-  if (!is_judged) table.notes.push_back(words_of(timing_doubts(study)) + " So our F and p are left out.");
+  if (!is_judged) table.notes.push_back(fmt::format(words::anova_not_judged, "why"_a = words_of(timing_doubts(study))));
   if (is_judged) std::ranges::move(list_of(left_out(study, metric)), std::back_inserter(table.notes));
   return table;
 }
@@ -157,14 +157,11 @@ Table solved_table(const StudyResults& study) {
     table.rows.push_back({solver.solver, count(solver.solves), count(solved), share.value,
                           std::isfinite(share.low) ? Cell(Range{share.low, share.high}) : Cell()});
   }
-  table.notes.push_back(
-      "Solved is an answer that the verifier finds inside the joint limits and within all tolerances of the study.");
+  table.notes.emplace_back(words::solved);
   if (trials != Trials::solves) {
-    table.notes.push_back(
-        fmt::format("The interval counts {} as trials, because solves of one {} depend on each other.",
-                    trials == Trials::runs ? "runs" : "targets", trials == Trials::runs ? "run" : "target"));
+    table.notes.push_back(fmt::format(words::trials, "trial"_a = trials == Trials::runs ? "run" : "target"));
   }
-  table.notes.emplace_back("Interval: Wilson's.");
+  table.notes.emplace_back(words::wilson);
   return table;
 }
 
@@ -195,12 +192,11 @@ Table times_table(const StudyResults& study) {
     if (says_solved) row.emplace_back(static_cast<double>(in_time) / static_cast<double>(seconds.size()));
     table.rows.push_back(std::move(row));
   }
-  table.notes.emplace_back(
-      "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.");
+  table.notes.emplace_back(words::percentiles);
   if (std::isfinite(deadline)) {
-    table.notes.push_back(fmt::format("over_deadline: share of solves that took longer than {} ms.{}",
-                                      rounded_number(ms_per_second * deadline, 6),
-                                      says_solved ? " solved_in_time: share with status ok that did not." : ""));
+    const std::string limit = rounded_number(ms_per_second * deadline, 6);
+    table.notes.push_back(says_solved ? fmt::format(words::deadline_and_solved, "deadline"_a = limit)
+                                      : fmt::format(words::deadline, "deadline"_a = limit));
   }
   add_timing_notes(table, study);
   return table;
@@ -239,12 +235,7 @@ Table status_table(const StudyResults& study) {
     table.rows.push_back(std::move(row));
   }
   table.notes = status_notes(study);
-  table.notes.emplace_back(
-      "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
-      "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if the "
-      "study has one. outside_limits counts all answers with a joint outside its limits, whatever their status; "
-      "worst_outside_deg is the largest such violation. timing_disturbed: solved one by one, but while other programs "
-      "were running.");
+  table.notes.emplace_back(words::statuses);
   add_timing_notes(table, study);
   return table;
 }

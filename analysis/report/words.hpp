@@ -147,4 +147,65 @@ inline constexpr Template by_more = "{word} by more than {margin}";
 inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
 inline constexpr Template by_unknown = "{word}, by how much is not known";
 
+// Tables of a study.
+inline constexpr Template points =
+    "One observation is one point. Points of one run depend on each other, so p-values and standard deviations "
+    "are too optimistic.";
+inline constexpr Template runs = "One observation is a run.";
+inline constexpr Template means = "One observation is the mean of a run over its points.";
+inline constexpr Template medians = "One observation is the median of a run over its points.";
+inline constexpr Template means_and_medians =
+    "One observation is the mean of a run over its points; of times it is the median.";
+inline constexpr Template means_medians_and_runs =
+    "One observation is the mean of a run over its points; of times it is the median; a length of a path, its "
+    "jumps and the like are of the whole run.";
+inline constexpr Template anova_without_observations = "Left out of the ANOVA: {solver} (no observations).";
+inline constexpr Template anova_without_not_finite =
+    "Left out of the ANOVA: {solver} ({lost} of {n} observations not finite).";
+inline constexpr Template anova_undefined = "F and p are not defined: {why}.";
+inline constexpr Template anova_not_judged = "{why} So our F and p are left out.";
+inline constexpr Template solved =
+    "Solved is an answer that the verifier finds inside the joint limits and within all tolerances of the study.";
+inline constexpr Template trials =
+    "The interval counts {trial}s as trials, because solves of one {trial} depend on each other.";
+inline constexpr Template wilson = "Interval: Wilson's.";
+inline constexpr Template percentiles =
+    "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.";
+inline constexpr Template deadline = "over_deadline: share of solves that took longer than {deadline} ms.";
+inline constexpr Template statuses =
+    "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
+    "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if "
+    "the study has one. outside_limits counts all answers with a joint outside its limits, whatever their status;"
+    " worst_outside_deg is the largest such violation. timing_disturbed: solved one by one, but while other "
+    "programs were running.";
+inline constexpr Template deadline_and_solved =
+    "over_deadline: share of solves that took longer than {deadline} ms. solved_in_time: share with status ok "
+    "that did not.";
+
+// Costs, and shares within a part of the budget.
+inline constexpr Template no_intervals = "There are no intervals: {why}.";
+inline constexpr Template cluster_intervals =
+    "Intervals: {level}, from {samples} bootstrap samples of the {clusters} with all their solves, the same for "
+    "all solvers. {meaning} An interval without width means that all {clusters} agree, not that it is certain.";
+inline constexpr Template cost_caption = "Cost [{cost}] of an answer {within}";
+inline constexpr Template running_time =
+    "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved "
+    "ones; inf where there are none.";
+inline constexpr Template infinite_end = "An end of inf: in some samples nothing is solved.";
+inline constexpr Template not_defined_for = "Not defined for {reason}.";
+inline constexpr Template cost_pairs_caption = "Which of two solvers spends fewer {cost} on an answer {within}";
+inline constexpr Template cost_ratios =
+    "Ratios are first / second: below 1 the first spends less. The interval decides. In a sample that solves "
+    "nothing the running time is infinite: such a pair has no interval, and the shares solved decide, each "
+    "weighed by the other's cost.";
+inline constexpr Template hold_for_pairs = "They hold for all pairs together.";
+inline constexpr Template anytime_caption = "Share of answers {within} within a part of the budget";
+inline constexpr Template anytime_targets_caption =
+    "Share of solves and target errors that are reached within a part of the budget";
+inline constexpr Template anytime_leaders = "Ahead{leaders}.";
+inline constexpr Template anytime_columns =
+    "The budget is {budget} evaluations, {source}. behind by: the largest share at that budget, less this one. "
+    "ahead: above every other; behind: below the largest; undecided: neither is shown.";
+inline constexpr Template hold_for_budgets = "Those of differences hold for all solvers and budgets together.";
+
 }  // namespace ikbench::report::words
