@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "analysis/report/words.hpp"
+
 namespace ikbench::report {
 
 std::string_view words_of(const AuditItem& item) {
@@ -23,14 +25,7 @@ Table audit_table(const std::vector<AuditItem>& items) {
   for (const AuditItem& item : items) {
     table.rows.push_back({item.id, item.where, item.printed, item.follows, std::string(words_of(item)), item.why});
   }
-  table.notes.emplace_back(
-      "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, from "
-      "statements that results/published marks as not printed. "
-      "consistent: the numbers agree to the last printed digit. "
-      "rounding: they agree within the rounding of the printed digits. misprint: a number is wrong, and other numbers of "
-      "the paper show the right one. not supported: the paper's numbers do not show a claim or an assumption, or only "
-      "with something that it does not print; it may still be true. contradiction: two printed things cannot both be "
-      "true.");
+  table.notes.emplace_back(words::audit);
   return table;
 }
 

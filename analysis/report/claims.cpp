@@ -8,7 +8,11 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/report/words.hpp"
+
 namespace ikbench::report {
+
+using namespace fmt::literals;
 
 namespace {
 
@@ -40,11 +44,12 @@ double share_of(Verdict verdict, const ClaimShares& of) {
 
 void join(Claim& claim, const ClaimShares& of) {
   if (claim.verdict == Verdict::untested) return;
-  claim.evidence.push_back(of.sentence.empty() ? fmt::format("Over all interpretations it {}, is undecided in {}.",
-                                                             answers_in(of), share_words(of.undecided))
+  claim.evidence.push_back(of.sentence.empty() ? fmt::format(words::over_interpretations, "answers"_a = answers_in(of),
+                                                             "undecided"_a = share_words(of.undecided))
                                                : of.sentence);
   if (share_of(claim.verdict, of) >= clear_share) return;
-  claim.evidence.front() = fmt::format("By our default: {}; {}", name_of(claim.verdict), claim.evidence.front());
+  claim.evidence.front() =
+      fmt::format(words::by_default, "verdict"_a = name_of(claim.verdict), "evidence"_a = claim.evidence.front());
   claim.verdict = Verdict::depends;
   claim.depends_on = of.decided_by;
   if (claim.depends_on.empty()) claim.depends_on.emplace_back("what is left open");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/json.hpp"
 
@@ -15,6 +16,7 @@ namespace ikbench::report {
 using namespace results;
 using namespace statistics;
 using namespace inference;
+using namespace fmt::literals;
 
 namespace {
 
@@ -69,8 +71,7 @@ Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<
               .notes = std::move(notes)};
   for (const auto& [field, text, meaning] : values_of(used)) table.rows.push_back({field, text, meaning});
   if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
-    table.notes.push_back(
-        fmt::format("Set on the command line after the data were collected, not by the study: {}.", given));
+    table.notes.push_back(fmt::format(words::plan_changed, "changes"_a = given));
   }
   return table;
 }

@@ -14,6 +14,7 @@
 #include "analysis/inference/ranking.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::report {
@@ -22,6 +23,7 @@ using namespace results;
 using namespace statistics;
 using namespace inference;
 using namespace figures;
+using namespace fmt::literals;
 
 namespace {
 
@@ -30,18 +32,15 @@ std::string departures_sentence(const StudyResults& study) {
   for (const std::string& solver : study.facts.missing_solvers) departures.push_back("no " + solver);
   if (departures.empty()) return "";
   if (!study.departed_from.empty()) {
-    return fmt::format(
-        "This study names the paper {}, but has another arm or task ({}): it is not held against the paper.",
-        study.departed_from, fmt::join(departures, ", "));
+    return fmt::format(words::another_task, "paper"_a = study.departed_from, "list"_a = fmt::join(departures, ", "));
   }
-  return fmt::format("This study departs from the built-in study of the paper in: {}.{}", fmt::join(departures, ", "),
-                     departs_from_paper(study) ? " Only claims that it has the solvers for are judged." : "");
+  return fmt::format(words::departs, "list"_a = fmt::join(departures, ", "),
+                     "judged"_a = departs_from_paper(study) ? words::departs_judged : "");
 }
 
 std::string no_tolerance_sentence(const StudyResults& study) {
   if (!study.facts.published.empty() || study.solves.empty() || std::isfinite(tolerance_cm(study))) return "";
-  return "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
-         "answer is inside the joint limits, however far it is from the target.";
+  return std::string(words::no_tolerance);
 }
 
 // The solvers that have a mean of the metric.
@@ -97,19 +96,19 @@ std::string limits_sentence(const StudyResults& study) {
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count.solver, count.outside_limits);
     worst = std::max(worst, count.worst_outside_deg);
   }
-  if (outside == 0) return "Every answer is inside the joint limits.";
-  return fmt::format("{} of {} answers are outside the joint limits ({}); the worst joint is outside by {} deg.",
-                     outside, study.solves.size(), list, rounded_number(worst, 3));
+  if (outside == 0) return std::string(words::inside_limits);
+  return fmt::format(words::outside_limits, "outside"_a = outside, "answers"_a = study.solves.size(), "list"_a = list,
+                     "worst"_a = rounded_number(worst, 3));
 }
 
 std::string times_sentence(const StudyResults& study) {
   if (times_are_comparable(study)) return "";
-  return fmt::format("Computing times are not ranked or tested: {} (see the warnings).", times_not_judged);
+  return fmt::format(words::times_not_ranked, "why"_a = times_not_judged);
 }
 
 std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   const StudyResults& study = reported.study;
-  if (study.solves.empty()) return {"This study has no solves yet."};
+  if (study.solves.empty()) return {std::string(words::no_solves)};
   std::vector<std::string> sentences{departures_sentence(study)};
   for (const Metric metric : reported_metrics()) {
     const bool is_ranked = metric != Metric::seconds || times_are_comparable(study);

@@ -163,16 +163,11 @@ std::string counted(const VariantsReport& of, const std::string& margin) {
 
 Table variants_table(const VariantsReport& of) {
   const std::string margin = margin_words(of);
-  Table table{
-      .name = "comparison",
-      .caption = fmt::format("B compared with A, with a margin of {}", margin),
-      .columns = {"label", "metric", "B_is", "n_A", "n_B", "mean_A", "mean_B", "B_by_A", "low", "high", "p", "level",
-                  "a12", "a12_low", "a12_high", "remark"},
-      .notes = {
-          "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. "
-          "A and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
-          "high: interval of the ratio that goes with the level: of means, of times the typical ratio. a12: in pairs the "
-          "share in which B is better, otherwise the probability that an observation of B is better than one of A."}};
+  Table table{.name = "comparison",
+              .caption = fmt::format("B compared with A, with a margin of {}", margin),
+              .columns = {"label", "metric", "B_is", "n_A", "n_B", "mean_A", "mean_B", "B_by_A", "low", "high", "p",
+                          "level", "a12", "a12_low", "a12_high", "remark"},
+              .notes = {std::string(words::comparison_columns)}};
   for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric, margin));
   }

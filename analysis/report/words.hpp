@@ -208,4 +208,37 @@ inline constexpr Template anytime_columns =
     "ahead: above every other; behind: below the largest; undecided: neither is shown.";
 inline constexpr Template hold_for_budgets = "Those of differences hold for all solvers and budgets together.";
 
+// Summary, claims, audit.
+inline constexpr Template another_task =
+    "This study names the paper {paper}, but has another arm or task ({list}): it is not held against the paper.";
+inline constexpr Template departs = "This study departs from the built-in study of the paper in: {list}.{judged}";
+inline constexpr Template no_tolerance =
+    "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that "
+    "an answer is inside the joint limits, however far it is from the target.";
+inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
+inline constexpr Template outside_limits =
+    "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst} "
+    "deg.";
+inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
+inline constexpr Template no_solves = "This study has no solves yet.";
+inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
+inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
+inline constexpr Template by_default = "By our default: {verdict}; {evidence}";
+inline constexpr Template audit =
+    "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
+    "from statements that results/published marks as not printed. consistent: the numbers agree to the last "
+    "printed digit. rounding: they agree within the rounding of the printed digits. misprint: a number is wrong, "
+    "and other numbers of the paper show the right one. not supported: the paper's numbers do not show a claim or"
+    " an assumption, or only with something that it does not print; it may still be true. contradiction: two "
+    "printed things cannot both be true.";
+inline constexpr Template plan_changed =
+    "Set on the command line after the data were collected, not by the study: {changes}.";
+
+// `ikbench compare`: the columns of its table.
+inline constexpr Template comparison_columns =
+    "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. A "
+    "and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
+    "high: interval of the ratio that goes with the level: of means, of times the typical ratio. a12: in pairs "
+    "the share in which B is better, otherwise the probability that an observation of B is better than one of A.";
+
 }  // namespace ikbench::report::words
