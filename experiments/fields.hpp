@@ -20,7 +20,7 @@ using numerics::Choices;
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
-// How a field enters the key of a series (series_key.hpp).
+// Says how a field enters the key of a series (series_key.hpp).
 enum class InKey {
   by_name,  // "name value" if it is not the default: the usual case
   in_text,  // in the text of the first stores, directly or as part of the effective settings

@@ -11,7 +11,7 @@
 
 namespace ikbench::experiments {
 
-// What the study requires of every answer. The store has the claimed position error, but not the claimed pose error.
+// The study requires this of every answer. The store has the claimed position error, but not the claimed pose error.
 Requirement requirement_of(const results::StudyEntry& entry);
 
 // The target of a stored solve whose lists have the right sizes.

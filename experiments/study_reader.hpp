@@ -14,7 +14,7 @@ namespace ikbench::experiments {
 // `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 
-// Whether the analysis may take points of a run as observations (analysis.unit = "point").
+// Says whether the analysis may take points of a run as observations (analysis.unit = "point").
 enum class PointsAsObservations { refused, forced };
 constexpr std::string_view why_points_are_refused =
     "points of one run depend on each other and are no replicates; a study of several runs has them; to insist: "

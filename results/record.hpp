@@ -37,7 +37,7 @@ enum class Status : std::uint8_t {
 // which include its transport. imported: taken elsewhere, from a file (`ikbench import`).
 enum class Timing : std::uint8_t { clean, parallel, debug_build, process, imported };
 
-// Who counted the evaluations.
+// Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",

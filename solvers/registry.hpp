@@ -12,7 +12,7 @@
 
 namespace ikbench::solvers {
 
-// Whether solvers search the tool's position or its pose.
+// Tells whether solvers search the tool's position or its pose.
 enum class Asked { position, pose };
 
 struct SolverInfo {

@@ -141,7 +141,11 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
     return;
   }
   contrast.difference = {difference, difference, difference};
-  const bool are_shares = evidence.scale == ValueScale::plain && (first.mean == 0 || first.mean == 1);
+  const auto is_in_unit = [](const GroupEvidence& group) {
+    return group.described.min >= 0 && group.described.max <= 1;
+  };
+  const bool are_shares = evidence.scale == ValueScale::plain && (first.mean == 0 || first.mean == 1) &&
+                          std::ranges::all_of(evidence.groups, is_in_unit);
   if (difference == 0 && are_shares) {
     contrast.difference.low = -unseen_failures(evidence, first.n);
     contrast.difference.high = unseen_failures(evidence, second.n);
@@ -214,11 +218,12 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, cons
   const std::span summaries = groups.summaries;
   const std::span values = groups.values;
   if (evidence.of_outcomes) return runs_to_decide_shares(evidence, contrast, values);
+  const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
+  if (to_see == 0) return {};  // no number of runs sees it
   if (evidence.ranks_decide() && evidence.decides_within_blocks())
     return {.value = static_cast<double>(evidence.fewest)};
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
-  const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
   const auto runs = [&](double probability) {
     GroupSummary first = summaries[contrast.first], second = summaries[contrast.second];
     if (evidence.decides_within_blocks()) {

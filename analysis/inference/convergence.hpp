@@ -46,7 +46,7 @@ double tolerance_deg(const StudyResults& study);
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
                                      Metric cost);
 
-// The median with the 25 and 75 % quantiles (Hyndman and Fan\'s type 5) of the best error [cm], censored where so many
+// The median with the 25 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm], censored where so many
 // have no answer yet: at each of these numbers of evaluations. A solve that has ended keeps its last error.
 std::vector<statistics::Estimate> error_bands(const StudyResults& study, const Solves& traces,
                                               std::span<const double> evaluations);

@@ -57,7 +57,7 @@ class Pair {
     });
   }
 
-  // Of a pair without a ratio.
+  // A pair without a ratio has these.
   std::string why(const Finding& finding) const {
     if (!first_.undefined.empty()) return first_.undefined;
     if (!second_.undefined.empty()) return second_.undefined;

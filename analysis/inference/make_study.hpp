@@ -45,7 +45,7 @@ class StudyMaker {
   std::vector<results::Series> series_ = {};  // from the study's definition
   std::vector<Solve> solves_;
   Gathered gathered_;
-  // Of the current run.
+  // These belong to the current run.
   std::vector<std::vector<double>> answers_;
   TargetOfSolve first_, last_;
 };

@@ -28,10 +28,11 @@ std::string margin_words(double margin, double absolute_margin, std::string_view
 double margin_of(const Evidence& evidence, const Contrast& contrast) {
   if (evidence.of_outcomes) return evidence.plan.margin;
   if (evidence.scale == ValueScale::log10) return std::log10(1 + evidence.plan.margin);
-  const double smaller = std::min(std::abs(evidence.groups[contrast.first].described.mean),
-                                  std::abs(evidence.groups[contrast.second].described.mean));
+  const double first = std::abs(evidence.groups[contrast.first].described.mean),
+               second = std::abs(evidence.groups[contrast.second].described.mean);
+  const double smaller = std::isnan(first) ? first : std::min(second, first);  // NaN if either mean is
   const double relative = evidence.plan.margin * smaller;
-  return has_absolute_margin(evidence) ? std::max(relative, evidence.margin) : relative;
+  return has_absolute_margin(evidence) ? std::fmax(relative, evidence.margin) : relative;
 }
 
 namespace {

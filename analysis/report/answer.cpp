@@ -194,14 +194,15 @@ class Answer {
   }
   // Labels tell the value of the best, and of the best other of each sentence.
   std::string first() const { return sentences_.empty() ? label_(best_) : name_words(evidence_, best_); }
-  std::string others(const Pairs& pairs) const {
+  std::vector<std::string> names_of_others(const Pairs& pairs) const {
     std::vector<std::string> names;
     for (const Contrast* pair : pairs) {
       const std::size_t other = other_than(best_, *pair);
       names.push_back(names.empty() ? label_(other) : name_words(evidence_, other));
     }
-    return listed(names);
+    return names;
   }
+  std::string others(const Pairs& pairs) const { return listed(names_of_others(pairs)); }
   void say(const Clause& clause, const std::string& doubts = "") {
     const std::string separator = clause.remarks.empty() ? "" : ": ";
     sentences_.push_back(
@@ -253,7 +254,9 @@ class Answer {
   void say_same(const Pairs& pairs) {
     const bool is_one = pairs.size() == 1;
     const Contrast& front = *pairs.front();
-    Clause text{fmt::format(words::same, "first"_a = first(), "others"_a = others(pairs),
+    std::vector<std::string> all = names_of_others(pairs);
+    all.insert(all.begin(), first());
+    Clause text{fmt::format(words::same, "all"_a = listed(all),
                             "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
     if (is_one && !is_short_ && front.difference.low != front.difference.high) {
       text.remarks = {interval_words(evidence_, front)};

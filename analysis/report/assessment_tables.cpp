@@ -76,7 +76,7 @@ Table groups_table(const Evidence& evidence) {
       evidence.from_summaries ? "" : fmt::format(words::intervals_and_quartiles, "type"_a = evidence.plan.quartiles));
 }
 
-// Of outcomes: shares with intervals replace means.
+// Shares with intervals replace means where every observation is 0 or 1.
 Table outcomes_table(const Evidence& evidence) {
   Table table{
       .name = table_name(evidence, "groups"),

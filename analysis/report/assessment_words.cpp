@@ -106,9 +106,9 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   if (contrast.is_beyond_margin()) return {"more than " + margin};
   if (!contrast.is_across_margin()) return {};
   const bool is_ratio = evidence.scale == ValueScale::log10;
-  const double unit = is_ratio ? 1
-                               : std::min(std::abs(evidence.groups[contrast.first].described.mean),
-                                          std::abs(evidence.groups[contrast.second].described.mean));
+  const double first = std::abs(evidence.groups[contrast.first].described.mean),
+               second = std::abs(evidence.groups[contrast.second].described.mean);
+  const double unit = is_ratio ? 1 : std::isfinite(first + second) ? std::min(first, second) : not_defined;
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
   if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))

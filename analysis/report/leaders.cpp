@@ -117,21 +117,19 @@ Sentence partial_imports_sentence(const JudgedStudy& study) {
   std::string list;
   for (const SolverCounts& count : counts(study)) {
     if (count.solves == count.expected || !is_imported(study, count.solver)) continue;
-    list +=
-        fmt::format("{}{} has {} of {} solves", list.empty() ? "" : ", ", count.solver, count.solves, count.expected);
+    list += (list.empty() ? "" : ", ") + fmt::format(words::partial_import, "solver"_a = count.solver,
+                                                     "has"_a = count.solves, "expected"_a = count.expected);
   }
   if (list.empty()) return {};
-  return {"Not comparable",
-          fmt::format("imported, {}; its values are of these alone. ikbench compare takes what two solvers both have.",
-                      list)};
+  return {"Not comparable", fmt::format(words::partial_imports, "list"_a = list)};
 }
 
 // Warns that too few observations exist for any pair to differ.
 std::string too_few_sentence(const JudgedStudy& study) {
   const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
   if (!has_too_few(evidence)) return "";
-  return fmt::format("With so few {} no two of {} solvers can be told apart, whatever they do: it takes at least {}.",
-                     replicates_words(evidence), evidence.groups.size(), evidence.fewest);
+  return fmt::format(words::none_can_differ, "of"_a = replicates_words(evidence), "solvers"_a = evidence.groups.size(),
+                     "fewest"_a = evidence.fewest);
 }
 
 // Reports the evaluations that solvers used, if the study sets no common budget.
@@ -154,9 +152,8 @@ std::string budgets_sentence(const StudyResults& study) {
     }
   }
   if (!(smallest < largest)) return "";
-  return fmt::format(
-      "The study gives no limit of evaluations (stop.evaluations): {} used {} at the median of a solve, {} {}.",
-      one_line(least), rounded_number(smallest, 6), one_line(most), rounded_number(largest, 6));
+  return fmt::format(words::no_budget, "least"_a = one_line(least), "smallest"_a = rounded_number(smallest, 6),
+                     "most"_a = one_line(most), "largest"_a = rounded_number(largest, 6));
 }
 
 // Leaders by every quantity except the primary one.

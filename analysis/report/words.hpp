@@ -10,7 +10,7 @@ using Template = std::string_view;
 
 // The answer of an assessment: who is better.
 inline constexpr Template decided = "{first} is {better}{by} than {others}";
-inline constexpr Template same = "{first} and {others} are the same within {margin}";
+inline constexpr Template same = "{all} are the same within {margin}";
 inline constexpr Template undecided = "{first} against {others} is undecided";
 inline constexpr Template not_judged = "{first} cannot be judged against {others}";
 inline constexpr Template nearest = "Against {other}, the best of these: {effect}";
@@ -240,5 +240,16 @@ inline constexpr Template comparison_columns =
     "and B differ where it is below the level, which is corrected for all labels and metrics (Holm). low and "
     "high: interval of the ratio that goes with the level: of means, of times the typical ratio. a12: in pairs "
     "the share in which B is better, otherwise the probability that an observation of B is better than one of A.";
+
+// The first lines of a report.
+inline constexpr Template partial_imports =
+    "imported, {list}; its values are of these alone. ikbench compare takes what two solvers both have.";
+inline constexpr Template partial_import = "{solver} has {has} of {expected} solves";
+inline constexpr Template none_can_differ =
+    "With so few {of} no two of {solvers} solvers can be told apart, whatever they do: it takes at least "
+    "{fewest}.";
+inline constexpr Template no_budget =
+    "The study gives no limit of evaluations (stop.evaluations): {least} used {smallest} at the median of a "
+    "solve, {most} {largest}.";
 
 }  // namespace ikbench::report::words

@@ -31,7 +31,7 @@ struct Test {
   std::string undefined = {};      // why there is no p; empty if there is one
 };
 
-// Why so few groups cannot be compared; empty for two or more.
+// Says why so few groups cannot be compared; empty for two or more.
 std::string too_few_groups(std::size_t groups);
 
 bool all_finite(std::span<const double> values);
