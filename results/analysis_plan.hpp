@@ -22,7 +22,8 @@ enum class Unit { run, point };
 // typical: the mean of logarithms, so the geometric mean. reliability: the share within a distance.
 enum class Estimand { mean, typical, reliability };
 
-// Says whether times of programs, which contain messages and another language, are ranked with times of built-in solvers.
+// Says whether times of programs, which contain messages and another language, are ranked with times of built-in
+// solvers.
 enum class ProgramTimes { apart, compared };
 
 constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};

@@ -127,10 +127,10 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
     clauses.push_back(fmt::format("{} title {}", points(0, shape), gnuplot_string(label)));
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
     figure.hover_texts.push_back({.series = label,
-                           .words = {fmt::format("error {}, variation {}, time {}",
-                                                 value_words(Metric::position_error_cm, ours[i].error_cm),
-                                                 value_words(Metric::variation_deg, ours[i].variation_deg),
-                                                 value_words(Metric::seconds, ours[i].seconds))}});
+                                  .words = {fmt::format("error {}, variation {}, time {}",
+                                                        value_words(Metric::position_error_cm, ours[i].error_cm),
+                                                        value_words(Metric::variation_deg, ours[i].variation_deg),
+                                                        value_words(Metric::seconds, ours[i].seconds))}});
   }
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);

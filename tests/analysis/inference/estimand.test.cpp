@@ -215,7 +215,8 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   const std::string sentence = leaders_text(study, position_error);
   CAPTURE(sentence);
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
-  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (0.0202 cm) is better than B (0.505 cm) and C: p at most "));
+  CHECK(sentence.starts_with(
+      "Smallest mean error (large errors dominate): A (0.0202 cm) is better than B (0.505 cm) and C: p at most "));
   CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm) is better than A (0.0202 cm) and C: p at most "));
   CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %) is better than B (50 %) and A: p at most "));
 }
@@ -295,7 +296,8 @@ TEST_CASE("without a tolerance a cost has the error beside it", "[estimand]") {
   const JudgedStudy study = with_a_liar("");
   const std::string fewest = leader_words(study, Metric::evaluations, Estimand::mean);
   CAPTURE(fewest);
-  CHECK(fewest.starts_with("Fewest evaluations: liar (1 with error 67.9 cm) is better than A (1006 with error 1.31 cm): p = "));
+  CHECK(fewest.starts_with(
+      "Fewest evaluations: liar (1 with error 67.9 cm) is better than A (1006 with error 1.31 cm): p = "));
   CHECK(!contains(leader_words(study, position_error, Estimand::mean), "with error"));
 }
 
@@ -351,7 +353,8 @@ TEST_CASE("the first is whom the test is for, not whom the mean is for", "[estim
   }
   const JudgedStudy study = judged_runs(runs, R"(, "analysis": {"test": "kruskal_wallis", "estimands": ["mean"]})");
   const std::string sentence = leaders_text(study, position_error);
-  CHECK(sentence.starts_with("Smallest mean error (large errors dominate): A (1.11 cm) is better by ranks than B (1.06 cm): p = "));
+  CHECK(sentence.starts_with(
+      "Smallest mean error (large errors dominate): A (1.11 cm) is better by ranks than B (1.06 cm): p = "));
   CHECK(contains(sentence, " and the mean favours the other."));
 }
 
@@ -369,8 +372,7 @@ TEST_CASE("with a control the first line is the verdict on it, and no other pair
       judged_runs(runs, R"(, "analysis": {"control": "C", "estimands": ["mean"], "margin_percent": 0})");
   const std::string sentence = leaders_text(study, position_error);
   CAPTURE(sentence);
-  CHECK(contains(sentence,
-                 "control C (1.01 cm) is better than far (2.01 cm): p = "));
+  CHECK(contains(sentence, "control C (1.01 cm) is better than far (2.01 cm): p = "));
   CHECK(contains(sentence, ". C is worse than best (0.51 cm) and good: p at most "));
   CHECK(contains(sentence, ". C against near (1.01 cm) is undecided: p = "));
 }
@@ -404,10 +406,11 @@ TEST_CASE("two solvers that repeat themselves differ by a fact without a test, h
   }
   JudgedStudy study = judged_runs(runs);
   for (Solve& solve : study.solves.to_change()) solve.answer = 1 + solve.solver;  // one for all its runs
-  CHECK(leaders_text(study, position_error)
-            .starts_with(
-                "Smallest mean error (large errors dominate): A (0.2 cm) is better than B (0.4 cm): a fact of these targets, "
-                "because all runs are equal."));
+  CHECK(
+      leaders_text(study, position_error)
+          .starts_with(
+              "Smallest mean error (large errors dominate): A (0.2 cm) is better than B (0.4 cm): a fact of these targets, "
+              "because all runs are equal."));
   const Evidence& found = study.evidence(position_error, Estimand::mean);
   CHECK(found.groups[0].described.n == 1);
   CHECK(std::isnan(found.contrasts.at(0).p));
