@@ -12,6 +12,7 @@
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
