@@ -90,6 +90,18 @@ std::string group_undefined(std::span<const double> values, std::size_t index) {
                                   : "";
 }
 
+// The groups that can be resampled, with their indices: each sorted, and in the order of their values. So neither the
+// order of the groups nor that of their values changes what is drawn.
+std::vector<std::pair<std::vector<double>, std::size_t>> in_order_of_values(Groups groups) {
+  std::vector<std::pair<std::vector<double>, std::size_t>> result;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (!group_undefined(groups[i], i).empty()) continue;
+    std::ranges::sort(result.emplace_back(groups[i], i).first);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
 bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
   return !group || pair.first == *group || pair.second == *group;
 }
@@ -290,10 +302,9 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   });
   const Scale scale = positive && family.by_ratios ? Scale::logarithm : Scale::mean;
   std::vector<Mean> means(groups.size());
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (!group_undefined(groups[i], i).empty()) continue;
-    const std::uint64_t own = settings.seed + i;  // separate numbers for each group, whatever the others are
-    means[i] = resampled(groups[i], scale, {.resamples = settings.resamples, .seed = own});
+  std::uint64_t seed = settings.seed;  // a stream of draws for each group
+  for (const auto& [values, i] : in_order_of_values(groups)) {
+    means[i] = resampled(values, scale, {.resamples = settings.resamples, .seed = seed++});
   }
   std::vector<Compared> all;
   for (MeanDifference& pair : resampled_pairs(groups, family, settings)) {

@@ -171,6 +171,21 @@ TEST_CASE("the unit of the values changes no p, and scales the interval", "[stud
   }
 }
 
+TEST_CASE("neither the order of the groups nor that of their values changes a pair", "[studentized_bootstrap]") {
+  const MeanDifference one = compared(three)[1];  // the first and the third
+  for (Groups other : {Groups{three[1], three[0], three[2]}, Groups{three[2], three[1], three[0]}}) {
+    for (auto& group : other) std::ranges::reverse(group);
+    const auto pairs = compared(other);
+    const auto found = std::ranges::find_if(
+        pairs, [&](const MeanDifference& pair) { return std::abs(pair.difference.value) == Approx(0.8333333333); });
+    REQUIRE(found != pairs.end());
+    const double sign = found->difference.value * one.difference.value > 0 ? 1 : -1;
+    CHECK(found->p == one.p);
+    CHECK(sign * (sign > 0 ? found->difference.low : found->difference.high) == Approx(one.difference.low));
+    CHECK(sign * (sign > 0 ? found->difference.high : found->difference.low) == Approx(one.difference.high));
+  }
+}
+
 TEST_CASE("a value of any size makes no winner: the means are hard to tell apart, or the group is refused",
           "[studentized_bootstrap]") {
   const double huge = GENERATE(1e100, 1e150, 1e160, 1e200, 1e300, 1.7e308);
