@@ -179,6 +179,15 @@ std::string notes_of(const Table& table) {
   return text;
 }
 
+// Whether pdflatex has no letter for some character: it has those of Europe and general punctuation.
+bool needs_another_engine(std::string_view latex) {
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(latex[i]);
+    if (lead >= 0xC6 && latex.substr(i, 2) != "\xE2\x80") return true;  // U+0180 and above
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string to_latex(const Table& table) {
@@ -201,6 +210,7 @@ std::string to_latex(const Table& table) {
         tabular(table, columns, rows), is_last ? notes_of(table) : "");
     if (!is_last) text += "\\clearpage\n";
   }
+  if (needs_another_engine(text)) text = "% Needs lualatex or xelatex, and a font that has its letters\n" + text;
   return text;
 }
 

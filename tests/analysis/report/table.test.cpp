@@ -49,6 +49,16 @@ TEST_CASE("LaTeX has booktabs rules, names its packages and escapes every specia
   CHECK(text.find("100 \\% of it") > text.find("\\end{tabular}"));
 }
 
+TEST_CASE("LaTeX says if its letters need another engine than pdflatex", "[table]") {
+  const auto latex_of = [](const std::string& cell) {
+    return to_latex({.name = "t", .caption = "t", .columns = {"x"}, .rows = {{cell}}});
+  };
+  const auto asks = Catch::Matchers::StartsWith("% Needs lualatex or xelatex");
+  CHECK_THAT(latex_of("Čapek – façade"), !asks);
+  CHECK_THAT(latex_of("粒子"), asks);
+  CHECK_THAT(latex_of("αβ"), asks);
+}
+
 TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval", "[table]") {
   const Table table{.name = "t",
                     .caption = "t",
