@@ -52,9 +52,9 @@ Table narrow(const Table& table) {
   return result;
 }
 
-VariantsReport report_of(const Compared& compared) { return {compared.comparisons, compared.plan}; }
+VariantsReport report_of(const ComparedLabels& compared) { return {compared.comparisons, compared.plan}; }
 
-std::string markdown(const Compared& compared, Table table) {
+std::string markdown(const ComparedLabels& compared, Table table) {
   table.notes.insert(table.notes.begin(), {variants_verdict(report_of(compared)), compared.headline});
   for (const std::string& note : compared.notes) table.notes.push_back(note);
   for (const std::string& note : variants_notes(report_of(compared))) table.notes.push_back(note);
@@ -76,7 +76,7 @@ void refuse_output(const CompareArguments& arguments) {
   }
 }
 
-void write_output(const Compared& compared, const std::string& file) {
+void write_output(const ComparedLabels& compared, const std::string& file) {
   const std::string type = std::filesystem::path(file).extension().string();
   const Table table = variants_table(report_of(compared));
   write_through(file, type == ".md"    ? markdown(compared, table)
@@ -84,7 +84,7 @@ void write_output(const Compared& compared, const std::string& file) {
                                        : variants_json(report_of(compared)));
 }
 
-int exit_code(const Compared& compared, const CompareArguments& arguments) {
+int exit_code(const ComparedLabels& compared, const CompareArguments& arguments) {
   if (any_metric(compared.comparisons, is_regression)) return regression;
   if (compared.state == LookState::open) return more_runs;
   // Times that nobody asked for do not count: those of two sessions cannot be compared.
@@ -94,7 +94,7 @@ int exit_code(const Compared& compared, const CompareArguments& arguments) {
   return arguments.strict && any_metric(compared.comparisons, counts) ? undecided : 0;
 }
 
-int tell(const Compared& compared, const CompareArguments& arguments) {
+int tell(const ComparedLabels& compared, const CompareArguments& arguments) {
   const int code = exit_code(compared, arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
   fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(report_of(compared))),
@@ -143,7 +143,7 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
     const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
     if (run_and_tell(study, folder, request) == Ended::stopped) return cancelled_exit_code();
-    const Compared compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
+    const ComparedLabels compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
     if (compared.state != LookState::open) return tell(compared, arguments);
   }
 }

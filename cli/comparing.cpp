@@ -61,7 +61,7 @@ StudyEntry partner(const Store& store, const CompareArguments& arguments, const 
   return chosen_study(store, "");
 }
 
-std::vector<std::string> common_labels(const std::vector<Variant>& a, const std::vector<Variant>& b, Asked& asked) {
+std::vector<std::string> common_labels(const std::vector<Variant>& a, const std::vector<Variant>& b, Request& asked) {
   std::vector<std::string> common, alone;
   for (const std::string& label : labels_of(a)) (has_label(b, label) ? common : alone).push_back(label);
   for (const std::string& label : labels_of(b)) {
@@ -82,7 +82,7 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
 }
 
 // Notes earlier looks at the store with fewer runs of these solvers, and remembers this look.
-void look(Asked& asked, const std::set<std::string>& solvers, const std::string& study,
+void look(Request& asked, const std::set<std::string>& solvers, const std::string& study,
           const std::filesystem::path& store) {
   int runs = 0;
   for (const VariantStudy& each : asked.studies) {
@@ -103,26 +103,26 @@ std::string rules(const AnalysisPlan& plan) {
 
 }  // namespace
 
-Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
+Request labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
   const Store store = open_to_look(file);
   const StudyEntry study = chosen_study(store, name);
   refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);
   const Variant a = the(all, arguments.a, "A: "), b = the(all, arguments.b, "B: ");
-  Asked asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
-              .plan = plan_for(arguments, study)};
+  Request asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
+                .plan = plan_for(arguments, study)};
   asked.studies.push_back(study_of_both(a, b, asked.plan));
   if (!arguments.sequential) look(asked, {"A", "B"}, study.name, file);
   return asked;
 }
 
-Asked labels_of_stores(const CompareArguments& arguments) {
+Request labels_of_stores(const CompareArguments& arguments) {
   const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
   const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
   refuse_damaged(of_a, first.name, arguments.a);
   refuse_damaged(of_b, second.name, arguments.b);
   const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
-  Asked asked{
+  Request asked{
       .headline = fmt::format("B: {} in {}, against A: {} in {}", second.name, arguments.b, first.name, arguments.a),
       .plan = plan_for(arguments, first)};
   for (const std::string& label : arguments.labels.empty() ? common_labels(a, b, asked) : arguments.labels) {
@@ -133,8 +133,8 @@ Asked labels_of_stores(const CompareArguments& arguments) {
   return asked;
 }
 
-Compared judged(const Asked& asked, const CompareArguments& arguments) {
-  Compared compared{
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments) {
+  ComparedLabels compared{
       .headline = fmt::format("{}; {}.", asked.headline, rules(asked.plan)), .plan = asked.plan, .notes = asked.notes};
   if (!arguments.sequential) {
     compared.comparisons = compare_variants(asked.studies, arguments.metrics);

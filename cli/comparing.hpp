@@ -29,14 +29,14 @@ struct CompareArguments {
 };
 
 // The studies to compare, with A's plan as the options change it.
-struct Asked {
+struct Request {
   std::string headline;
   results::AnalysisPlan plan;
   std::vector<inference::VariantStudy> studies = {};  // one per label
   std::vector<std::string> notes = {};
 };
 
-struct Compared {
+struct ComparedLabels {
   std::string headline;
   results::AnalysisPlan plan;
   std::vector<inference::VariantComparison> comparisons = {};
@@ -45,9 +45,9 @@ struct Compared {
 };
 
 // Throw std::invalid_argument if a store, a study or a label does not exist.
-Asked labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& study);
-Asked labels_of_stores(const CompareArguments& arguments);
+Request labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& study);
+Request labels_of_stores(const CompareArguments& arguments);
 
-Compared judged(const Asked& asked, const CompareArguments& arguments);
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments);
 
 }  // namespace ikbench::cli

@@ -195,16 +195,16 @@ void ProgressBar::show(const Progress& progress) {
   if (const std::string text = text_.at(ProgressText::Clock::now(), progress); !text.empty()) write_error(text);
 }
 
-Waiting::Waiting(std::string_view words) : on_terminal_(isatty(STDERR_FILENO) != 0) {
+WorkingLine::WorkingLine(std::string_view words) : on_terminal_(isatty(STDERR_FILENO) != 0) {
   if (on_terminal_) write_error(printable(words));
 }
 
-void Waiting::end() {
+void WorkingLine::end() {
   if (on_terminal_) write_error("\r\x1b[K");
   on_terminal_ = false;
 }
 
-Waiting::~Waiting() { end(); }
+WorkingLine::~WorkingLine() { end(); }
 
 std::filesystem::path default_folder(std::string_view study) {
   std::string name(study.substr(0, 100));

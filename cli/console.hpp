@@ -97,12 +97,12 @@ class ProgressBar {
 };
 
 // Shows on a terminal a line about the present work; wiped at the end.
-class Waiting {
+class WorkingLine {
  public:
-  explicit Waiting(std::string_view words);
-  ~Waiting();
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
+  explicit WorkingLine(std::string_view words);
+  ~WorkingLine();
+  WorkingLine(const WorkingLine&) = delete;
+  WorkingLine& operator=(const WorkingLine&) = delete;
   void end();
 
  private:

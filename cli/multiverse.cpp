@@ -38,10 +38,10 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
   for (const MultiversePlan::OfStudy& each : plan.studies) {
     multiverse.studies.push_back(
         {.chosen = each.chosen, .weight = each.weight, .out_of_reach = each.out_of_reach, .solvers = {}});
-    for (const std::vector<MultiversePlan::Own>& of_solver : each.solvers) {
+    for (const std::vector<MultiversePlan::ChosenSolver>& of_solver : each.solvers) {
       auto& solver = multiverse.studies.back().solvers.emplace_back();
-      for (const MultiversePlan::Own& from : of_solver) {
-        Multiverse::Own& own = solver.emplace_back();
+      for (const MultiversePlan::ChosenSolver& from : of_solver) {
+        Multiverse::ChosenSolver& own = solver.emplace_back();
         own.chosen = from.chosen;
         for (const std::size_t part : from.parts) {
           own.error_cm.push_back(means[part].error_cm);

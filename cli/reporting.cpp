@@ -169,7 +169,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
   warn_of_memory(store.name());
-  Waiting waiting("Writing the report ...");
+  WorkingLine waiting("Writing the report ...");
   const Report report = write_report(store, {.study = wanted.study,
                                              .folder = wanted.folder,
                                              .plan = plan,

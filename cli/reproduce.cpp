@@ -106,7 +106,7 @@ void add_small_multiverse(WrittenReport& wanted, const std::string& name, const 
 std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
   std::vector<RepeatedSolver> solvers;
   for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
-    const inference::Multiverse::Own& own = multiverse.studies.front().solvers[s].front();
+    const inference::Multiverse::ChosenSolver& own = multiverse.studies.front().solvers[s].front();
     solvers.push_back({multiverse.solvers[s], own.error_cm, own.variation_deg});
   }
   return solvers;

@@ -159,7 +159,7 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
     add_overrides(all, dimensions, chosen);
     of_study.out_of_reach = static_cast<int>(unreachable(load_study(name, all)).size());
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
-      std::vector<MultiversePlan::Own>& of_solver = of_study.solvers.emplace_back();
+      std::vector<MultiversePlan::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
       for (const Branch& own : combinations.of(plan.solvers[s], chosen)) {
         of_solver.push_back({.chosen = own.chosen, .parts = {}});
         Overrides of_own = all;

@@ -16,15 +16,15 @@ namespace ikbench::experiments {
 // default is possible (Alternative::except). The default comes first. The alternatives of a dimension share the weight
 // of the earlier choices equally, so that a detail of only one alternative changes nothing for the others.
 struct MultiversePlan {
-  struct Own {
+  struct ChosenSolver {
     results::Chosen chosen;
     std::vector<std::size_t> parts;  // per seed: an index of MultiversePlan::parts
   };
   struct OfStudy {
     results::Chosen chosen;
-    double weight = 1;                      // all weights sum to 1
-    int out_of_reach = 0;                   // targets that no configuration reaches
-    std::vector<std::vector<Own>> solvers;  // in the order of `solvers`
+    double weight = 1;                               // all weights sum to 1
+    int out_of_reach = 0;                            // targets that no configuration reaches
+    std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
   };
   std::vector<results::Dimension> dimensions;
   std::vector<std::string> solvers;

@@ -179,13 +179,13 @@ std::string with_unit(double value, std::string_view unit) {
 }
 
 std::string list_of(const Evidence& evidence, const std::string& solver, std::string_view unit) {
-  std::vector<Standing> others;
+  std::vector<RankedSolver> others;
   std::string list;
   for (const GroupEvidence& group : evidence.groups) {
     if (group.name == solver) list = fmt::format("{} {}", solver, with_unit(group.described.mean, unit));
     if (group.name != solver) others.push_back({group.name, group.described.mean});
   }
-  for (const Standing& other : ranked(std::move(others))) {
+  for (const RankedSolver& other : ranked(std::move(others))) {
     list += fmt::format(", {} {}{}", other.solver, short_number(other.mean),
                         in_brackets(judge(evidence, solver, other.solver).p));
   }

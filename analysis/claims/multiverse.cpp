@@ -167,7 +167,7 @@ struct PooledMean {
   double mean = not_defined, error = not_defined;
 };
 
-PooledMean pooled(const Multiverse::Own& own) {
+PooledMean pooled(const Multiverse::ChosenSolver& own) {
   std::vector<double> all;
   for (const std::vector<double>& runs : own.error_cm) all.insert(all.end(), runs.begin(), runs.end());
   return {mean(all), standard_error(all)};
@@ -195,7 +195,7 @@ std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t sol
     PooledMeans means;
     for (const auto& of_solver : study.solvers) {
       means.emplace_back();
-      for (const Multiverse::Own& own : of_solver) means.back().push_back(pooled(own));
+      for (const Multiverse::ChosenSolver& own : of_solver) means.back().push_back(pooled(own));
     }
     for (std::size_t rival = 0; rival < means.size(); ++rival) {
       if (rival == solver) continue;

@@ -66,7 +66,7 @@ using Ranges = std::array<Estimate, numbers_of_solver>;
 // Known ranges by their values, since many universes share a series.
 class KnownRanges {
  public:
-  Ranges of(const Multiverse::Own& own, std::size_t runs) {
+  Ranges of(const Multiverse::ChosenSolver& own, std::size_t runs) {
     Ranges ranges;
     for (std::size_t m = 0; m < explained_metrics.size(); ++m) {
       std::vector<double> all;
@@ -301,7 +301,7 @@ std::string best_sentence(const Multiverse& multiverse, const Support& support) 
 }
 
 bool can_predict(const Multiverse& multiverse) {
-  const Multiverse::Own& usual = multiverse.studies.front().solvers.front().front();
+  const Multiverse::ChosenSolver& usual = multiverse.studies.front().solvers.front().front();
   return usual.error_cm.size() * usual.error_cm.front().size() >= fewest_predicting;
 }
 
@@ -317,7 +317,7 @@ void add_printed(MultiverseReport& report, const ClaimsFile& file, const Multive
     auto& of_study = explained.emplace_back();
     for (std::size_t s = 0; s < printed.size(); ++s) {
       auto& of_solver = of_study.emplace_back();
-      for (const Multiverse::Own& own : study.solvers[s]) {
+      for (const Multiverse::ChosenSolver& own : study.solvers[s]) {
         of_solver.push_back(printed[s].runs == 0 ? Explained()
                                                  : explained_numbers(printed[s], ranges.of(own, printed[s].runs)));
       }
@@ -343,7 +343,7 @@ std::vector<std::vector<int>> explained_numbers(const ClaimsFile& file, const st
   for (const Multiverse& universe : universes) {
     auto& of_universe = counts.emplace_back();
     for (std::size_t s = 0; s < printed.size(); ++s) {
-      const Multiverse::Own& own = universe.studies.front().solvers[s].front();
+      const Multiverse::ChosenSolver& own = universe.studies.front().solvers[s].front();
       of_universe.push_back(
           printed[s].runs == 0 ? 0 : count_of(explained_numbers(printed[s], ranges.of(own, printed[s].runs))));
     }

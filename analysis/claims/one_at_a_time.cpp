@@ -42,7 +42,7 @@ Multiverse universe_of(const Multiverse& all, const Multiverse::OfStudy& study, 
   return one;
 }
 
-const Multiverse::Own& own_of(const Multiverse& universe, std::size_t solver) {
+const Multiverse::ChosenSolver& own_of(const Multiverse& universe, std::size_t solver) {
   return universe.studies.front().solvers[solver].front();
 }
 
@@ -95,7 +95,7 @@ double distance(const ClaimsFile& file, const Multiverse& universe, Metric metri
   return std::sqrt(sum / static_cast<double>(universe.solvers.size()));
 }
 
-bool is_same(const Multiverse::Own& one, const Multiverse::Own& other) {
+bool is_same(const Multiverse::ChosenSolver& one, const Multiverse::ChosenSolver& other) {
   return one.error_cm == other.error_cm && one.variation_deg == other.variation_deg;
 }
 

@@ -170,7 +170,7 @@ Verdict verdict_on(const FoundOrder& order) {
 
 // "A 1 cm, B 2 cm. 14 of 15 pairs rank as in the paper; first is A, as printed."
 std::string our_ranking(const std::vector<Pair>& pairs, Metric metric) {
-  std::vector<Standing> ours, printed;
+  std::vector<RankedSolver> ours, printed;
   for (const Pair& pair : pairs) {
     ours.push_back({pair.solver, average_in(pair.ours, metric)});
     printed.push_back({pair.solver, pair.printed.mean});
@@ -178,7 +178,7 @@ std::string our_ranking(const std::vector<Pair>& pairs, Metric metric) {
   ours = ranked(std::move(ours));
   printed = ranked(std::move(printed));
   std::vector<std::string> list;
-  for (const Standing& each : ours)
+  for (const RankedSolver& each : ours)
     list.push_back(fmt::format("{} {}", each.solver, with_unit(each.mean, info_of(metric).unit)));
   return fmt::format("{}. {}; first is {}{}.", fmt::join(list, ", "), printed_order_words(compare_pairs(printed, ours)),
                      first_words(ours), first_of(ours) == first_of(printed) ? ", as printed" : "");

@@ -1,6 +1,6 @@
-// Which solves of a study depend on each other, and so are drawn together by the bootstrap: the solves of a run where
-// each starts from the answer of the one before or all have the same target, else those of a target. What belongs to a
-// cluster is drawn for all solvers at once, because they share its targets.
+// Clusters are solves that depend on each other, so the bootstrap draws them together. A cluster is a run if each solve
+// starts from the answer of the one before or all have the same target; else it is a target. A replicate draws the same
+// clusters for all solvers, because they share the targets.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +19,19 @@
 
 namespace ikbench::inference {
 
-// What is independent of its like, so that an interval may count it. Where a solver is given a target more than once,
-// as in the runs of a fixed path, a deterministic one only repeats itself: its solves are no trials.
+// The independent trials that an interval may count. A deterministic solver that gets a target again, as in the runs of
+// a fixed path, only repeats itself: its solves are not trials.
 enum class Trials { runs, targets, solves };
 Trials trials_of(const StudyResults& study);
 
-// Of each solve of the study: the same number, from 0, where position and rotation of the target are the same.
+// Numbers the targets of the study's solves from 0. Solves with equal position and rotation have equal numbers.
 std::vector<std::uint32_t> target_numbers(const StudyResults& study);
 
 // The clusters of a study, and replicates that have drawn them. More than a thousand are drawn in a thousand groups.
 class Clusters {
  public:
-  // Of a study that must outlive it. What `other` has drawn serves it too where it has equally many: a thousand
-  // replicates of a thousand clusters are 8 MB.
+  // The study must outlive it. It shares the replicates of `other` if that has as many clusters: a thousand replicates
+  // of a thousand clusters take 8 MB.
   explicit Clusters(const StudyResults& study, const Clusters* other = nullptr);
 
   std::size_t of(const Solve& solve) const;  // one of the study's

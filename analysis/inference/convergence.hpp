@@ -1,4 +1,4 @@
-// How the error of solves falls with what is spent on them: quantiles over solves, costs to reach an error after COCO
+// Describes how the error of solves falls with their cost: quantiles over solves, costs to reach an error after COCO
 // (Hansen et al. 2021, doi 10.1080/10556788.2020.1808977), performance profiles after Dolan and Moré (2002, doi
 // 10.1007/s101070100263). Iteration i of n stands for i/n of what the whole solve cost.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace ikbench::inference {
 
-// The cost of what is not reached, and the error of an answer that is none.
+// The cost of a target that is not reached, and the error of an answer that is not finite.
 constexpr double censored = std::numeric_limits<double>::infinity();
 // More positions on an axis cannot be told apart in a figure.
 constexpr std::size_t most_positions = 200;
@@ -41,23 +41,23 @@ double final_error_cm(const Solve& solve);
 // The angle at which a solve of the study ends; infinite unless poses are searched.
 double tolerance_deg(const StudyResults& study);
 
-// What the solve had cost when its best error first was at or below each target; targets descend. A solve whose answer
-// is not finite, refused or not as good as claimed reaches none: its trace is the solver's own word.
+// Returns the cost of the solve when its best error first was at or below each target; targets descend. A solve whose
+// answer is not finite, refused or not as good as claimed reaches none, because its trace is only the solver's word.
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
                                      Metric cost);
 
-// The median with the 25 and 75 % quantiles (Hyndman and Fan's type 5) of the best error [cm], censored where so many
-// have no answer yet: at each of these numbers of evaluations. A solve that has ended keeps its last error.
+// Returns at each number of evaluations the median and the 25 and 75 % quantiles (Hyndman and Fan's type 5) of the best
+// error [cm], censored if too few solves have an answer yet. A solve that has ended keeps its last error.
 std::vector<statistics::Estimate> error_bands(const StudyResults& study, const Solves& traces,
                                               std::span<const double> evaluations);
-// Log-spaced, from the cheapest first iteration to the dearest solve; none where there are no traces.
+// Log-spaced, from the cheapest first iteration to the dearest solve; empty without traces.
 std::vector<double> evaluations_axis(const StudyResults& study, const std::vector<Solves>& traces);
 
 // 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,
-// or without one to the whole decade below the smallest error that any solve came to, at the least 1e-8.
+// or without one to the whole decade below the smallest error of any solve, but not below 1e-8.
 std::vector<double> target_errors_cm(const StudyResults& study);
 
-// The share of values that are at or below `at`, and where it has an interval (clusters.hpp), that.
+// The share of values that are at or below `at`. Its interval, if it has one, is made by clusters.hpp.
 struct Share {
   double at;
   double share;
@@ -69,8 +69,8 @@ struct Share {
 // the whole and nowhere else.
 std::vector<Share> shares_within(std::vector<double> values);
 
-// By how much the cost of each solver exceeds the smallest of all solvers at the same problem, which is a point of a
-// run. Solvers without solves take no part and have no ratios.
+// The cost of each solver divided by the smallest of all solvers at the same problem. A problem is a point of a run.
+// Solvers without solves take no part and have no ratios.
 struct Profile {
   std::vector<std::vector<double>> ratios;  // of each solver at each problem; censored where it fails
   Solves solves;                            // one solver's of each problem
@@ -85,12 +85,12 @@ struct Profile {
 using CostOf = std::function<double(const Solve&)>;
 Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 
-// How often each solver comes closest to the target, in a sentence: what means over runs, which their worst points
-// decide, do not show. Empty where fewer than two solvers share a problem, and where a solve ends at a tolerance:
+// Says in a sentence how often each solver comes closest to the target. Means over runs do not show it, because the
+// worst points decide them. Empty if fewer than two solvers share a problem, and if solves end at a tolerance, because
 // within it solvers are the same.
 std::string closest_point_by_point(const StudyResults& study);
 
-// `count` numbers, the first and last exactly as given, which are positive; a single one where they are the same.
+// `count` numbers from `first` to `last`, both exact and positive; a single number if they are equal.
 std::vector<double> log_spaced(double first, double last, std::size_t count);
 
 }  // namespace ikbench::inference

@@ -79,12 +79,12 @@ struct RunShape {
   double mean_bend_deg = statistics::not_defined;          // mean absolute second difference of all joints
 };
 
-struct Gathered {
+struct SolveData {
   std::vector<std::string> labels = {};
   std::vector<std::int64_t> sessions = {};
   std::string robot = {};
   Problems problems = {};
-  std::deque<Extras> extras = {};
+  std::deque<RareData> extras = {};
   std::vector<SolverFacts> of_solver = {};   // one per label
   std::vector<RunShape> shapes = {};         // by solver and run
   std::set<std::size_t> joints = {};         // numbers of angles in starts and answers

@@ -178,7 +178,7 @@ StudyResults StudyMaker::finish(const std::vector<Session>& sessions) {
   gathered_.of_solver.resize(study_.solvers.size());
   gathered_.problems.forget_index();
   study_.solves = SolveList(std::move(solves_));
-  study_.gathered = std::make_shared<const Gathered>(std::move(gathered_));
+  study_.gathered = std::make_shared<const SolveData>(std::move(gathered_));
   add_sessions(study_, series_, sessions);
   return std::move(study_);
 }

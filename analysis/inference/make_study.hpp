@@ -44,7 +44,7 @@ class StudyMaker {
   StudyResults study_;
   std::vector<results::Series> series_ = {};  // from the study's definition
   std::vector<Solve> solves_;
-  Gathered gathered_;
+  SolveData gathered_;
   // These belong to the current run.
   std::vector<std::vector<double>> answers_;
   TargetOfSolve first_, last_;

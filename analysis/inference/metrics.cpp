@@ -23,14 +23,14 @@ constexpr std::array infos{
              Better::better,                                                                                 \
              Kind::kind,                                                                                     \
              rounding,                                                                                       \
-             Shown::shown,                                                                                   \
+             ShownIn::shown,                                                                                 \
              [](const Solve& solve, [[maybe_unused]] const StudyResults& study) -> double { return value; }, \
              nullptr},
 #define RUN_METRIC(column, slug, name, unit, better, kind, rounding, shown, value) \
   MetricInfo{column,         slug,                                                 \
              name,           unit,                                                 \
              Better::better, Kind::kind,                                           \
-             rounding,       Shown::shown,                                         \
+             rounding,       ShownIn::shown,                                       \
              nullptr,        [](Run run, [[maybe_unused]] const StudyResults& study) -> double { return value; }},
 #include "analysis/inference/metrics.inc"
 #undef METRIC
@@ -48,7 +48,7 @@ static_assert(row(Metric::variation_m).column == "variation_m");
 static_assert(row(Metric::excess_error_cm).column == "excess_error_cm");
 
 // Metrics of the table with one of these values of `shown`.
-std::vector<Metric> metrics_shown(std::initializer_list<Shown> ways) {
+std::vector<Metric> metrics_shown(std::initializer_list<ShownIn> ways) {
   std::vector<Metric> metrics = all_metrics();
   std::erase_if(metrics, [&](Metric metric) { return std::ranges::find(ways, row(metric).shown) == ways.end(); });
   return metrics;
@@ -94,10 +94,10 @@ std::vector<Metric> all_metrics() {
   return metrics;
 }
 
-std::vector<Metric> reported_metrics() { return metrics_shown({Shown::everywhere}); }
+std::vector<Metric> reported_metrics() { return metrics_shown({ShownIn::everywhere}); }
 
 std::vector<Metric> compared_metrics() {
-  std::vector<Metric> metrics = metrics_shown({Shown::everywhere, Shown::in_comparisons});
+  std::vector<Metric> metrics = metrics_shown({ShownIn::everywhere, ShownIn::in_comparisons});
   std::ranges::stable_sort(metrics, {}, [](Metric metric) { return row(metric).kind; });
   return metrics;
 }

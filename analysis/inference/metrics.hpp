@@ -32,7 +32,7 @@ enum class Kind { number, count, time, share };
 // everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. The other two appear in
 // reports of studies without a paper if they differ between runs (shown_metrics.hpp), and in comparisons that name
 // them: where_it_tells in tables, figures and statistics, in_tables as numbers only.
-enum class Shown { everywhere, in_comparisons, where_it_tells, in_tables };
+enum class ShownIn { everywhere, in_comparisons, where_it_tells, in_tables };
 
 struct StudyResults;
 // The solves of one observation, a run or a target, in the order of their points.
@@ -46,7 +46,7 @@ struct MetricInfo {
   Better better;
   Kind kind;
   double rounding;  // values up to this size count as zero
-  Shown shown;
+  ShownIn shown;
   double (*value)(const Solve& solve, const StudyResults& study);  // null: only a run has a value
   double (*of_run)(Run run, const StudyResults& study);            // null: a run's value is the average over its solves
 };

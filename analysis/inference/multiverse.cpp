@@ -77,9 +77,9 @@ Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge
 
 Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, const MultiverseClaim& claim) {
   Summarised groups;
-  for (const std::vector<Multiverse::Own>& of_solver : study.solvers) {
+  for (const std::vector<Multiverse::ChosenSolver>& of_solver : study.solvers) {
     groups.emplace_back();
-    for (const Multiverse::Own& own : of_solver) {
+    for (const Multiverse::ChosenSolver& own : of_solver) {
       groups.back().push_back(summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by));
     }
   }
@@ -87,7 +87,7 @@ Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, cons
 }
 
 // Counts a rival's choices: all, those that the solver is better than, and those that it is worse than.
-struct Against {
+struct RivalCounts {
   double all = 0, better = 0, worse = 0;
   void operator+=(Relation answer) {
     all += 1;
@@ -97,9 +97,9 @@ struct Against {
 };
 
 // Counts universes as products over rivals; each universe has the weight `weight`.
-UniverseCounts product_of(const std::vector<Against>& rivals, double weight) {
+UniverseCounts product_of(const std::vector<RivalCounts>& rivals, double weight) {
   double all = 1, better = 1, not_worse = 1;
-  for (const Against& each : rivals) {
+  for (const RivalCounts& each : rivals) {
     all *= each.all;
     better *= each.better;
     not_worse *= each.all - each.worse;
@@ -114,11 +114,11 @@ class OwnCount {
       : into_(into), study_(study), seed_(seed), weight_(study.weight / study.universes()) {}
 
   // `answers` by solver and its choice; empty for the solver itself.
-  void add(const Multiverse::Own& own, const std::vector<std::vector<Relation>>& answers) {
-    std::vector<Against> rivals;
+  void add(const Multiverse::ChosenSolver& own, const std::vector<std::vector<Relation>>& answers) {
+    std::vector<RivalCounts> rivals;
     for (const std::vector<Relation>& of_rival : answers) {
       if (of_rival.empty()) continue;
-      Against& against = rivals.emplace_back();
+      RivalCounts& against = rivals.emplace_back();
       for (const Relation answer : of_rival) against += answer;
     }
     const UniverseCounts counts = product_of(rivals, weight_);
@@ -136,9 +136,9 @@ class OwnCount {
 
  private:
   // Counts a rival's choices by alternative, one rival after the other.
-  void add_rival(std::size_t rival, const std::vector<Relation>& answers, std::vector<Against> rivals,
+  void add_rival(std::size_t rival, const std::vector<Relation>& answers, std::vector<RivalCounts> rivals,
                  std::size_t place) {
-    std::map<std::pair<std::size_t, std::size_t>, Against> restricted;
+    std::map<std::pair<std::size_t, std::size_t>, RivalCounts> restricted;
     for (std::size_t b = 0; b < answers.size(); ++b) {
       for (const Multiverse::Choice& each : study_.solvers[rival][b].chosen) {
         restricted[{each.dimension, each.alternative}] += answers[b];
@@ -204,13 +204,13 @@ void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>
 }
 
 // Finds the choice that equals `own` but has the dimension's default; null if there is none, or `own` has the default.
-const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Multiverse::Own& own,
-                               std::size_t dimension) {
+const Multiverse::ChosenSolver* twin_of(const std::vector<Multiverse::ChosenSolver>& all,
+                                        const Multiverse::ChosenSolver& own, std::size_t dimension) {
   std::vector<Multiverse::Choice> wanted = own.chosen;
   const auto found = std::ranges::find(wanted, dimension, &Multiverse::Choice::dimension);
   if (found == wanted.end() || found->alternative == 0) return nullptr;
   found->alternative = 0;
-  const auto is_wanted = [&](const Multiverse::Own& each) {
+  const auto is_wanted = [&](const Multiverse::ChosenSolver& each) {
     return std::ranges::equal(each.chosen, wanted, [](const auto& a, const auto& b) {
       return a.dimension == b.dimension && a.alternative == b.alternative;
     });
@@ -220,12 +220,12 @@ const Multiverse::Own* twin_of(const std::vector<Multiverse::Own>& all, const Mu
 }
 
 // Relation of the default to the alternative; worse if both have the same bits.
-Relation effect_between(const Multiverse::Own& usual, const Multiverse::Own& other, std::size_t seed,
+Relation effect_between(const Multiverse::ChosenSolver& usual, const Multiverse::ChosenSolver& other, std::size_t seed,
                         const MultiverseClaim& claim, const PairJudge& judge) {
   if (usual.error_cm[seed] == other.error_cm[seed] && usual.variation_deg[seed] == other.variation_deg[seed]) {
     return Relation::worse;
   }
-  const auto summary = [&](const Multiverse::Own& own) {
+  const auto summary = [&](const Multiverse::ChosenSolver& own) {
     return summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by);
   };
   return judge(summary(usual), summary(other));
@@ -239,8 +239,8 @@ void count_effect(const Multiverse& multiverse, ClaimCounts& counts, const PairJ
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
       OwnCount into(counts, study, seed);
-      for (const Multiverse::Own& own : study.solvers[*solver]) {
-        const Multiverse::Own* twin = twin_of(study.solvers[*solver], own, place);
+      for (const Multiverse::ChosenSolver& own : study.solvers[*solver]) {
+        const Multiverse::ChosenSolver* twin = twin_of(study.solvers[*solver], own, place);
         if (twin == nullptr) continue;
         into.add(own, alike(study, *solver, effect_between(*twin, own, seed, counts.claim, judge)));
       }
@@ -252,7 +252,8 @@ void count_effect(const Multiverse& multiverse, ClaimCounts& counts, const PairJ
 
 double Multiverse::OfStudy::universes() const {
   double product = 1;
-  for (const std::vector<Own>& of_solver : solvers) product *= static_cast<double>(of_solver.size());
+  for (const std::vector<Multiverse::ChosenSolver>& of_solver : solvers)
+    product *= static_cast<double>(of_solver.size());
   return product;
 }
 
@@ -264,7 +265,7 @@ double Multiverse::universes() const {
 
 bool is_of_universes(Metric metric) { return metric == Metric::position_error_cm || metric == Metric::variation_deg; }
 
-const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric) {
+const std::vector<std::vector<double>>& values_of(const Multiverse::ChosenSolver& own, Metric metric) {
   return metric == Metric::position_error_cm ? own.error_cm : own.variation_deg;
 }
 

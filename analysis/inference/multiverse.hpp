@@ -20,7 +20,7 @@ struct Multiverse {
   using Dimension = results::Dimension;
   using Choice = results::Choice;
   // A solver's results under one of its choices: by seed, one value per run.
-  struct Own {
+  struct ChosenSolver {
     std::vector<Choice> chosen;
     std::vector<std::vector<double>> error_cm, variation_deg;
   };
@@ -29,7 +29,7 @@ struct Multiverse {
     std::vector<Choice> chosen;
     double weight = 1;
     int out_of_reach = 0;
-    std::vector<std::vector<Own>> solvers;  // by solver, by its own choice; the default first
+    std::vector<std::vector<ChosenSolver>> solvers;  // by solver, by its own choice; the default first
 
     double universes() const;
   };
@@ -44,7 +44,7 @@ struct Multiverse {
 // Returns whether the metric is judged in universes: position error or variation.
 bool is_of_universes(Metric metric);
 // Values of the metric by seed.
-const std::vector<std::vector<double>>& values_of(const Multiverse::Own& own, Metric metric);
+const std::vector<std::vector<double>>& values_of(const Multiverse::ChosenSolver& own, Metric metric);
 
 // A claim about one solver: better than a rival or, if none is named, than every other solver.
 struct MultiverseClaim {

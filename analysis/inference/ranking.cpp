@@ -9,25 +9,25 @@
 namespace ikbench::inference {
 namespace {
 
-double worth(const Standing& standing) {
+double worth(const RankedSolver& standing) {
   return std::isfinite(standing.mean) ? standing.mean : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-std::vector<Standing> ranked(std::vector<Standing> standings) {
+std::vector<RankedSolver> ranked(std::vector<RankedSolver> standings) {
   std::ranges::stable_sort(standings, {}, worth);
   return standings;
 }
 
-Placing placing_of(const Standing& standing, const std::vector<Standing>& all) {
+Placing placing_of(const RankedSolver& standing, const std::vector<RankedSolver>& all) {
   const double own = worth(standing);
   const auto count = [&](auto&& is_such) { return static_cast<int>(std::ranges::count_if(all, is_such, worth)); };
   return {.place = 1 + count([&](double other) { return other < own; }),
           .shared = count([&](double other) { return other == own; }) > 1};
 }
 
-std::string order_words(const std::vector<Standing>& ranking) {
+std::string order_words(const std::vector<RankedSolver>& ranking) {
   std::string text;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
     if (i > 0) text += worth(ranking[i]) == worth(ranking[i - 1]) ? " = " : ", ";
@@ -36,23 +36,23 @@ std::string order_words(const std::vector<Standing>& ranking) {
   return text;
 }
 
-std::vector<std::string> first_of(const std::vector<Standing>& ranking) {
+std::vector<std::string> first_of(const std::vector<RankedSolver>& ranking) {
   std::vector<std::string> names;
-  for (const Standing& standing : ranking) {
+  for (const RankedSolver& standing : ranking) {
     if (placing_of(standing, ranking).place == 1) names.push_back(standing.solver);
   }
   return names;
 }
 
-std::string first_words(const std::vector<Standing>& ranking) {
+std::string first_words(const std::vector<RankedSolver>& ranking) {
   const std::vector<std::string> names = first_of(ranking);
   if (names.size() == 1) return names.front();
   return fmt::format("{} and {} (tied)", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-PairOrder compare_pairs(const std::vector<Standing>& of, const std::vector<Standing>& other) {
-  const auto other_worth = [&](const Standing& standing) {
-    return worth(*std::ranges::find(other, standing.solver, &Standing::solver));
+PairOrder compare_pairs(const std::vector<RankedSolver>& of, const std::vector<RankedSolver>& other) {
+  const auto other_worth = [&](const RankedSolver& standing) {
+    return worth(*std::ranges::find(other, standing.solver, &RankedSolver::solver));
   };
   PairOrder order;
   for (std::size_t i = 0; i < of.size(); ++i) {

@@ -34,11 +34,11 @@ ShownMetrics shown_metrics(const StudyResults& study) {
   std::vector<std::string_view> equal, undefined;
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);
-    if (info.shown != Shown::where_it_tells && info.shown != Shown::in_tables) continue;
+    if (info.shown != ShownIn::where_it_tells && info.shown != ShownIn::in_tables) continue;
     const Telling found = telling(study, metric);
     if (found == Telling::is_equal) equal.push_back(info.name);
     if (found == Telling::is_undefined) undefined.push_back(info.name);
-    if (found == Telling::differs) (info.shown == Shown::in_tables ? shown.listed : shown.judged).push_back(metric);
+    if (found == Telling::differs) (info.shown == ShownIn::in_tables ? shown.listed : shown.judged).push_back(metric);
   }
   std::vector<std::string> parts;
   if (!equal.empty()) parts.push_back(fmt::format("{} (always the same)", fmt::join(equal, ", ")));

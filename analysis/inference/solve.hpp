@@ -15,7 +15,7 @@
 namespace ikbench::inference {
 
 // Data that few solves have.
-struct Extras {
+struct RareData {
   std::vector<double> trace_cm = {};
   double variation_m = 0;
 };
@@ -31,14 +31,14 @@ struct Solve {
   double smallest_singular_value = 0;
   double manipulability = 0;
   std::int64_t evaluations = 0;
-  const Extras* extras = nullptr;  // owned by Gathered; null if the solve has none
+  const RareData* extras = nullptr;  // owned by SolveData; null if the solve has none
   int run = 1;
   int point = 1;
-  std::uint32_t problem = 0;  // index of its target and start in Gathered::problems
+  std::uint32_t problem = 0;  // index of its target and start in SolveData::problems
   std::uint32_t answer = 0;   // digest of answer_rad; no_digest if it is empty or has a NaN
   std::uint32_t iterations = 0;
-  std::uint16_t solver = 0;   // index in Gathered::labels
-  std::uint16_t session = 0;  // index in Gathered::sessions
+  std::uint16_t solver = 0;   // index in SolveData::labels
+  std::uint16_t session = 0;  // index in SolveData::sessions
   results::Status status = results::Status::ok;
   results::Timing timing = results::Timing::clean;
   results::StopReason stop_reason = results::StopReason::iterations;

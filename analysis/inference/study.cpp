@@ -77,7 +77,7 @@ bool is_imported(const StudyResults& study, std::string_view solver) {
 
 const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver) {
   static const SolverFacts none;
-  const Gathered& all = *study.gathered;
+  const SolveData& all = *study.gathered;
   const auto found = std::ranges::find(all.labels, solver);
   return found == all.labels.end() ? none : all.of_solver[static_cast<std::size_t>(found - all.labels.begin())];
 }

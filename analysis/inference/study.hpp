@@ -36,7 +36,7 @@ struct StudyResults {
   StudyFacts facts = {};                   // from its definition
   std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
   SolveList solves = {};
-  std::shared_ptr<const Gathered> gathered = std::make_shared<const Gathered>();
+  std::shared_ptr<const SolveData> gathered = std::make_shared<const SolveData>();
   std::vector<double> seconds_per_evaluation = {};  // one per solver; replace measured ones (times.hpp)
 };
 

@@ -66,7 +66,7 @@ bool stands_out(double seconds, double usual) { return seconds > outlying * usua
 // Compares a solve without repeats with its solver's pace, any other with its own repeats.
 Outliers outliers_of(const StudyResults& study) {
   const std::vector<double> paces = seconds_per_evaluation_of(study);
-  const Gathered& gathered = *study.gathered;
+  const SolveData& gathered = *study.gathered;
   Outliers found{.of_solver = std::vector<int>(gathered.labels.size())};
   for (std::uint16_t i = 0; i < gathered.labels.size(); ++i) {
     found.add({.solver = i}, gathered.of_solver[i].outlying_repeats);

@@ -131,28 +131,28 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
 
 std::vector<Table> cost_tables(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  struct Compared {
+  struct CostOfStudy {
     Metric cost;
     StudyResults study;
     std::optional<Clusters> clusters = {};
   };
   const StudyResults study = at_median_speed(measured);
-  Compared evaluations{Metric::evaluations, compared_in(study, Metric::evaluations)},
+  CostOfStudy evaluations{Metric::evaluations, compared_in(study, Metric::evaluations)},
       seconds{Metric::seconds, compared_in(study, Metric::seconds)};
   seconds.clusters.emplace(seconds.study);
   evaluations.clusters.emplace(evaluations.study, &*seconds.clusters);
-  std::vector<const Compared*> costs;
+  std::vector<const CostOfStudy*> costs;
   if (std::isfinite(tolerance_cm(study))) {
     if (!evaluations.study.solves.empty()) costs.push_back(&evaluations);
     if (times_are_comparable(study)) costs.push_back(&seconds);
   }
   std::vector<Table> tables;
-  const auto add = [&](Table table, const Compared& of) {
+  const auto add = [&](Table table, const CostOfStudy& of) {
     std::ranges::move(list_of(left_out(study, of.cost)), std::back_inserter(table.notes));
     tables.push_back(std::move(table));
   };
-  for (const Compared* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);
-  for (const Compared* of : costs) {
+  for (const CostOfStudy* of : costs) add(cost_table(of->study, of->cost, *of->clusters), *of);
+  for (const CostOfStudy* of : costs) {
     if (of->study.solvers.size() > 1) add(cost_pair_table(of->study, of->cost, *of->clusters), *of);
   }
   if (std::optional<Table> table = anytime_table(evaluations.study, *evaluations.clusters)) {

@@ -1,4 +1,4 @@
-// What it costs to solve a problem of a study, which of two solvers spends less, and who is ahead at set budgets
+// Tables of what a solved problem costs, which of two solvers spends less, and who is ahead at set budgets
 // (analysis/inference/{cost_comparison,anytime}.hpp).
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace ikbench::report {
 
-// Where the study has a tolerance "statistics-cost" and of several solvers "statistics-cost-pairs", in evaluations, and
-// the same of "statistics-cost-seconds" where times are comparable; "statistics-cost-anytime" where the study has what
-// anytime() needs. None without solves.
+// With a tolerance: "statistics-cost" in evaluations, with several solvers also "statistics-cost-pairs"; the same of
+// "statistics-cost-seconds" if times are comparable. With what anytime() needs: "statistics-cost-anytime". Without
+// solves there is no table.
 std::vector<Table> cost_tables(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

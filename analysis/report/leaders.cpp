@@ -161,7 +161,7 @@ std::string budgets_sentence(const StudyResults& study) {
 std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
   std::vector<Sentence> sentences;
   for (const Metric metric : shown_metrics(study).judged) {
-    const bool is_reported = info_of(metric).shown == Shown::everywhere;
+    const bool is_reported = info_of(metric).shown == ShownIn::everywhere;
     if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
     for (const Estimand estimand : estimands_of(study, metric)) {
       if (metric == Metric::position_error_cm && estimand == primary_estimand(study)) continue;

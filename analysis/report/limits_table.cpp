@@ -61,7 +61,7 @@ bool has_solver(const StudyResults& study, const std::string& solver) {
 
 template <class Mean>
 void place(std::vector<Side>& sides, Placing Side::*placing, Mean&& mean_of) {
-  std::vector<Standing> standings;
+  std::vector<RankedSolver> standings;
   for (const Side& side : sides) standings.push_back({side.solver, mean_of(side)});
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (std::isfinite(standings[i].mean)) sides[i].*placing = placing_of(standings[i], standings);

@@ -255,8 +255,8 @@ Doubts said(const std::vector<std::string>& sentences) {
 }
 
 // Adds the sentences of `seen` for the pieces of any study.
-void see(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
-         ReportContent& content) {
+void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
+              ReportContent& content) {
   for (const Metric metric : shown_metrics(study).judged) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
@@ -332,7 +332,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
-  see(study, tables, request.shares, content);
+  add_seen(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   Report report = publish({.content = std::move(content),
                            .tables = std::move(tables),

@@ -82,7 +82,7 @@ std::string legend_of(const Table& table) {
   bool has_any = false, has_colours = false;
   for (const std::vector<Cell>& row : table.rows) {
     for (const Cell& cell : row) {
-      const auto* const beside = std::get_if<Beside>(&cell);
+      const auto* const beside = std::get_if<OursAndPrinted>(&cell);
       has_any = has_any || beside != nullptr;
       has_colours = has_colours || (beside != nullptr && beside->nearness != Nearness::unknown);
     }
@@ -92,7 +92,7 @@ std::string legend_of(const Table& table) {
 
 Json cell_json(const Cell& cell, bool is_left) {
   constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
-  if (const auto* beside = std::get_if<Beside>(&cell)) {
+  if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) {
     return {{"text", short_number(beside->ours)},
             {"number", computable(cell)},
             {"printed", beside->printed},

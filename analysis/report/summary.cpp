@@ -44,8 +44,8 @@ std::string no_tolerance_sentence(const StudyResults& study) {
 }
 
 // The solvers that have a mean of the metric.
-std::vector<Standing> standings(const StudyResults& study, Metric metric) {
-  std::vector<Standing> result;
+std::vector<RankedSolver> standings(const StudyResults& study, Metric metric) {
+  std::vector<RankedSolver> result;
   for (const Sample& sample : samples(study, quantity_of(study, metric, Estimand::mean).value)) {
     const double average = average_in(statistics::describe(sample.values), metric);
     if (std::isfinite(average)) result.push_back({sample.solver, average});

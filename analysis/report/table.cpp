@@ -52,7 +52,7 @@ std::string readable(const Cell& cell) {
             return rounded_number(p.value, digits_to_read);
           },
           [](Range range) { return fmt::format("{} to {}", readable_end(range.low), readable_end(range.high)); },
-          [](const Beside& beside) {
+          [](const OursAndPrinted& beside) {
             return fmt::format("{} (printed {}{}{})", short_number(beside.ours), beside.printed,
                                beside.words.empty() ? "" : ": ", beside.words);
           },
@@ -82,7 +82,7 @@ std::string computable(const Cell& cell) {
                  [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
                  [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
                  [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); },
-                 [](const Beside& beside) { return computable(Cell(beside.ours)); },
+                 [](const OursAndPrinted& beside) { return computable(Cell(beside.ours)); },
                  [](const Graded& graded) { return graded.words; }},
       cell);
 }
@@ -128,7 +128,7 @@ std::string to_csv(const Table& table) {
   std::vector<bool> is_two;  // by column: it takes two in the file
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool has_ranges = has_any<Range>(table, c);
-    is_two.push_back(has_ranges || has_any<Beside>(table, c));
+    is_two.push_back(has_ranges || has_any<OursAndPrinted>(table, c));
     const std::string& name = table.columns[c];
     csv.header.push_back(has_ranges ? name + " low" : name);
     if (is_two[c]) csv.header.push_back(name + (has_ranges ? " high" : " printed"));
@@ -137,7 +137,7 @@ std::string to_csv(const Table& table) {
     std::vector<std::string>& cells = csv.rows.emplace_back();
     for (std::size_t c = 0; c < row.size(); ++c) {
       const Range* range = std::get_if<Range>(&row[c]);
-      const Beside* beside = std::get_if<Beside>(&row[c]);
+      const OursAndPrinted* beside = std::get_if<OursAndPrinted>(&row[c]);
       cells.push_back(range ? text_of(range->low) : computable(row[c]));
       if (is_two[c]) cells.push_back(range ? text_of(range->high) : beside ? beside->printed : "");
     }

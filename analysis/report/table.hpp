@@ -23,7 +23,7 @@ struct Range {
 // columns in CSV, the second "... printed".
 enum class Nearness { unknown, within, near, far };  // a page shows it as a colour
 
-struct Beside {
+struct OursAndPrinted {
   double ours;
   std::string printed;  // its digits
   Nearness nearness = Nearness::unknown;
@@ -38,7 +38,7 @@ struct Graded {
 
 // A double or p-value that is not finite shows as "not defined" (an empty field in CSV). std::monostate is an empty
 // cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, Beside, Graded>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded>;
 
 struct Table {
   std::string name;     // stable; also the file's name: "results"

@@ -42,10 +42,10 @@ const Sample* sample_of(const std::vector<Sample>& all, const std::string& solve
 }
 
 Cell cell_of(const Agreement& agreement) {
-  return Beside{.ours = agreement.ours,
-                .printed = agreement.printed,
-                .nearness = nearness_of(agreement),
-                .words = agreement.is_expected ? "" : words_of(agreement)};
+  return OursAndPrinted{.ours = agreement.ours,
+                        .printed = agreement.printed,
+                        .nearness = nearness_of(agreement),
+                        .words = agreement.is_expected ? "" : words_of(agreement)};
 }
 
 // Formats a value with as many digits after the point as a printed number.
@@ -67,7 +67,7 @@ void add_times(Table& table, const StudyResults& study) {
     if (sample == nullptr || printed.algorithm == time_reference) continue;
     const Description ours = describe(sample->values);
     const auto times = [](double our_ratio, double printed_ratio) -> Cell {
-      return Beside{.ours = our_ratio, .printed = short_number(printed_ratio)};
+      return OursAndPrinted{.ours = our_ratio, .printed = short_number(printed_ratio)};
     };
     table.rows.push_back({printed.algorithm, fmt::format("time by {}'s", time_reference),
                           times(ours.mean / own.mean, printed.printed.mean / printed_reference->printed.mean),

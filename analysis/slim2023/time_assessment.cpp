@@ -77,7 +77,7 @@ std::vector<Cell> table_7_row(const TimeAssessment& row, const std::vector<Print
        {&Description::mean, &Description::median, &Description::std, &Description::max, &Description::min}) {
     const double ours = row.time_ms.*field;
     cells.push_back(same == printed.end() ? Cell(ours)
-                                          : Cell(Beside{.ours = ours, .printed = text_of(same->ms.*field)}));
+                                          : Cell(OursAndPrinted{.ours = ours, .printed = text_of(same->ms.*field)}));
   }
   cells.insert(cells.end(), {row.iterations_median, row.evaluations_median});
   return cells;

@@ -40,12 +40,12 @@ std::string too_many(std::size_t groups) {
   return groups > 1000 ? fmt::format("{} groups: the studentized range is computed for 1000 at most", groups) : "";
 }
 
-struct Found {
+struct StudentizedResult {
   double q, p, p_alone;
   double reach;  // of the interval, in standard errors
 };
 
-void settle(MeanDifference& pair, const Found& found) {
+void settle(MeanDifference& pair, const StudentizedResult& found) {
   pair.q = found.q;
   pair.p = found.p;
   pair.p_alone = found.p_alone;

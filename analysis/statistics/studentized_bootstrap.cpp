@@ -107,7 +107,7 @@ bool is_of(const MeanDifference& pair, std::optional<std::size_t> group) {
 }
 
 // A pair and its resampled means: those of its groups, or within blocks that of its differences and nothing.
-struct Compared {
+struct ResampledPair {
   MeanDifference pair;
   const Mean* first = nullptr;
   const Mean* second = nullptr;
@@ -133,7 +133,7 @@ int enough_values(double tolerated_share, int groups) {
   return n;
 }
 
-std::string too_little_spread(const Compared& of, std::size_t pairs, double tolerated_share) {
+std::string too_little_spread(const ResampledPair& of, std::size_t pairs, double tolerated_share) {
   const std::string for_all = fmt::format("for the bootstrap of {} pair{}", pairs, pairs == 1 ? "" : "s");
   if (of.within_blocks) {
     return fmt::format(
@@ -167,12 +167,13 @@ double reaching(const std::vector<double>& ascending, double square) {
 }
 
 // A pair of which too many resamples have no spread gets a reason and takes no part.
-FamilyDeviations family_deviations(std::vector<Compared>& all, const PairFamily& family, const Resampling& settings) {
+FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFamily& family,
+                                   const Resampling& settings) {
   const auto resamples = static_cast<std::size_t>(settings.resamples);
   FamilyDeviations result{.least_shares = std::vector<double>(resamples, 1.0)};
   std::vector<double> own(resamples);
   const double tolerated = tolerated_share(all.size(), settings.level) * settings.resamples;
-  for (Compared& each : all) {
+  for (ResampledPair& each : all) {
     std::vector<double> sorted;
     if (each.pair.undefined.empty()) {
       studentize(*each.first, *each.second, own);
@@ -259,7 +260,7 @@ std::vector<MeanDifference> resampled_pairs(Groups groups, const PairFamily& fam
 }
 
 // Computes p and interval of the wanted pairs.
-std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& family, const Resampling& settings,
+std::vector<MeanDifference> judged(std::vector<ResampledPair> all, const PairFamily& family, const Resampling& settings,
                                    Scale scale) {
   const FamilyDeviations deviations = family_deviations(all, family, settings);
   const std::vector<double>& shares = deviations.least_shares;
@@ -272,7 +273,7 @@ std::vector<MeanDifference> judged(std::vector<Compared> all, const PairFamily& 
   while (p_of((most_reaching + 2.0) / (settings.resamples + 1)) < (1 - settings.level) * (1 - tie)) ++most_reaching;
   std::vector<MeanDifference> result;
   auto squares = deviations.squares.begin();
-  for (const Compared& each : all) {
+  for (const ResampledPair& each : all) {
     if (!is_of(each.pair, family.only_with)) continue;
     const std::vector<double>& own = *squares++;
     MeanDifference& pair = result.emplace_back(each.pair);
@@ -306,7 +307,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   for (const auto& [values, i] : in_order_of_values(groups)) {
     means[i] = resampled(values, scale, {.resamples = settings.resamples, .seed = seed++});
   }
-  std::vector<Compared> all;
+  std::vector<ResampledPair> all;
   for (MeanDifference& pair : resampled_pairs(groups, family, settings)) {
     const Mean &first = means[pair.first], &second = means[pair.second];
     if (pair.undefined.empty() && !(first.spread > 0 || second.spread > 0)) pair.undefined = "both groups are constant";
@@ -321,7 +322,7 @@ std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFam
   const std::vector<double> zeros(static_cast<std::size_t>(settings.resamples), 0.0);
   const Mean nothing{.value = 0, .error = 0, .spread = 0, .unit = 0, .deviations = zeros, .squares = zeros};
   std::vector<Mean> means(pairs.size());
-  std::vector<Compared> all;
+  std::vector<ResampledPair> all;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     MeanDifference& pair = pairs[i];
     if (pair.undefined.empty()) {

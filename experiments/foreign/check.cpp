@@ -129,13 +129,13 @@ class Checker {
                                     program_->hello, options_of(program_->hello, {}))};
   }
 
-  struct Asked {
+  struct TrialSolve {
     std::uint64_t seed = 1;
     StopRule stop = {.iterations = 100, .tolerance = 1e-4};
     bool is_reachable = true;
   };
 
-  Tried solve(ForeignSolver& solver, const SomeArm& arm, const Asked& asked) const {
+  Tried solve(ForeignSolver& solver, const SomeArm& arm, const TrialSolve& asked) const {
     const int joints = arm.chain.joints();
     const Configuration start = Configuration::Constant(joints, 0.1);
     const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
@@ -156,7 +156,7 @@ class Checker {
   }
 
   // Solves in a new process.
-  Tried solve_afresh(const SomeArm& arm, const Asked& asked) {
+  Tried solve_afresh(const SomeArm& arm, const TrialSolve& asked) {
     Sessions sessions = sessions_for(arm);
     Tried tried;
     {
@@ -218,7 +218,7 @@ class Checker {
 
   void seeds() {
     Sessions sessions = sessions_for(*arm_);
-    const Asked asked{.stop = {.iterations = 3}};
+    const TrialSolve asked{.stop = {.iterations = 3}};
     ForeignSolver solver(sessions, asked.stop);
     const Tried first = solve(solver, *arm_, asked), again = solve(solver, *arm_, asked),
                 other = solve(solver, *arm_, {.seed = 2, .stop = asked.stop}), fresh = solve_afresh(*arm_, asked);
@@ -273,7 +273,7 @@ class Checker {
 
   void memory() {
     Sessions sessions = sessions_for(*arm_);
-    const Asked asked{.stop = {.iterations = 1}};
+    const TrialSolve asked{.stop = {.iterations = 1}};
     ForeignSolver solver(sessions, asked.stop);
     double before = 0;
     std::string trouble;

@@ -293,7 +293,7 @@ void ChildProcess::drain_output() {
   }
 }
 
-bool ChildProcess::wait(Waiting waiting, Clock::time_point deadline) {
+bool ChildProcess::wait(WaitFor waiting, Clock::time_point deadline) {
   constexpr long slice = 200;  // [ms] between checks that the process still runs
   const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) return false;

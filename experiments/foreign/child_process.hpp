@@ -49,11 +49,11 @@ class ChildProcess {
   void end(std::chrono::milliseconds patience);
 
  private:
-  struct Waiting {
+  struct WaitFor {
     bool to_write;
   };
   // Waits until it can write or has read something. False at the deadline.
-  bool wait(Waiting waiting, Clock::time_point deadline);
+  bool wait(WaitFor waiting, Clock::time_point deadline);
   void drain_output();
   void drain_errors();
   bool ends_within(std::chrono::milliseconds patience);

@@ -23,7 +23,7 @@ inline double number_at(const report::Table& table, std::size_t row, const std::
   const report::Cell& cell = cell_at(table, row, column);
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
   if (const auto* value = std::get_if<double>(&cell)) return *value;
-  if (const auto* beside = std::get_if<report::Beside>(&cell)) return beside->ours;
+  if (const auto* beside = std::get_if<report::OursAndPrinted>(&cell)) return beside->ours;
   return std::numeric_limits<double>::quiet_NaN();
 }
 

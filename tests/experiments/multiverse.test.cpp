@@ -145,7 +145,7 @@ TEST_CASE("the series of a universe are solved with what its choices say, defaul
   const MultiversePlan plan = plan_multiverse("slim2023", varied, {.seeds = 1, .overrides = unclamped});
   int checked = 0;
   for (const auto& of_solver : plan.studies.front().solvers) {
-    for (const MultiversePlan::Own& own : of_solver) {
+    for (const MultiversePlan::ChosenSolver& own : of_solver) {
       const Study& part = plan.parts[own.parts.front()];
       if (own.chosen.empty()) continue;
       const Choice& choice = own.chosen.front();

@@ -59,7 +59,7 @@ Multiverse near_the_print() {
       .studies = {}};
   std::mt19937_64 engine(3);
   const auto own = [&](const std::string& solver, std::vector<Multiverse::Choice> chosen) {
-    Multiverse::Own one{.chosen = std::move(chosen), .error_cm = {{}}, .variation_deg = {{}}};
+    Multiverse::ChosenSolver one{.chosen = std::move(chosen), .error_cm = {{}}, .variation_deg = {{}}};
     const auto uniform = [&] { return static_cast<double>(engine() >> 11) / 9007199254740992.0; };  // 2^53
     const double off = 0.7 + 0.6 * uniform();
     for (int run = 0; run < 6; ++run) {
@@ -82,7 +82,7 @@ Multiverse near_the_print() {
 
 // One universe, listed.
 struct Universe {
-  std::vector<const Multiverse::Own*> solvers;
+  std::vector<const Multiverse::ChosenSolver*> solvers;
   std::vector<Multiverse::Choice> chosen;
   double weight = 0;
 };
@@ -91,8 +91,8 @@ std::vector<Universe> universes_of(const Multiverse& multiverse) {
   std::vector<Universe> all;
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     const std::size_t before = all.size();
-    for (const Multiverse::Own& a : study.solvers[0]) {
-      for (const Multiverse::Own& b : study.solvers[1]) {
+    for (const Multiverse::ChosenSolver& a : study.solvers[0]) {
+      for (const Multiverse::ChosenSolver& b : study.solvers[1]) {
         Universe& one = all.emplace_back();
         one.solvers = {&a, &b, &study.solvers[2].front()};
         for (const auto* chosen : {&study.chosen, &a.chosen, &b.chosen}) {
@@ -108,7 +108,7 @@ std::vector<Universe> universes_of(const Multiverse& multiverse) {
 }
 
 // For each of its printed numbers, in the order of the paper: do a solver's runs explain it?
-std::vector<bool> explained_by(const Multiverse::Own& own, const std::string& solver) {
+std::vector<bool> explained_by(const Multiverse::ChosenSolver& own, const std::string& solver) {
   std::vector<bool> all;
   for (std::size_t m = 0; m < metrics.size(); ++m) {
     const PredictedRanges ranges = predicted_ranges(m == 0 ? own.error_cm[0] : own.variation_deg[0], 20,
@@ -236,7 +236,7 @@ TEST_CASE("the claims that every universe judges are those that say so", "[multi
   Multiverse few = near_the_print();
   for (Multiverse::OfStudy& study : few.studies) {
     for (auto& of_solver : study.solvers) {
-      for (Multiverse::Own& own : of_solver) own.error_cm[0].resize(fewest_predicting - 1);
+      for (Multiverse::ChosenSolver& own : of_solver) own.error_cm[0].resize(fewest_predicting - 1);
     }
   }
   CHECK(analysis::paper("slim2023").multiverse(few, {}).sentences.empty());  // too few runs to say what is next

@@ -21,7 +21,7 @@ using Seeds = std::vector<std::vector<double>>;
 // 72.8021 (mean, median, std, max, min); for BA: error 1.6849, variation 301.5794. BA is worse than IK-BA in both.
 const Seeds near_ik_ba{{0.0016, 0.0022, 0.0018}, {0.0014, 0.0020, 0.0018}};
 
-Multiverse::Own own(std::vector<Multiverse::Choice> chosen, Seeds error_cm, double variation_deg) {
+Multiverse::ChosenSolver own(std::vector<Multiverse::Choice> chosen, Seeds error_cm, double variation_deg) {
   const Seeds variation(error_cm.size(), {0.99 * variation_deg, variation_deg, 1.01 * variation_deg});
   return {.chosen = std::move(chosen), .error_cm = std::move(error_cm), .variation_deg = variation};
 }
@@ -97,7 +97,7 @@ TEST_CASE("of a row it is told how many printed numbers it explains, where there
   Multiverse few = two_alternatives();
   for (auto& study : few.studies) {
     for (auto& of_solver : study.solvers) {
-      for (Multiverse::Own& each : of_solver) {
+      for (Multiverse::ChosenSolver& each : of_solver) {
         each.error_cm.resize(1);
         each.variation_deg.resize(1);
       }

@@ -447,8 +447,8 @@ TEST_CASE("without a tolerance traces say who is ahead, and without traces nobod
   for (Solve& solve : study.solves.to_change()) solve.iterations = 10;
   const Clusters clusters(study);
   CHECK(!anytime(study, clusters));
-  std::array<Extras, 2> traces{Extras{.trace_cm = std::vector<double>(10, 5)},
-                               Extras{.trace_cm = std::vector<double>(10, 20)}};
+  std::array<RareData, 2> traces{RareData{.trace_cm = std::vector<double>(10, 5)},
+                                 RareData{.trace_cm = std::vector<double>(10, 20)}};
   std::fill(traces[1].trace_cm.begin() + 2, traces[1].trace_cm.end(), 5);
   for (Solve& solve : study.solves.to_change()) solve.extras = &traces[solve.solver];
   const std::optional<Anytime> found = anytime(study, clusters);

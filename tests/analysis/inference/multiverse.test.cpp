@@ -40,7 +40,7 @@ Multiverse small_multiverse() {
                         .studies = {}};
   std::mt19937_64 engine(7);
   const auto own = [&](std::vector<Multiverse::Choice> chosen, double centre) {
-    Multiverse::Own one{.chosen = std::move(chosen), .error_cm = {}, .variation_deg = {}};
+    Multiverse::ChosenSolver one{.chosen = std::move(chosen), .error_cm = {}, .variation_deg = {}};
     for (int seed = 0; seed < 2; ++seed) {
       one.error_cm.push_back(runs_around(centre, engine));
       one.variation_deg.push_back(runs_around(10 * centre, engine));
@@ -72,9 +72,9 @@ using ByAlternative = std::map<std::pair<std::size_t, std::size_t>, UniverseCoun
 ByAlternative listed(const Multiverse& multiverse, const std::string& rival, UniverseCounts& all) {
   ByAlternative counts;
   for (const Multiverse::OfStudy& study : multiverse.studies) {
-    for (const Multiverse::Own& a : study.solvers[0]) {
-      for (const Multiverse::Own& b : study.solvers[1]) {
-        for (const Multiverse::Own& c : study.solvers[2]) {
+    for (const Multiverse::ChosenSolver& a : study.solvers[0]) {
+      for (const Multiverse::ChosenSolver& b : study.solvers[1]) {
+        for (const Multiverse::ChosenSolver& c : study.solvers[2]) {
           for (std::size_t seed = 0; seed < 2; ++seed) {
             const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
                                                    summarise(c.error_cm[seed])};
@@ -174,7 +174,7 @@ TEST_CASE("a setting has no effect where another alternative gives the bits of t
 TEST_CASE("a mean that is no number is worse than one that is, in every universe", "[multiverse]") {
   Multiverse multiverse = small_multiverse();
   for (Multiverse::OfStudy& study : multiverse.studies) {
-    for (Multiverse::Own& own : study.solvers[0]) own.error_cm[0].front() = own.error_cm[1].front() = INFINITY;
+    for (Multiverse::ChosenSolver& own : study.solvers[0]) own.error_cm[0].front() = own.error_cm[1].front() = INFINITY;
   }
   const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
   CHECK(counts.all.fails == counts.all.all());
@@ -183,7 +183,7 @@ TEST_CASE("a mean that is no number is worse than one that is, in every universe
 TEST_CASE("a detail that only one choice of the study has does not change what that choice weighs", "[multiverse]") {
   // x=0, where B has three choices and A is better than each, and x=1, where B has one, which is better than A.
   const auto own = [](double value) {
-    return Multiverse::Own{.chosen = {}, .error_cm = {{value, 1.1 * value, 1.2 * value}}, .variation_deg = {}};
+    return Multiverse::ChosenSolver{.chosen = {}, .error_cm = {{value, 1.1 * value, 1.2 * value}}, .variation_deg = {}};
   };
   Multiverse multiverse{
       .dimensions = {{"x", "2.1", "", {{"x=0", "it is 0"}, {"x=1", "it is 1"}}}},

@@ -9,7 +9,7 @@ using namespace ikbench::inference;
 
 namespace {
 
-const std::vector<Standing> printed = ranked({{"A", 1}, {"B", 2}, {"C", 3}});
+const std::vector<RankedSolver> printed = ranked({{"A", 1}, {"B", 2}, {"C", 3}});
 
 }  // namespace
 
@@ -25,7 +25,7 @@ TEST_CASE("means that are equal to the bit are written as equal, and others as a
 }
 
 TEST_CASE("equal means share a place, and the next place is behind all of them", "[ranking]") {
-  const std::vector<Standing> all{{"A", 2}, {"B", 1}, {"C", 2}, {"D", 3}};
+  const std::vector<RankedSolver> all{{"A", 2}, {"B", 1}, {"C", 2}, {"D", 3}};
   const auto is = [&](std::size_t i, int place, bool shared) {
     const Placing found = placing_of(all[i], all);
     CHECK(found.place == place);

@@ -111,8 +111,8 @@ TEST_CASE("the table has our numbers beside the printed digits, and a word where
   CHECK(readable(table->rows[0][4]) ==
         "0.00141 (printed 1.7824e-4: 7.9 times, outside our range 7.0711e-05 to 7.0711e-05)");
   CHECK(readable(table->rows[1][5]).find("(printed 101.8740: ") != std::string::npos);
-  CHECK(std::get<Beside>(table->rows[0][2]).nearness == Nearness::within);
-  CHECK(std::get<Beside>(table->rows[0][4]).nearness == Nearness::far);
+  CHECK(std::get<OursAndPrinted>(table->rows[0][2]).nearness == Nearness::within);
+  CHECK(std::get<OursAndPrinted>(table->rows[0][4]).nearness == Nearness::far);
   CHECK(!agreement_table(study_with(0.001), {}));
   CHECK(agreements(make_study("own", synthetic::solves({.solvers = {"IK-BA"}})), repetitions).empty());
 
