@@ -38,37 +38,50 @@ struct Resample {
   double square = not_defined;  // of the standard error; exactly 0 if all values are equal
 };
 
-Resample summary_of(const std::vector<double>& picked) {
-  const auto n = static_cast<double>(picked.size());
+// Of the values at these positions.
+Resample summary_of(const std::vector<double>& values, const std::vector<std::size_t>& positions) {
+  const auto n = static_cast<double>(positions.size());
   double sum = 0, squares = 0;
-  for (const double value : picked) sum += value;
-  const double centre = sum / n;
-  for (const double value : picked) squares += (value - centre) * (value - centre);
-  const bool alike = std::ranges::all_of(picked, [&](double value) { return value == picked.front(); });
-  return {.mean = alike ? picked.front() : centre, .square = alike ? 0 : squares / (n * (n - 1))};
+  for (const std::size_t at : positions) sum += values[at];
+  const double centre = sum / n, first = values[positions.front()];
+  bool alike = true;
+  for (const std::size_t at : positions) {
+    squares += (values[at] - centre) * (values[at] - centre);
+    alike &= values[at] == first;
+  }
+  return {.mean = alike ? first : centre, .square = alike ? 0 : squares / (n * (n - 1))};
 }
 
-// Resamples in a unit in which no square overflows.
-Mean resampled(std::span<const double> values, Scale scale, const Resampling& settings) {
-  const double unit = power_of_two_below(values);
-  std::vector<double> sample(values.begin(), values.end()), picked(values.size());
-  for (double& value : sample) value /= unit;
-  Mean result{.value = mean(sample), .error = standard_error(sample)};
-  const auto on_scale = [&](Resample of) {
-    return scale == Scale::mean ? Resample{of.mean - result.value, of.square}
-                                : Resample{std::log(of.mean / result.value), of.square / (of.mean * of.mean)};
-  };
+// Resamples samples of one size, all of them at the same positions, each in a unit in which no square overflows.
+std::vector<Mean> resampled(Groups samples, Scale scale, const Resampling& settings) {
+  std::vector<Mean> result;
+  if (samples.empty()) return result;
+  std::vector<std::vector<double>> scaled(samples.begin(), samples.end());
+  for (std::vector<double>& sample : scaled) {
+    const double unit = power_of_two_below(sample);
+    for (double& value : sample) value /= unit;
+    Mean& made = result.emplace_back(Mean{.value = mean(sample), .error = standard_error(sample), .unit = unit});
+    made.deviations.reserve(static_cast<std::size_t>(settings.resamples));
+    made.squares.reserve(static_cast<std::size_t>(settings.resamples));
+  }
+  std::vector<std::size_t> positions(samples.front().size());
   Draws draws(settings.seed);
   for (int i = 0; i < settings.resamples; ++i) {
-    for (double& value : picked) value = sample[draws.below(sample.size())];
-    const Resample found = on_scale(summary_of(picked));
-    result.deviations.push_back(found.mean);
-    result.squares.push_back(found.square);
+    for (std::size_t& at : positions) at = draws.below(positions.size());
+    for (std::size_t s = 0; s < scaled.size(); ++s) {
+      const auto [mean, square] = summary_of(scaled[s], positions);
+      Mean& of = result[s];
+      of.deviations.push_back(scale == Scale::mean ? mean - of.value : std::log(mean / of.value));
+      of.squares.push_back(scale == Scale::mean ? square : square / (mean * mean));
+    }
   }
-  result.value *= unit;
-  result.error *= unit;
-  result.spread = scale == Scale::mean ? result.error : result.error / result.value;
-  if (scale == Scale::mean) result.unit = result.spread > 0 ? unit : 0;  // logarithms have none
+  for (Mean& each : result) {
+    each.value *= each.unit;
+    each.error *= each.unit;
+    each.spread = scale == Scale::mean ? each.error : each.error / each.value;
+    if (scale == Scale::logarithm) each.unit = 1;  // logarithms have none
+    if (scale == Scale::mean && !(each.spread > 0)) each.unit = 0;
+  }
   return result;
 }
 
@@ -166,6 +179,23 @@ double reaching(const std::vector<double>& ascending, double square) {
   return static_cast<double>(ascending.end() - std::ranges::lower_bound(ascending, square * (1 - tie)));
 }
 
+// Sorts the squared deviations, and lowers each resample's share to that of the resamples that reach its own.
+std::vector<double> sorted_and_ranked(const std::vector<double>& squares, std::vector<double>& least_shares) {
+  std::vector<std::pair<double, std::size_t>> order(squares.size());
+  for (std::size_t i = 0; i < squares.size(); ++i) order[i] = {squares[i], i};
+  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
+  std::vector<double> sorted;
+  sorted.reserve(order.size());
+  std::size_t below = 0;
+  for (const auto& [square, resample] : order) {
+    sorted.push_back(square);
+    while (order[below].first < square * (1 - tie)) ++below;
+    const double share = static_cast<double>(order.size() - below) / static_cast<double>(order.size() + 1);
+    least_shares[resample] = std::min(least_shares[resample], share);
+  }
+  return sorted;
+}
+
 // A pair of which too many resamples have no spread gets a reason and takes no part.
 FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFamily& family,
                                    const Resampling& settings) {
@@ -181,12 +211,7 @@ FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFa
       if (static_cast<double>(without_spread) > tolerated) {
         each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
       } else {
-        sorted = own;
-        std::ranges::sort(sorted);
-        for (std::size_t i = 0; i < resamples; ++i) {
-          const double share = reaching(sorted, own[i]) / (settings.resamples + 1);
-          result.least_shares[i] = std::min(result.least_shares[i], share);
-        }
+        sorted = sorted_and_ranked(own, result.least_shares);
       }
     }
     if (is_of(each.pair, family.only_with)) result.squares.push_back(std::move(sorted));
@@ -305,7 +330,7 @@ std::vector<MeanDifference> studentized_bootstrap(Groups groups, const PairFamil
   std::vector<Mean> means(groups.size());
   std::uint64_t seed = settings.seed;  // a stream of draws for each group
   for (const auto& [values, i] : in_order_of_values(groups)) {
-    means[i] = resampled(values, scale, {.resamples = settings.resamples, .seed = seed++});
+    means[i] = resampled({&values, 1}, scale, {.resamples = settings.resamples, .seed = seed++}).front();
   }
   std::vector<ResampledPair> all;
   for (MeanDifference& pair : resampled_pairs(groups, family, settings)) {
@@ -321,16 +346,23 @@ std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFam
   std::vector<MeanDifference> pairs = resampled_pairs(groups, family, settings);
   const std::vector<double> zeros(static_cast<std::size_t>(settings.resamples), 0.0);
   const Mean nothing{.value = 0, .error = 0, .spread = 0, .unit = 0, .deviations = zeros, .squares = zeros};
-  std::vector<Mean> means(pairs.size());
+  std::vector<std::vector<double>> differences;  // of the pairs that can be resampled
+  std::vector<bool> has_differences(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i].undefined.empty()) continue;
+    std::vector<double> own = differences_without_rounding(groups[pairs[i].first], groups[pairs[i].second]);
+    has_differences[i] = group_undefined(own, 0).empty();
+    if (has_differences[i]) differences.push_back(std::move(own));
+  }
+  const std::vector<Mean> means = resampled(differences, Scale::mean, settings);
+  auto next = means.begin();
   std::vector<ResampledPair> all;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    MeanDifference& pair = pairs[i];
-    if (pair.undefined.empty()) {
-      const std::vector<double> differences = differences_without_rounding(groups[pair.first], groups[pair.second]);
-      if (group_undefined(differences, 0).empty()) means[i] = resampled(differences, Scale::mean, settings);
-      if (!(means[i].spread > 0)) pair.undefined = "the differences within blocks are all equal, or too far apart";
+    const Mean& own = has_differences[i] ? *next++ : nothing;
+    if (pairs[i].undefined.empty() && !(own.spread > 0)) {
+      pairs[i].undefined = "the differences within blocks are all equal, or too far apart";
     }
-    all.push_back({.pair = std::move(pair), .first = &means[i], .second = &nothing, .within_blocks = true});
+    all.push_back({.pair = std::move(pairs[i]), .first = &own, .second = &nothing, .within_blocks = true});
   }
   return judged(std::move(all), family, settings, Scale::mean);
 }
@@ -338,7 +370,8 @@ std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFam
 Estimate studentized_interval(std::span<const double> sample, const Resampling& settings) {
   check_level(settings.level);
   if (!group_undefined(sample, 0).empty()) return {};
-  const Mean found = resampled(sample, Scale::mean, settings);
+  const std::vector<double> values(sample.begin(), sample.end());
+  const Mean found = resampled({&values, 1}, Scale::mean, settings).front();
   if (found.error == 0) return {.value = found.value, .low = found.value, .high = found.value};
   std::vector<double> studentized;
   for (std::size_t i = 0; i < found.deviations.size(); ++i) {
