@@ -11,13 +11,13 @@ FAULT = os.environ["FAULT"]
 def say(**message):
     print(json.dumps(message), flush=True)
 
-def position(q):
-    pose = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
-    for joint, x in zip(robot["joints"], q):
-        c, s, ca, sa = math.cos(joint["theta"] + x), math.sin(joint["theta"] + x), math.cos(joint["alpha"]), math.sin(joint["alpha"])
-        m = [[c, -s * ca, s * sa, joint["a"] * c], [s, c * ca, -c * sa, joint["a"] * s], [0, sa, ca, joint["d"]], [0, 0, 0, 1]]
-        pose = [[sum(pose[i][k] * m[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
-    return [row[3] for row in pose[:3]]
+def position(q):  # from the tip to the base
+    x = y = z = 0
+    for (theta, c_alpha, s_alpha, a, d), turned in zip(reversed(links), reversed(q)):
+        c, s = math.cos(theta + turned), math.sin(theta + turned)
+        y, z = c_alpha * y - s_alpha * z, s_alpha * y + c_alpha * z + d
+        x, y = c * (x + a) - s * y, s * (x + a) + c * y
+    return x, y, z
 
 def solve(problem):
     global solves
@@ -52,6 +52,7 @@ for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
         robot = told
+        links = [(j["theta"], math.cos(j["alpha"]), math.sin(j["alpha"]), j["a"], j["d"]) for j in told["joints"]]
         if any(joint["type"] != "revolute" for joint in told["joints"]) and "slides" != FAULT:
             say(message="declined", why="it slides")
             continue
@@ -125,13 +126,15 @@ static bool has(const char* fault) {
   return planted != nullptr && std::strcmp(planted, fault) == 0;
 }
 
+static bool has_solved = false;  // a process that stays takes 2 s to end, and most of them solve
+
 static struct Whole {
   Whole() {
     if (has("silent")) _exit(3);
     if (has("mode")) std::fesetround(FE_UPWARD);
   }
   ~Whole() {
-    if (!has("stays")) return;
+    if (!has("stays") || has_solved) return;
     std::signal(SIGTERM, SIG_IGN);
     sleep(1000);
   }
@@ -146,7 +149,7 @@ struct Planted {
   }
   void start(const ikbench_problem& told, ikbench_plugin::Objective& objective, ikbench_plugin::Best& best) {
     static int solves = 0;
-    ++solves;
+    has_solved = ++solves > 0;
     own.seed(has("one-seed") ? 1 : told.seed);
     if (has("remembers")) best.q[0] += 1e-6 * solves;
     if (has("of-process")) best.q[0] += 1e-9 * getpid();
