@@ -83,7 +83,7 @@ succeeds run plain.toml --no-report --out plain
 study faults "$(program_entry good fine)" "$(program_entry hangs hangs)" "$(program_entry dies dies)" \
   "$(program_entry noise noise)" "$(program_entry lies lies)" "$(program_entry nonsense nonsense)" \
   "$(program_entry declines declines)"
-succeeds run faults.toml --out faults
+succeeds run faults.toml --no-figures --out faults
 [ "$(column faults/store.sqlite position_error_cm DLS)" = "$(column plain/store.sqlite position_error_cm DLS)" ] ||
   fail "the programs changed the numbers of another solver"
 has "$err" "hangs: "
@@ -117,7 +117,7 @@ has "$(<faults/tables/status.csv)" "timed_out"
   fail "a failed solve moved the arm"
 succeeds run faults.toml --no-report --out faults
 has "$out" "(128 were already stored)"
-succeeds report $store
+succeeds report $store --no-figures
 
 # A comparison says how many solves have no answer; evaluations that nobody counted are no regression, also with --strict.
 succeeds compare good dies --store $store --metric evaluations --strict

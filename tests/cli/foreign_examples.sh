@@ -36,7 +36,7 @@ done
   printf '[path]\nkind = "random"\npoints = 3\n[stop]\niterations = 60\ntolerance_cm = 0.5\n[[solvers]]\nsolver = "damped_least_squares"\n'
   printf '%s\n' "${entries[@]}"
 } >examples.toml
-succeeds run examples.toml --out out
+succeeds run examples.toml --no-report --out out
 "$program" export out/store.sqlite >solves.csv
 for label in "${labels[@]}"; do
   solved=$(awk -F, -v solver="$label" '

@@ -57,7 +57,7 @@ succeeds run study.toml --no-report --out made
 # Errors alone, in centimetres; in a report both are told as what they are.
 { echo "solver,run,point,position_error_cm,evaluations,seconds"
   for run in 1 2 3; do for point in 1 2; do echo "theirs,$run,$point,0.0$run$point,100,0.00$point"; done; done; } >theirs.csv
-succeeds import theirs.csv --out made
+succeeds import theirs.csv --no-figures --out made
 has "$out" "theirs: 6 solves; 0 verified, 6 not verified"
 has_no "$err$out" "Damaged"
 has "$err" "theirs was imported from theirs.csv: its errors are not verified"
