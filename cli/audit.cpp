@@ -51,7 +51,7 @@ std::string counted(const std::vector<AuditItem>& items) {
 
 }  // namespace
 
-void add_audit(CLI::App& app) {
+void add_audit(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string paper, out;
   };

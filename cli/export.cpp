@@ -1,7 +1,8 @@
-// ikbench export: a store's solves as tidy CSV, as JSON or in the format of IOHprofiler.
+// ikbench export: a store's solves for other programs.
 #include "results/export.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -13,7 +14,6 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
-#include "results/iohprofiler.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -34,7 +34,7 @@ void refuse_store(const std::string& file, const std::string& store) {
 
 }  // namespace
 
-void add_export(CLI::App& app) {
+void add_export(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
@@ -43,11 +43,13 @@ void add_export(CLI::App& app) {
       app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON, or for other programs");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
-  command
-      ->add_option("--format", arguments->format,
-                   "csv, json or iohprofiler (a folder that "
-                   "IOHanalyzer and IOHinspector read; the study has trace = \"best_error\")")
-      ->check(CLI::IsMember({"csv", "json", "iohprofiler"}))
+  std::vector<std::string> names, meanings;
+  for (const ExportFormat& format : export_formats()) {
+    names.emplace_back(format.name);
+    meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
+  }
+  command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
+      ->check(CLI::IsMember(names))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
       ->capture_default_str();
@@ -64,14 +66,16 @@ void add_export(CLI::App& app) {
     std::vector<SolveRecord> solves;
     const auto keep = [&](SolveRecord solve) { solves.push_back(std::move(solve)); };
     for (const std::string& damage : damages_of(store, study.name, keep)) say("warning: " + damage);
-    if (arguments->format == "iohprofiler") {
-      if (arguments->file == "-") throw std::invalid_argument("--format iohprofiler is a folder; expected -o FOLDER");
-      for (const std::string& solver : write_iohprofiler(arguments->file, study, solves)) {
-        say(fmt::format("warning: {} is left out: its evaluations were not counted here, or it has no trace", solver));
-      }
+    const ExportFormat& format = export_format(arguments->format);
+    const std::vector<Session> sessions = store.sessions();
+    const Exported exported{.study = study, .sessions = sessions, .solves = solves};
+    if (format.write_folder) {
+      if (arguments->file == "-")
+        throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));
+      for (const std::string& warning : format.write_folder(exported, arguments->file)) say("warning: " + warning);
       return;
     }
-    const std::string text = arguments->format == "csv" ? to_csv(solves) : to_json(study, store.sessions(), solves);
+    const std::string text = format.text(exported);
     if (arguments->file == "-") {
       std::fwrite(text.data(), 1, text.size(), stdout);  // main checks that it could be written
     } else {

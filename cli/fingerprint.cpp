@@ -14,7 +14,7 @@ namespace ikbench::cli {
 using namespace results;
 using namespace experiments;
 
-void add_fingerprint(CLI::App& app) {
+void add_fingerprint(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study;
   };

@@ -7,7 +7,7 @@
 
 namespace ikbench::cli {
 
-void add_host(CLI::App& app) {
+void add_host(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string object, name;
   };

@@ -151,7 +151,7 @@ std::string listed(const std::string& kind, const std::string& name) {
 
 }  // namespace
 
-void add_list(CLI::App& app) {
+void add_list(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string kind, name;
   };

@@ -39,24 +39,9 @@ int main(int argc, char** argv) {
     return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
   });
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-  cli::add_reproduce(app, invocation);
-  cli::add_run(app, invocation);
-  cli::add_merge(app, invocation);
-  cli::add_submit(app, invocation);
-  cli::add_status(app, invocation);
-  cli::add_report(app);
-  cli::add_stats(app, invocation);
-  cli::add_audit(app);
-  cli::add_multiverse(app, invocation);
-  cli::add_compare(app, invocation);
-  cli::add_list(app);
-  cli::add_robot(app);
-  cli::add_solve(app);
-  cli::add_export(app);
-  cli::add_import(app, invocation);
-  cli::add_fingerprint(app);
-  cli::add_check_solver(app, invocation);
-  cli::add_host(app);
+#define COMMAND(name) cli::add_##name(app, invocation);
+#include "cli/commands.inc"
+#undef COMMAND
   const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts

@@ -9,7 +9,7 @@ namespace ikbench::cli {
 
 using namespace results;
 
-void add_report(CLI::App& app) {
+void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, out;
     ReportArguments report;

@@ -173,7 +173,7 @@ std::string robot_text(const Robot& arm) {
   return printable(text);
 }
 
-void add_robot(CLI::App& app) {
+void add_robot(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
   CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
   command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")

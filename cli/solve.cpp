@@ -159,7 +159,7 @@ std::string shown(const SolveRecord& record, const Study& study) {
 
 }  // namespace
 
-void add_solve(CLI::App& app) {
+void add_solve(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one target and print the answer with its errors");
   command->add_option("--position-cm", arguments->position_cm, "target position x y z [cm]")

@@ -1,8 +1,9 @@
-// Exports a store for other programs: tidy CSV and JSON, and the list of columns that both share.
+// Exports a store for other programs: the formats, and the list of columns that tidy CSV and JSON share.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,19 +21,33 @@ struct ColumnInfo {
 
 // The columns of a solve, in their order.
 std::vector<ColumnInfo> columns();
+// True if the column has no value: nobody counted the evaluations.
+bool is_empty(std::string_view column, const SolveRecord& record);
 
-// One row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as the longest
-// has; shorter lists leave cells empty. The trace and the improvements have up to one element per iteration, so only
-// JSON has them. Values that are not finite are NaN, Inf or -Inf.
-std::string to_csv(const std::vector<SolveRecord>& records);
-// Writes the same to a file, from solves that `pass` passes on one by one. It calls `pass` again if a list is longer
-// than that of the first solve.
+// What is exported. The solves are in the order solver, run, point.
+struct Exported {
+  const StudyEntry& study;
+  const std::vector<Session>& sessions;
+  const std::vector<SolveRecord>& solves;
+};
+
+// A format is either a text or a folder, which is absent or empty before. It throws std::invalid_argument if it cannot
+// have the study. Who writes a folder returns warnings.
+struct ExportFormat {
+  std::string_view name;
+  std::string_view meaning;
+  std::string (*text)(const Exported& exported) = nullptr;
+  std::vector<std::string> (*write_folder)(const Exported& exported, const std::filesystem::path& folder) = nullptr;
+};
+
+// The formats in the order of export_formats.inc.
+std::span<const ExportFormat> export_formats();
+// Throws std::invalid_argument if there is no format of that name.
+const ExportFormat& export_format(std::string_view name);
+
+// Writes the CSV of solves that `pass` passes on one by one. It calls `pass` again if a list is longer than that of the
+// first solve.
 using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
 void write_csv(const std::filesystem::path& file, const PassSolves& pass);
-
-// One object: note, columns, study, definition, series, sessions, solves. null stands for NaN and infinities, which
-// JSON does not have.
-std::string to_json(const StudyEntry& study, const std::vector<Session>& sessions,
-                    const std::vector<SolveRecord>& records);
 
 }  // namespace ikbench::results

@@ -29,6 +29,14 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
   return found;
 }
 
+// The names in the lines of a list; none is there twice.
+Names names_in(const std::string& list, const std::string& macro) {
+  const std::vector<std::string> lines = between("\n" + text_of(list), "\n" + macro, ",)");
+  const Names names(lines.begin(), lines.end());
+  CHECK(names.size() == lines.size());
+  return names;
+}
+
 std::vector<std::string> papers() { return between(text_of("analysis/papers.inc"), "PAPER(", ")"); }
 
 // docs/architecture.md: each folder, and the folders that it may know.
@@ -298,9 +306,7 @@ TEST_CASE("no solver is named by CMake, and none knows another", "[architecture]
 }
 
 TEST_CASE("a kind of path is one line in paths.inc and one file of that name, which defines it", "[architecture]") {
-  const std::vector<std::string> lines = between(text_of("experiments/paths.inc"), "PATH(", ")");
-  const Names kinds(lines.begin(), lines.end());
-  CHECK(kinds.size() == lines.size());  // none twice
+  const Names kinds = names_in("experiments/paths.inc", "PATH(");
   Names files;
   for (const auto& entry : fs::directory_iterator("experiments/paths")) {
     INFO(entry.path().string());
@@ -334,17 +340,39 @@ TEST_CASE("every part of a kind of path is pure virtual, so one that forgets a p
   }
 }
 
+TEST_CASE("a command is one line in commands.inc and one file of that name, which defines it", "[architecture]") {
+  for (const std::string& name : names_in("cli/commands.inc", "COMMAND(")) {
+    INFO(name);
+    CHECK(text_of("cli/" + name + ".cpp").find("\nvoid add_" + name + "(CLI::App& app, Invocation&") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("an export format is one line in export_formats.inc and one file of that name, which defines it",
+          "[architecture]") {
+  Names files;
+  for (const auto& entry : fs::directory_iterator("results/formats")) files.insert(entry.path().stem().string());
+  const Names texts = names_in("results/export_formats.inc", "EXPORT_TEXT("),
+              folders = names_in("results/export_formats.inc", "EXPORT_FOLDER(");
+  Names all = texts;
+  all.insert(folders.begin(), folders.end());
+  CHECK(files == all);
+  for (const std::string& name : all) {
+    INFO(name);
+    const std::string function = texts.contains(name) ? name + "_text(" : "write_" + name + "(";
+    CHECK(text_of("results/formats/" + name + ".cpp").find(' ' + function) != std::string::npos);
+  }
+}
+
 // A source that defines one thing of a list (a solver, a kind of path, a command) needs no header, nor does a program.
 TEST_CASE("every source has a header of its name, and begins with it", "[architecture]") {
-  const Names solvers = registered_solvers();
-  const std::string commands = text_of("cli/commands.hpp");
+  const Names solvers = registered_solvers(), commands = names_in("cli/commands.inc", "COMMAND(");
   for (const auto& [folder, below] : may_know()) {
     for (const fs::path& file : sources_of(folder)) {
       const std::string name = file.stem().string();
+      const Names lists{"experiments/paths", "results/formats", "analysis/inference/methods"};
       const bool listed = (folder == "solvers" && solvers.contains(name)) || is_of_peers(file) ||
-                          file.parent_path() == "experiments/paths" ||
-                          file.parent_path() == "analysis/inference/methods" ||
-                          (folder == "cli" && commands.find("add_" + name + "(") != std::string::npos);
+                          lists.contains(file.parent_path().string()) || (folder == "cli" && commands.contains(name));
       if (file.extension() != ".cpp" || listed || file == "cli/main.cpp" || folder == microbenchmarks) continue;
       INFO(file.string());
       const std::vector<std::string> includes = includes_of(file);

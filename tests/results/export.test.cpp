@@ -20,7 +20,7 @@ TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
   four_joints.start_rad = four_joints.answer_rad = {0.5, 1, 1.5, 2};
   four_joints.position_error_cm = std::numeric_limits<double>::quiet_NaN();
   four_joints.seconds = std::numeric_limits<double>::infinity();
-  std::istringstream csv(to_csv({sample_record(), four_joints}));
+  std::istringstream csv(exported("csv", {sample_record(), four_joints}));
   for (const std::string line :
        {"study,robot,solver,series,run,point,target_position_m_1,target_position_m_2,target_position_m_3,"
         "target_rotation_1,target_rotation_2,target_rotation_3,target_rotation_4,target_rotation_5,target_rotation_6,"
@@ -44,7 +44,7 @@ TEST_CASE("CSV has a row per solve and a column per joint", "[export]") {
 }
 
 TEST_CASE("CSV of no solves is the header without lists", "[export]") {
-  const CsvTable table = parse_csv(to_csv(std::vector<SolveRecord>{}), "empty.csv");
+  const CsvTable table = parse_csv(exported("csv", {}), "empty.csv");
   CHECK(table.rows.empty());
   CHECK(table.header.front() == "study");
   CHECK(std::ranges::count(columns(), "list of numbers", &ColumnInfo::type) ==
@@ -55,8 +55,8 @@ TEST_CASE("JSON holds the study, its sessions and every column of its solves", "
   SolveRecord record = sample_record();
   record.position_error_cm = -std::numeric_limits<double>::infinity();
   record.trace_cm = {1.5, std::numeric_limits<double>::quiet_NaN()};
-  const std::string text = to_json(sample_study(), {{.id = 1, .environment = {{"cpu", "<script>\"x\"</script>"}}}},
-                                   {record, sample_record()});
+  const std::string text =
+      exported("json", {record, sample_record()}, {{.id = 1, .environment = {{"cpu", "<script>\"x\"</script>"}}}});
   const auto json = nlohmann::ordered_json::parse(text);
   CHECK(json["note"] == "null stands for a number that is not finite");
   CHECK(json["columns"].size() == columns().size());
@@ -80,13 +80,13 @@ TEST_CASE("JSON holds the study, its sessions and every column of its solves", "
 }
 
 TEST_CASE("JSON of a study that was never solved has no solves", "[export]") {
-  CHECK(nlohmann::json::parse(to_json(sample_study(), {}, {}))["solves"].empty());
+  CHECK(nlohmann::json::parse(exported("json", {}))["solves"].empty());
 }
 
 TEST_CASE("text that is not UTF-8 leaves JSON that can be read", "[export]") {
   SolveRecord record = sample_record();
   record.solver = "caf\xE9";
-  const auto json = nlohmann::json::parse(to_json(sample_study(), {}, {record}));
+  const auto json = nlohmann::json::parse(exported("json", {record}));
   CHECK(json["solves"][0]["solver"] == "caf\xEF\xBF\xBD");  // U+FFFD
 }
 

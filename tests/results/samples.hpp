@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "results/export.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 #include "tests/catch.hpp"
@@ -83,6 +84,12 @@ inline results::StudyEntry sample_study(const std::string& name = "table-3") {
           .definition = R"({"robot":"iiwa14","runs":20,"points":20})",
           .series = {{.key = "key-a", .label = "IK-BA", .algorithm = "ik_ba", .options = R"({"gamma":0.1})"},
                      {.key = "key-b", .label = "BA", .algorithm = "ba", .options = "{}"}}};
+}
+
+// The solves in a format that is a text.
+inline std::string exported(std::string_view format, const std::vector<results::SolveRecord>& solves,
+                            const std::vector<results::Session>& sessions = {}) {
+  return results::export_format(format).text({sample_study(), sessions, solves});
 }
 
 // Doubles as their bits, so that NaN equals NaN and -0.0 differs from 0.0; everything else by ==.

@@ -181,7 +181,8 @@ TEST_CASE("rows of a path may lead to one another, and the advice says what to d
 }
 
 TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
-  const std::string text = to_csv(synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5}));
+  const std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5});
+  const std::string text = export_format("csv").text({.study = {}, .sessions = {}, .solves = solves});
   const CsvRequest errors{.value = "position_error_cm", .group = "solver"};
   CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA, one for each point, and are not replicates; if each "
                                      "point depends on the previous one, average them with --run run; "}));

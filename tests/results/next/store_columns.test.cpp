@@ -33,13 +33,13 @@ TEST_CASE("a line of columns.inc is a column everywhere", "[store][columns]") {
   CHECK(list[2].type == "name");
   CHECK(list[4].type == "list of numbers");
 
-  const CsvTable csv = parse_csv(to_csv({full_record("key-a", 1)}), "a.csv");
+  const CsvTable csv = parse_csv(exported("csv", {full_record("key-a", 1)}), "a.csv");
   CHECK(csv.rows[0][csv.column("start_error_cm")] == "0.125");
   CHECK(csv.rows[0][csv.column("repetitions")] == "5");
   CHECK(csv.rows[0][csv.column("timing_before")] == "parallel");
   CHECK(csv.rows[0][csv.column("remark")] == "'quoted'");
   CHECK(csv.rows[0][csv.column("all_seconds_2")] == "0.25");
-  CHECK_THAT(to_json(sample_study(), {}, {full_record("key-a", 1)}),
+  CHECK_THAT(exported("json", {full_record("key-a", 1)}),
              ContainsSubstring(R"("start_error_cm":0.125,"repetitions":5,"timing_before":"parallel",)"
                                R"("remark":"'quoted'","all_seconds":[0.125,0.25]})"));
 }

@@ -1,5 +1,6 @@
-#include "results/iohprofiler.hpp"
-
+// A study in the format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector. A
+// target of the path is a function, a run an instance, the number of searched joints the dimension, and the error [cm]
+// the objective. Each solve lists the evaluations at which its best error became smaller.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "numerics/json.hpp"
 #include "numerics/number.hpp"
+#include "results/export.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::results {
@@ -131,8 +133,11 @@ void refuse_full(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, const StudyEntry& study,
-                                           const std::vector<SolveRecord>& solves) {
+// Writes a folder for each solver: IOHprofiler_f1_target.json, data_f1_target/IOHprofiler_f1_DIM7.dat and so on. If a
+// program gave no answer, evaluation 1 has the error at the start and is the last. Warns of solvers that are left out.
+// Refuses a study without traces, with more points or runs than IOHprofiler's numbers, and a folder that is not empty.
+std::vector<std::string> write_iohprofiler(const Exported& exported, const std::filesystem::path& folder) {
+  const auto& [study, sessions, solves] = exported;
   const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;
@@ -167,7 +172,11 @@ std::vector<std::string> write_iohprofiler(const std::filesystem::path& folder, 
       for (const auto& [point, by_dimension] : functions[series.label]) solver_folder.write(point, by_dimension);
     }
   });
-  return {left_out.begin(), left_out.end()};
+  std::vector<std::string> warnings;
+  for (const std::string& solver : left_out)
+    warnings.push_back(
+        fmt::format("{} is left out: its evaluations were not counted here, or it has no trace", solver));
+  return warnings;
 }
 
 }  // namespace ikbench::results

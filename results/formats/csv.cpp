@@ -1,0 +1,123 @@
+// Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
+// the longest has; shorter lists leave cells empty. The trace and the improvements have up to one element per
+// iteration, so only JSON has them. Values that are not finite are NaN, Inf or -Inf.
+#include "results/csv.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "numerics/number.hpp"
+#include "results/export.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::results {
+
+using namespace numerics;
+
+namespace {
+
+template <class Value>
+constexpr bool is_list = std::is_same_v<Value, std::vector<double>>;
+
+template <class Value>
+std::string cell_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_of(value));
+  else if constexpr (std::is_integral_v<Value>)
+    return std::to_string(value);
+  else if constexpr (std::is_floating_point_v<Value>)
+    return text_of(value);
+  else
+    return value;
+}
+
+// Visits the columns of CSV.
+template <class Visit>
+void for_each_csv_column(Visit&& visit) {
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    if (name != "trace_cm" && name != "improved_at" && name != "improved_to_cm") visit(name, member);
+  });
+}
+
+// Cells per column.
+using Widths = std::vector<std::size_t>;
+
+// True if no list of a solve is longer than its width; grows the widths that are too small.
+bool fits(const SolveRecord& record, Widths& widths) {
+  bool is_within = true;
+  std::size_t column = 0;
+  for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
+    std::size_t cells = 1;
+    if constexpr (is_list<Value>) cells = (record.*member).size();
+    if (widths.size() == column) widths.push_back(cells);
+    is_within &= cells <= widths[column];
+    widths[column] = std::max(widths[column], cells);
+    ++column;
+  });
+  return is_within;
+}
+
+void append_header(std::string& text, const Widths& widths) {
+  std::vector<std::string> cells;
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*) {
+    const std::size_t count = width == widths.end() ? 0 : *width++;
+    if constexpr (is_list<Value>) {
+      for (std::size_t i = 1; i <= count; ++i) cells.push_back(std::string(name) + "_" + std::to_string(i));
+    } else {
+      cells.emplace_back(name);
+    }
+  });
+  append_csv_row(text, cells);
+}
+
+void append_row(std::string& text, const SolveRecord& record, const Widths& widths) {
+  std::vector<std::string> cells;
+  auto width = widths.begin();
+  for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
+    if constexpr (is_list<Value>) {
+      for (const double element : record.*member) cells.push_back(text_of(element));
+      cells.resize(cells.size() + *width - (record.*member).size());
+    } else {
+      cells.push_back(is_empty(name, record) ? std::string() : cell_of(record.*member));
+    }
+    ++width;
+  });
+  append_csv_row(text, cells);
+}
+
+}  // namespace
+
+std::string csv_text(const Exported& exported) {
+  Widths widths;
+  for (const SolveRecord& record : exported.solves) fits(record, widths);
+  std::string text;
+  append_header(text, widths);
+  for (const SolveRecord& record : exported.solves) append_row(text, record, widths);
+  return text;
+}
+
+void write_csv(const std::filesystem::path& file, const PassSolves& pass) {
+  constexpr std::size_t part = 1 << 20;
+  Widths widths;
+  for (bool is_whole = false; !is_whole;) {
+    is_whole = true;
+    write_file(file, [&](const Write& write) {
+      std::string text;
+      if (!widths.empty()) append_header(text, widths);
+      pass([&](const SolveRecord& record) {
+        const bool is_first = widths.empty(), is_within = fits(record, widths);
+        if (is_first) append_header(text, widths);
+        is_whole &= is_first || is_within;
+        append_row(text, record, widths);
+        if (text.size() < part) return;
+        write(text);
+        text.clear();
+      });
+      if (widths.empty()) append_header(text, widths);
+      write(text);
+    });
+  }
+}
+
+}  // namespace ikbench::results
