@@ -9,6 +9,7 @@
 
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/metrics.hpp"
+#include "analysis/report/study_pieces.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
@@ -129,6 +130,16 @@ Rows test_list() {
   return rows;
 }
 
+Rows piece_list() {
+  Rows rows{{"PIECE", "KIND", "UNDER", "FILES AND CONTENTS"}};
+  for (const report::StudyPiece& piece : report::all_study_pieces()) {
+    if (piece.kind.empty()) continue;
+    rows.push_back(
+        {std::string(piece.name), std::string(piece.kind), std::string(piece.heading), std::string(piece.meaning)});
+  }
+  return rows;
+}
+
 Rows instruction_set_list() {
   Rows rows{{"NAME", "IN USE"}};
   for (const InstructionSet each : instruction_sets()) {
@@ -145,6 +156,7 @@ std::string listed(const std::string& kind, const std::string& name) {
   if (kind == "columns") return rows_or_one(column_list(), "column", name);
   if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
   if (kind == "tests") return rows_or_one(test_list(), "test", name);
+  if (kind == "pieces") return rows_or_one(piece_list(), "piece", name);
   if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
   return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
 }
@@ -157,11 +169,12 @@ void add_list(CLI::App& app, Invocation&) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "list", "List solvers, robots, studies, kinds of path, result columns, metrics, tests or instruction sets");
-  const std::string kinds = "solvers, robots, studies, paths, columns, metrics, tests or instruction-sets";
+      "list",
+      "List solvers, robots, studies, kinds of path, result columns, metrics, tests, pieces of a report or instruction sets");
+  const std::string kinds = "solvers, robots, studies, paths, columns, metrics, tests, pieces or instruction-sets";
   command->add_option("KIND", arguments->kind, kinds)
-      ->check(
-          CLI::IsMember({"solvers", "robots", "studies", "paths", "columns", "metrics", "tests", "instruction-sets"}));
+      ->check(CLI::IsMember(
+          {"solvers", "robots", "studies", "paths", "columns", "metrics", "tests", "pieces", "instruction-sets"}));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
   command->footer(
@@ -169,6 +182,7 @@ void add_list(CLI::App& app, Invocation&) {
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
+      "  ikbench list pieces                      the tables and figures of a study's report\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
     if (arguments->kind.empty()) {

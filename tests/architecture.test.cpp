@@ -364,13 +364,30 @@ TEST_CASE("an export format is one line in export_formats.inc and one file of th
   }
 }
 
+TEST_CASE("a table or figure of every study is one line in study_pieces.inc and one function in pieces/",
+          "[architecture]") {
+  std::string code;
+  for (const auto& entry : fs::directory_iterator("analysis/report/pieces")) code += code_of(entry.path());
+  std::size_t lines = 0;
+  for (const char* kind : {"Table", "Figure"}) {
+    const std::string type = kind, upper = type == "Table" ? "TABLE(" : "FIGURE(",
+                      ending = type == "Table" ? "_tables" : "_figures";
+    for (const std::string& name : names_in("analysis/report/study_pieces.inc", upper)) {
+      INFO(name);
+      ++lines;
+      CHECK(code.find("\nstd::vector<" + type + "> " + name + ending + "(const StudyResults&") != std::string::npos);
+    }
+  }
+  CHECK(between(code, "\nstd::vector<", "{").size() == lines);  // and nothing else
+}
+
 // A source that defines one thing of a list (a solver, a kind of path, a command) needs no header, nor does a program.
 TEST_CASE("every source has a header of its name, and begins with it", "[architecture]") {
   const Names solvers = registered_solvers(), commands = names_in("cli/commands.inc", "COMMAND(");
   for (const auto& [folder, below] : may_know()) {
     for (const fs::path& file : sources_of(folder)) {
       const std::string name = file.stem().string();
-      const Names lists{"experiments/paths", "results/formats", "analysis/inference/methods"};
+      const Names lists{"experiments/paths", "results/formats", "analysis/inference/methods", "analysis/report/pieces"};
       const bool listed = (folder == "solvers" && solvers.contains(name)) || is_of_peers(file) ||
                           lists.contains(file.parent_path().string()) || (folder == "cli" && commands.contains(name));
       if (file.extension() != ".cpp" || listed || file == "cli/main.cpp" || folder == microbenchmarks) continue;

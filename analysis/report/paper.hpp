@@ -34,7 +34,7 @@ struct Paper {
   int repetitions = 0;              // number of seeds with which its first study is solved again
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
-  ReportPlan sections = {};                                 // places the pieces
+  ReportPlan sections = {};                                 // places the pieces; if no results, they do so themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
   // Printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};

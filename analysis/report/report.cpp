@@ -28,6 +28,7 @@
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/report_content.hpp"
+#include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"
@@ -294,8 +295,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
-                            environment_table(study, sessions)};
+                            environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
+  ReportPlan plan = paper.sections;
+  if (plan.results.empty()) plan.results = std::move(pieces.sections);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
   if (same_limits_too.size() > 1) tables.push_back(flagged(baselines_table(same_limits_too), study));
@@ -312,7 +315,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),
                         .command = command_of(study, sessions),
-                        .plan = paper.sections,
+                        .plan = std::move(plan),
                         .path = pieces.path,
                         .seen = pieces.seen};
   join(content.claims, request.shares);

@@ -1,12 +1,8 @@
 #include "analysis/report/report_content.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 #include <string_view>
-
-#include "analysis/inference/metrics.hpp"
 
 namespace ikbench::report {
 
@@ -21,16 +17,6 @@ const std::vector<SectionPlan>& circumstances() {
       {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
       {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"status"}}};
   return plans;
-}
-
-// Sections of a study without a paper.
-std::vector<SectionPlan> results() {
-  std::vector<std::string> names{"overview", "results", "solved", "statistics-solved-*", "times", "further", "path"};
-  const std::vector<inference::Metric> metrics = inference::all_metrics();
-  for (const inference::Metric metric : metrics)
-    names.push_back(fmt::format("{}-boxes", inference::info_of(metric).slug));
-  for (const inference::Metric metric : metrics) names.emplace_back(inference::info_of(metric).slug);
-  return {{"Results", "", names, {"joints"}}, {"Analysis of variance", "", {}, {"anova-*"}}};
 }
 
 SectionPlan convergence() {
@@ -139,7 +125,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   };
   fill(circumstances(), content.circumstances);
   fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates", "solve-rates-iterations"}}}, content.results);
-  fill(content.plan.results.empty() ? results() : content.plan.results, content.results);
+  fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill(of_any_paper(), content.results);
   const bool are_all = content.results.empty();  // a report of data only shows them

@@ -42,9 +42,9 @@ struct SectionPlan {
   std::vector<std::string> folded = {};
 };
 
-// Places a paper's pieces: the results of its study, and further sections.
+// Places the pieces of a study: its results, and a paper's further sections.
 struct ReportPlan {
-  std::vector<SectionPlan> results = {};  // if empty, the sections of any study
+  std::vector<SectionPlan> results = {};
   std::vector<SectionPlan> further = {};
 };
 

@@ -1,38 +1,61 @@
 #include "analysis/report/study_pieces.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "analysis/figures/box_figure.hpp"
-#include "analysis/figures/overview_figure.hpp"
-#include "analysis/figures/study_figures.hpp"
-#include "analysis/inference/shown_metrics.hpp"
-#include "analysis/report/study_tables.hpp"
+#include <algorithm>
+#include <utility>
 
 namespace ikbench::report {
 
 using namespace inference;
 using namespace figures;
 
+#define TABLE(name, heading, place, meaning) std::vector<Table> name##_tables(const StudyResults&, const ShownMetrics&);
+#define FIGURE(name, heading, place, meaning) \
+  std::vector<Figure> name##_figures(const StudyResults&, const ShownMetrics&);
+#define PLACE(names, heading, place)
+#include "analysis/report/study_pieces.inc"
+#undef TABLE
+#undef FIGURE
+#undef PLACE
+
+namespace {
+
+constexpr bool shown = true, folded = false;
+constexpr StudyPiece all[]{
+#define TABLE(name, heading, place, meaning) {#name, "table", heading, place, meaning, name##_tables, nullptr},
+#define FIGURE(name, heading, place, meaning) {#name, "figure", heading, place, meaning, nullptr, name##_figures},
+#define PLACE(names, heading, place) {names, "", heading, place, "", nullptr, nullptr},
+#include "analysis/report/study_pieces.inc"
+#undef TABLE
+#undef FIGURE
+#undef PLACE
+};
+
+SectionPlan& section_of(const StudyPiece& piece, std::vector<SectionPlan>& sections) {
+  const auto found = std::ranges::find(sections, piece.heading, &SectionPlan::heading);
+  return found != sections.end() ? *found : sections.emplace_back(SectionPlan{std::string(piece.heading), "", {}});
+}
+
+template <class Piece>
+void add(std::vector<Piece> made, std::vector<std::string>& names, std::vector<Piece>& pieces) {
+  for (Piece& piece : made) {
+    names.push_back(piece.name);
+    pieces.push_back(std::move(piece));
+  }
+}
+
+}  // namespace
+
+std::span<const StudyPiece> all_study_pieces() { return all; }
+
 StudyPieces study_pieces(const StudyResults& study) {
   const ShownMetrics metrics = shown_metrics(study);
-  StudyPieces pieces{.tables = {results_table(study, metrics.judged), times_table(study), status_table(study)}};
-  if (std::isfinite(tolerance_cm(study))) pieces.tables.push_back(solved_table(study));
-  if (!metrics.listed.empty()) pieces.tables.push_back(further_table(study, metrics.listed));
-  if (!metrics.left_out.empty()) pieces.tables.front().notes.push_back(metrics.left_out);
-  for (const Metric metric : metrics.judged) pieces.tables.push_back(anova_table(study, metric));
-  if (study.solves.empty()) return pieces;
-  const bool has_points = study.points > 1;  // a sequence to draw
-  if (std::optional<Figure> joints = joints_figure(study, "joints"); joints && has_points) {
-    pieces.figures.push_back(std::move(*joints));
-  }
-  pieces.figures.push_back(overview_figure(study, {}));
-  pieces.figures.push_back(path_figure(study, "path"));
-  for (const Metric metric : metrics.judged) {
-    const std::string name(info_of(metric).slug);
-    if (has_points && !is_of_run(metric)) pieces.figures.push_back(curves_figure(study, metric, name));
-    pieces.figures.push_back(box_figure(study, metric, name + "-boxes"));
+  StudyPieces pieces;
+  for (const StudyPiece& piece : all) {
+    SectionPlan& section = section_of(piece, pieces.sections);
+    std::vector<std::string>& names = piece.is_shown ? section.names : section.folded;
+    if (piece.tables) add(piece.tables(study, metrics), names, pieces.tables);
+    if (piece.figures && !study.solves.empty()) add(piece.figures(study, metrics), names, pieces.figures);
+    if (!piece.tables && !piece.figures) names.emplace_back(piece.name);
   }
   return pieces;
 }

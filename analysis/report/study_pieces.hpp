@@ -2,26 +2,40 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/study.hpp"
+#include "analysis/report/report_content.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
+// A line of study_pieces.inc: its function makes tables or figures. Figures are made if anything was solved.
+struct StudyPiece {
+  std::string_view name, kind, heading;
+  bool is_shown;  // else folded
+  std::string_view meaning;
+  std::vector<Table> (*tables)(const inference::StudyResults&, const inference::ShownMetrics&) = nullptr;
+  std::vector<figures::Figure> (*figures)(const inference::StudyResults&, const inference::ShownMetrics&) = nullptr;
+};
+std::span<const StudyPiece> all_study_pieces();
+
 struct StudyPieces {
   std::vector<Table> tables = {};
   std::vector<figures::Figure> figures = {};
-  std::string results = "results";  // the table that a terminal shows
-  std::string path = "path";        // the figure that replaces the animated view
+  std::vector<SectionPlan> sections = {};  // places them; empty: the paper does
+  std::string results = "results";         // the table that a terminal shows
+  std::string path = "path";               // the figure that replaces the animated view
   // A sentence on what a piece shows, by its name; may be empty.
   std::map<std::string, std::string> seen = {};
 };
 
-// Pieces of any study: the tables results, anova-METRIC and status; the figures overview, path, METRIC, METRIC-boxes
-// and joints. No figures if nothing was solved.
+// The pieces of any study.
 StudyPieces study_pieces(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

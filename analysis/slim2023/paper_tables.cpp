@@ -179,7 +179,6 @@ std::vector<Table> paper_tables(const StudyResults& study, std::span<const Repea
   if (is_published) tables.push_back(anova_from_printed_table_3(study.facts.published));
   if (std::optional<Table> table = table_7(study)) tables.push_back(std::move(*table));
   if (std::optional<Table> table = table_8(study)) tables.push_back(std::move(*table));
-  tables.push_back(status_table(study));
   return tables;
 }
 

@@ -1,6 +1,6 @@
 // The tables of Slim et al. (2023) for any study, beside the printed numbers where there are any: Table 3 (what was
-// reached), Tables 4-6 (one-way ANOVA of error, variation and time), Table 7 (time_assessment.hpp) and 8 (circle.hpp)
-// of the studies that are like the paper's, and the status of every solve.
+// reached), Tables 4-6 (one-way ANOVA of error, variation and time), and Table 7 (time_assessment.hpp) and 8
+// (circle.hpp) of the studies that are like the paper's.
 #pragma once
 
 #include <optional>

@@ -58,6 +58,7 @@ TEST_CASE("a figure that was not drawn has no card beside the verdict", "[report
   const ScratchFolder folder;
   for (const bool is_drawn : {false, true}) {
     ReportContent content;
+    content.plan.results = {{"Results", "", {"overview"}}};
     arrange({ReportFigure{{"overview", "of all"}, is_drawn}}, {}, content);
     CHECK(contains(to_html(content, {.figures = folder.path}), "<figure id=") == is_drawn);
   }
