@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -36,24 +35,14 @@ namespace {
 
 using Samples = std::vector<std::vector<double>>;
 
-// Replaces the methods' group numbers from 1 ("group 2 is constant") by names.
-std::string with_name(std::string reason, const std::vector<GroupEvidence>& groups) {
-  constexpr std::string_view word = "group ";
-  const std::size_t start = reason.find(word);
-  if (start == std::string::npos) return reason;
-  const char* const digits = reason.data() + start + word.size();
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(digits, reason.data() + reason.size(), number);
-  if (error != std::errc{} || number < 1 || number > groups.size()) return reason;
-  const std::size_t length = word.size() + static_cast<std::size_t>(end - digits);
-  return reason.replace(start, length, row_label(groups[number - 1].name, 60));
+void name_group(Reason& reason, const std::vector<GroupEvidence>& groups) {
+  if (!reason.group) return;
+  reason = fmt::format(fmt::runtime(reason), row_label(groups.at(*reason.group).name, 60));
 }
 
 void name_groups(Evidence& evidence) {
-  for (TestResult& test : evidence.tests) test.undefined = with_name(std::move(test.undefined), evidence.groups);
-  for (Contrast& contrast : evidence.contrasts) {
-    contrast.undefined = with_name(std::move(contrast.undefined), evidence.groups);
-  }
+  for (TestResult& test : evidence.tests) name_group(test.undefined, evidence.groups);
+  for (Contrast& contrast : evidence.contrasts) name_group(contrast.undefined, evidence.groups);
 }
 
 void check_control(const Evidence& evidence) {

@@ -74,7 +74,7 @@ struct Contrast {
   // does not favour the better group.
   Estimate size = {};
   double margin = statistics::not_defined;
-  std::string undefined = {};  // why p is not defined
+  statistics::Reason undefined = {};  // why p is not defined
 
   bool is_within_margin() const { return size.high <= margin; }
   bool is_beyond_margin() const { return size.low > margin; }

@@ -27,9 +27,9 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   for (const Moments& group : groups) n += group.n;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 1) {
-      table.undefined = fmt::format("group {} has no values", i + 1);
+      table.undefined = {i, "{} has no values"};
     } else if (std::isnan(groups[i].shifted_mean) || std::isnan(groups[i].std)) {
-      table.undefined = fmt::format("group {} has values that are not finite", i + 1);
+      table.undefined = {i, "{} has values that are not finite"};
     } else if (!std::isfinite(groups[i].shifted_mean) || !std::isfinite(groups[i].squares)) {
       table.undefined = too_large;
     }

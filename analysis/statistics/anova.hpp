@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/reason.hpp"
 
 namespace ikbench::statistics {
 
@@ -20,7 +21,7 @@ struct AnovaTable {
   double F = not_defined;
   double p = not_defined;  // upper tail of the F distribution
   double r_squared = not_defined;
-  std::string undefined;  // why F and p are not defined; empty if they are
+  Reason undefined = {};  // why F and p are not defined; empty if they are
 
   int df_total() const { return df_between + df_within; }
 };

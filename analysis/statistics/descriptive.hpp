@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "analysis/statistics/reason.hpp"
+
 namespace ikbench::statistics {
 
 // A quantity that the data do not give. Table cells show it as "not defined", never as a number.
@@ -28,7 +30,7 @@ struct Test {
   double df_within = not_defined;  // second degrees of freedom, if the statistic has two
   double p = not_defined;          // two-sided, or the upper tail
   int direction = 0;               // for two samples: 1 if the first is the larger, -1 if the second is
-  std::string undefined = {};      // why there is no p; empty if there is one
+  Reason undefined = {};           // why there is no p; empty if there is one
 };
 
 // Says why so few groups cannot be compared; empty for two or more.

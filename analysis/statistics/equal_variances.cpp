@@ -19,13 +19,13 @@ Test bartlett(std::span<const GroupSummary> groups) {
   double largest = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (groups[i].n < 2) {
-      test.undefined = fmt::format("group {} has fewer than two values, so no variance", i + 1);
+      test.undefined = {i, "{} has fewer than two values, so no variance"};
     } else if (std::isinf(groups[i].std)) {
-      test.undefined = fmt::format("the standard deviation of group {} is too large for double precision", i + 1);
+      test.undefined = {i, "the standard deviation of {} is too large for double precision"};
     } else if (!(groups[i].std >= 0)) {
-      test.undefined = fmt::format("the standard deviation of group {} is not defined", i + 1);
+      test.undefined = {i, "the standard deviation of {} is not defined"};
     } else if (groups[i].std == 0) {
-      test.undefined = fmt::format("group {} is constant", i + 1);
+      test.undefined = {i, "{} is constant"};
     }
     if (!test.undefined.empty()) return test;
     largest = std::max(largest, groups[i].std);
@@ -64,7 +64,10 @@ Test brown_forsythe(std::span<const std::vector<double>> groups) {
             .df = static_cast<double>(table.df_between),
             .df_within = static_cast<double>(table.df_within),
             .p = table.p};
-  if (!table.undefined.empty()) test.undefined = "of the deviations from the medians: " + table.undefined;
+  if (!table.undefined.empty()) {
+    test.undefined = table.undefined;
+    test.undefined.insert(0, "of the deviations from the medians: ");
+  }
   return test;
 }
 

@@ -28,8 +28,8 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
   test.average_ranks.assign(groups.size(), not_defined);
   for (std::size_t i = 1; i < groups.size(); ++i) {
     if (groups[i].size() == groups[0].size()) continue;
-    test.undefined = fmt::format("group {} has {} values and group 1 has {}; each needs one a block", i + 1,
-                                 groups[i].size(), groups[0].size());
+    test.undefined = {i, fmt::format("{{}} has {} values, and the first group has {}; each needs one a block",
+                                     groups[i].size(), groups[0].size())};
     return test;
   }
   const std::size_t blocks = groups.empty() ? 0 : groups[0].size();

@@ -13,7 +13,7 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
   KruskalWallis test;
   test.undefined = too_few_groups(groups.size());
   for (std::size_t i = 0; i < groups.size() && test.undefined.empty(); ++i) {
-    if (groups[i].empty()) test.undefined = fmt::format("group {} has no values", i + 1);
+    if (groups[i].empty()) test.undefined = {i, "{} has no values"};
   }
   if (!test.undefined.empty()) return test;
   const Ranking ranking = midranks(pooled(groups));

@@ -26,12 +26,12 @@ std::vector<MeanDifference> differences(std::span<const GroupSummary> groups, st
 }
 
 // Says why a group cannot be compared; empty if it can.
-std::string group_obstacle(const GroupSummary& group, std::size_t index) {
-  if (group.n < 1) return fmt::format("group {} has no values", index + 1);
-  if (!std::isfinite(group.mean)) return fmt::format("group {} has values that are not finite", index + 1);
-  if (group.n > 1 && !(group.std >= 0)) return fmt::format("the spread of group {} is not defined", index + 1);
+Reason group_obstacle(const GroupSummary& group, std::size_t index) {
+  if (group.n < 1) return {index, "{} has no values"};
+  if (!std::isfinite(group.mean)) return {index, "{} has values that are not finite"};
+  if (group.n > 1 && !(group.std >= 0)) return {index, "the spread of {} is not defined"};
   if (group.n > 1 && std::isinf(group.std)) {
-    return fmt::format("the spread of group {} is too large for double precision", index + 1);
+    return {index, "the spread of {} is too large for double precision"};
   }
   return {};
 }
@@ -78,7 +78,7 @@ std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> gro
     for (const std::size_t index : {pair.first, pair.second}) {
       if (pair.undefined.empty()) pair.undefined = group_obstacle(groups[index], index);
       if (pair.undefined.empty() && groups[index].n < 2) {
-        pair.undefined = fmt::format("group {} has a single value, so it has no spread", index + 1);
+        pair.undefined = {index, "{} has a single value, so it has no spread"};
       }
     }
     if (pair.undefined.empty() && a.std == 0 && b.std == 0) pair.undefined = "both groups are constant";
@@ -110,7 +110,7 @@ std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double l
                                   std::optional<std::size_t> only_with) {
   check_level(level);
   std::vector<MeanDifference> pairs = differences(groups, only_with);
-  std::string undefined = too_many(groups.size());
+  Reason undefined = too_many(groups.size());
   double df = 0, largest = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     if (undefined.empty()) undefined = group_obstacle(groups[i], i);

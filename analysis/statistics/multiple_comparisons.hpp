@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/reason.hpp"
 
 namespace ikbench::statistics {
 
@@ -23,7 +24,7 @@ struct MeanDifference {
   double q = not_defined;        // studentized: |difference| sqrt(2) / standard error
   double p = not_defined;        // corrected for all pairs of all groups
   double p_alone = not_defined;  // of this pair alone
-  std::string undefined;         // why there is no p; empty if there is one
+  Reason undefined = {};         // why there is no p; empty if there is one
 };
 
 // One comparison per pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ... `only_with` keeps the

@@ -85,13 +85,13 @@ std::vector<Mean> resampled(Groups samples, Scale scale, const Resampling& setti
   return result;
 }
 
-std::string group_undefined(std::span<const double> values, std::size_t index) {
+Reason group_undefined(std::span<const double> values, std::size_t index) {
   if (values.size() < fewest_resampled) {
-    return fmt::format("group {} has fewer than {} values, of which the bootstrap learns too little", index + 1,
-                       fewest_resampled);
+    return {index,
+            fmt::format("{{}} has fewer than {} values, of which the bootstrap learns too little", fewest_resampled)};
   }
   if (!all_finite(values)) {
-    return fmt::format("group {} has values that are not finite", index + 1);
+    return {index, "{} has values that are not finite"};
   }
   constexpr double widest = 1e130;  // squares of the values without the largest must not vanish
   double least = infinite, largest = 0;
@@ -99,8 +99,8 @@ std::string group_undefined(std::span<const double> values, std::size_t index) {
     if (value != 0) least = std::min(least, std::abs(value));
     largest = std::max(largest, std::abs(value));
   }
-  return largest / widest > least ? fmt::format("group {} has values too far apart for double precision", index + 1)
-                                  : "";
+  if (largest / widest > least) return {index, "{} has values too far apart for double precision"};
+  return {};
 }
 
 // The groups that can be resampled, with their indices: each sorted, and in the order of their values. So neither the
@@ -146,7 +146,7 @@ int enough_values(double tolerated_share, int groups) {
   return n;
 }
 
-std::string too_little_spread(const ResampledPair& of, std::size_t pairs, double tolerated_share) {
+Reason too_little_spread(const ResampledPair& of, std::size_t pairs, double tolerated_share) {
   const std::string for_all = fmt::format("for the bootstrap of {} pair{}", pairs, pairs == 1 ? "" : "s");
   if (of.within_blocks) {
     return fmt::format(
@@ -158,9 +158,10 @@ std::string too_little_spread(const ResampledPair& of, std::size_t pairs, double
     return fmt::format("too few values, or too few that are not equal, {}; {} different values a group are enough",
                        for_all, enough_values(tolerated_share, 2));
   }
-  return fmt::format(
-      "the values of group {} are all equal, and the other group has too few different values {}; {} would be enough",
-      (first_varies ? of.pair.second : of.pair.first) + 1, for_all, enough_values(tolerated_share, 1));
+  return {first_varies ? of.pair.second : of.pair.first,
+          fmt::format("the values of {{}} are all equal, and the other group has too few different values {}; {} would "
+                      "be enough",
+                      for_all, enough_values(tolerated_share, 1))};
 }
 
 // The tolerated share of resamples without spread, per pair: half of what may be beyond the critical value, for all
@@ -276,7 +277,7 @@ std::vector<MeanDifference> resampled_pairs(Groups groups, const PairFamily& fam
   check_level(settings.level);
   if (settings.resamples < 2) throw std::invalid_argument("fewer than two resamples");
   std::vector<MeanDifference> pairs = pairs_of(groups.size(), family.control);
-  std::vector<std::string> undefined;
+  std::vector<Reason> undefined;
   for (std::size_t i = 0; i < groups.size(); ++i) undefined.push_back(group_undefined(groups[i], i));
   for (MeanDifference& pair : pairs) {
     pair.undefined = undefined[pair.first].empty() ? undefined[pair.second] : undefined[pair.first];

@@ -18,12 +18,13 @@ namespace {
 double square(double x) { return x * x; }
 
 // Says why a group can have no weight; empty if it can.
-std::string undefined_spread(const GroupSummary& group, std::size_t number) {
-  if (group.n < 2) return fmt::format("group {} has fewer than two values, so no spread", number);
+Reason undefined_spread(const GroupSummary& group, std::size_t index) {
+  if (group.n < 2) return {index, "{} has fewer than two values, so no spread"};
   if (!std::isfinite(group.mean) || !std::isfinite(group.std) || group.std < 0) {
-    return fmt::format("the mean or the standard deviation of group {} is not defined", number);
+    return {index, "the mean or the standard deviation of {} is not defined"};
   }
-  return group.std == 0 ? fmt::format("group {} is constant", number) : "";
+  if (group.std == 0) return {index, "{} is constant"};
+  return {};
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ Test welch_anova(std::span<const GroupSummary> groups) {
   Test test;
   std::vector<double> spreads;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    test.undefined = undefined_spread(groups[i], i + 1);
+    test.undefined = undefined_spread(groups[i], i);
     if (!test.undefined.empty()) return test;
     spreads.push_back(groups[i].std);
   }
