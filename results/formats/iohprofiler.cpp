@@ -137,15 +137,15 @@ void refuse_full(const std::filesystem::path& folder) {
 // program gave no answer, evaluation 1 has the error at the start and is the last. Warns of solvers that are left out.
 // Refuses a study without traces, with more points or runs than IOHprofiler's numbers, and a folder that is not empty.
 std::vector<std::string> write_iohprofiler(const Exported& exported, const std::filesystem::path& folder) {
-  const auto& [study, sessions, solves] = exported;
+  const StudyEntry& study = exported.study;
   const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;
-  for (const SolveRecord& solve : solves) {
+  for (const SolveRecord& solve : exported.solves) {
     if (!has_rows(solve)) left_out.insert(solve.solver);
   }
   bool has_trace = false;
-  for (const SolveRecord& solve : solves) {
+  for (const SolveRecord& solve : exported.solves) {
     if (left_out.contains(solve.solver)) continue;
     has_trace = true;
     if (solve.point > largest_id || solve.run > largest_id)
