@@ -1,6 +1,7 @@
 // ikbench check-solver: checks a program for its author before a study runs it.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>

@@ -1,10 +1,14 @@
-// The commands, in the order of --help: a line in commands.inc and a file each, which defines the function below. It
-// adds the command to the program and sets its exit code: 0 done, 1 a user's mistake or a damaged store, 2 our mistake
-// or the system's, 3 a regression, 4 and 5 undecided, 128 + the number of the signal that stopped it.
+// The commands. One is a line in commands.inc, in the order of --help, and a file, which defines
+// void add_NAME(CLI::App&, Invocation&). It adds itself to the program and sets its exit code: 0 done, 1 a user's
+// mistake or a damaged store, 2 our mistake or the system's, 3 a regression, 4 and 5 undecided, 128 + the number of the
+// signal that stopped it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace ikbench::cli {
 
@@ -14,8 +18,6 @@ struct Invocation {
   int exit_code = 0;
 };
 
-#define COMMAND(name) void add_##name(CLI::App& app, Invocation& invocation);
-#include "cli/commands.inc"
-#undef COMMAND
+void add_commands(CLI::App& app, Invocation& invocation);
 
 }  // namespace ikbench::cli

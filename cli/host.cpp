@@ -1,6 +1,7 @@
 // ikbench host: the child process in which a shared object solves, so that even its crash is only a row of the study.
 #include "experiments/foreign/host.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.hpp"

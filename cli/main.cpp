@@ -1,6 +1,7 @@
 // ikbench: which inverse-kinematics solver is better, and does a published claim hold?
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -39,9 +40,7 @@ int main(int argc, char** argv) {
     return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
   });
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-#define COMMAND(name) cli::add_##name(app, invocation);
-#include "cli/commands.inc"
-#undef COMMAND
+  cli::add_commands(app, invocation);
   const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts

@@ -1,4 +1,5 @@
 // ikbench report: tables and figures from any store, without solving.
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.hpp"

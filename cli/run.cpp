@@ -1,6 +1,7 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 

@@ -1,6 +1,7 @@
 // ikbench solve: one target from the command line.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>

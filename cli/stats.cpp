@@ -1,6 +1,7 @@
 // ikbench stats: the statistics of any data: a CSV of observations, or of published means and standard deviations.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>

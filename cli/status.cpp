@@ -1,6 +1,7 @@
 // ikbench status: shows the progress of a study's shards.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>

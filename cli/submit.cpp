@@ -1,6 +1,7 @@
 // ikbench submit: submits a study as a job array of Slurm, and a job that merges and reports after all its tasks.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 // ikbench count: the example of docs/adding-anything.md.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/commands.hpp"
