@@ -36,7 +36,7 @@ double label_cm(std::string_view label) {
   return cm;
 }
 
-void add_rows(Figure& figure, std::span<const std::string> labels, double row_cm) {
+void add_rows(Figure& figure, std::span<const std::string> labels, double height_cm) {
   std::string ticks;
   double widest_cm = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -45,7 +45,7 @@ void add_rows(Figure& figure, std::span<const std::string> labels, double row_cm
     ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", tick_label(label), i + 1);
   }
   if (widest_cm > widest_in_one_column_cm) figure.width_cm = two_columns_cm;
-  figure.height_cm = 1.4 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
+  figure.height_cm = 1.4 + height_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced font ',7' ({})\nset border 1\nset ytics scale 0\n"
       "set grid noytics\nset xtics enhanced\n",

@@ -261,8 +261,8 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   const double wanted = std::max({enough, 20 / (1 - level), 4 * pairs / (1 - level)});  // some beyond the level
   const double possible = std::min(wanted, most_work / work);
   // The smallest possible p over all pairs is about the number of pairs by that of resamples.
-  const double fewest = std::max(fewest_resamples, 1.2 * pairs / (1 - level));
-  return possible < fewest ? 0 : static_cast<int>(std::lround(possible));
+  const double needed = std::max(fewest_resamples, 1.2 * pairs / (1 - level));
+  return possible < needed ? 0 : static_cast<int>(std::lround(possible));
 }
 
 int fewest_blocks(std::size_t pairs, double level) {

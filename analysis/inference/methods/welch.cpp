@@ -15,7 +15,7 @@ using namespace statistics;
 // Tests the groups that have a weight; names the others.
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups) {
   const std::span summaries = groups.summaries;
-  constexpr std::size_t longest_shown = 60, most_named = 3;
+  constexpr std::size_t longest_shown = 60, most_shown = 3;
   TestResult result{{}, std::string(welch_name), "F"};
   std::vector<GroupSummary> usable;
   std::vector<std::string> others;
@@ -35,7 +35,7 @@ std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& g
   if (!std::isfinite(result.p)) result.undefined = "the variances are too large or too far apart for double precision";
   if (!others.empty()) {
     result.without = fmt::format("without {}, whose variance is 0 or not defined",
-                                 others.size() > most_named ? fmt::format("{} groups", others.size())
+                                 others.size() > most_shown ? fmt::format("{} groups", others.size())
                                                             : fmt::format("{}", fmt::join(others, ", ")));
   }
   return result;

@@ -113,7 +113,7 @@ TEST_CASE("ranks within blocks know no scale", "[pair_ranks]") {
   const AnalysisPlan plan{.test = "friedman"};
   const Evidence before = tested(named_in_blocks(values), plan);
   CHECK(before.contrasts[0].relation == Relation::better);
-  for (const std::size_t block : {4, 9}) {
+  for (const std::size_t block : {std::size_t{4}, std::size_t{9}}) {
     Sets scaled = values;
     for (std::vector<double>& group : scaled) group[block] *= 1e6;
     const Evidence after = tested(named_in_blocks(scaled), plan);

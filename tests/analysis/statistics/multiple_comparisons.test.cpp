@@ -170,7 +170,7 @@ TEST_CASE("a group of one value takes part in Tukey's test with the spread of th
 }
 
 TEST_CASE("a pair without a p says why", "[multiple_comparisons]") {
-  using Groups = std::vector<GroupSummary>;
+  using Summaries = std::vector<GroupSummary>;
   const GroupSummary good{1, 1, 5}, constant{2, 0, 5}, single{1, not_defined, 1}, empty{},
       lost{not_defined, not_defined, 5};
   const auto says = [](const std::vector<MeanDifference>& pairs, std::size_t i, const std::string& reason) {
@@ -180,25 +180,25 @@ TEST_CASE("a pair without a p says why", "[multiple_comparisons]") {
     CHECK(pairs[i].undefined.find(reason) != std::string::npos);
   };
   CHECK(tukey({}, 0.95).empty());
-  CHECK(games_howell(Groups{good}, 0.95).empty());
-  says(games_howell(Groups{constant, constant}, 0.95), 0, "both groups are constant");
-  says(tukey(Groups{constant, constant}, 0.95), 0, "every group is constant");
-  says(tukey(Groups{single, single}, 0.95), 0, "single value");
-  says(tukey(Groups{good, good, lost}, 0.95), 0, "{} has values that are not finite");
-  says(tukey(Groups{good, empty}, 0.95), 0, "{} has no values");
-  says(tukey(Groups{good, {1, HUGE_VAL, 5}}, 0.95), 0, "spread of {} is too large");
-  says(tukey(Groups{{1e308, 1, 5}, {-1e308, 1, 5}}, 0.95), 0, "too large");
-  const auto mixed = games_howell(Groups{good, single, good, lost}, 0.95);
+  CHECK(games_howell(Summaries{good}, 0.95).empty());
+  says(games_howell(Summaries{constant, constant}, 0.95), 0, "both groups are constant");
+  says(tukey(Summaries{constant, constant}, 0.95), 0, "every group is constant");
+  says(tukey(Summaries{single, single}, 0.95), 0, "single value");
+  says(tukey(Summaries{good, good, lost}, 0.95), 0, "{} has values that are not finite");
+  says(tukey(Summaries{good, empty}, 0.95), 0, "{} has no values");
+  says(tukey(Summaries{good, {1, HUGE_VAL, 5}}, 0.95), 0, "spread of {} is too large");
+  says(tukey(Summaries{{1e308, 1, 5}, {-1e308, 1, 5}}, 0.95), 0, "too large");
+  const auto mixed = games_howell(Summaries{good, single, good, lost}, 0.95);
   says(mixed, 0, "{} has a single value");
   CHECK(mixed[0].undefined.group == 1);
   says(mixed, 2, "{} has values that are not finite");
   CHECK(mixed[2].undefined.group == 3);
   CHECK(mixed[1].undefined.empty());
   CHECK(mixed[1].p == Approx(1));
-  says(games_howell(Groups(1001, good), 0.95, 0), 0, "1000 at most");
-  CHECK_THROWS_AS(tukey(Groups{good, good}, 1.0), std::invalid_argument);
-  CHECK_THROWS_AS(games_howell(Groups{good, good}, not_defined), std::invalid_argument);
-  CHECK_THROWS_AS(games_howell(Groups{good, good}, 0.95, 2), std::invalid_argument);
+  says(games_howell(Summaries(1001, good), 0.95, 0), 0, "1000 at most");
+  CHECK_THROWS_AS(tukey(Summaries{good, good}, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(games_howell(Summaries{good, good}, not_defined), std::invalid_argument);
+  CHECK_THROWS_AS(games_howell(Summaries{good, good}, 0.95, 2), std::invalid_argument);
 }
 
 TEST_CASE("two hundred groups are compared with one of them", "[multiple_comparisons]") {

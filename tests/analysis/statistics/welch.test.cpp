@@ -114,8 +114,9 @@ TEST_CASE("Student's interval of a mean is that of R", "[welch]") {
 }
 
 TEST_CASE("pairs or a mean without spread say so", "[welch]") {
-  using Values = std::vector<double>;
-  const auto reason = [](const Values& a, const Values& b) { return paired_t(a, b, 0.95).undefined; };
+  const auto reason = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return paired_t(a, b, 0.95).undefined;
+  };
   CHECK(reason({1, 2, 3}, {2, 3, 4}).find("differ by the same") != std::string::npos);
   CHECK(reason({1}, {2}).find("fewer than two") != std::string::npos);
   CHECK(reason({}, {}).find("fewer than two") != std::string::npos);
@@ -123,6 +124,6 @@ TEST_CASE("pairs or a mean without spread say so", "[welch]") {
   CHECK(reason({1, HUGE_VAL}, {1, HUGE_VAL}).find("not defined") != std::string::npos);
   CHECK(std::isnan(mean_interval({.mean = 1, .std = not_defined, .n = 1}, 0.95).low));
   CHECK(std::isnan(mean_interval({.mean = 0, .std = 1e308, .n = 2}, 0.95).high));
-  CHECK_THROWS_AS(paired_t(Values{1, 2}, Values{1}, 0.95), std::invalid_argument);
+  CHECK_THROWS_AS(paired_t(std::vector<double>{1, 2}, std::vector<double>{1}, 0.95), std::invalid_argument);
   CHECK_THROWS_AS(mean_interval({1, 1, 5}, 1.5), std::invalid_argument);
 }
