@@ -297,11 +297,12 @@ class Answer {
 std::vector<std::string> other_pairs_words(const Evidence& evidence) {
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   std::vector<std::string> differ;
-  std::size_t others = 0, undefined = 0;
+  std::size_t others = 0, undefined = 0, same = 0;
   for (const Contrast& pair : evidence.contrasts) {
     if (pair.first == best || pair.second == best) continue;
     ++others;
     undefined += pair.relation == Relation::undefined ? 1 : 0;
+    same += pair.relation == Relation::same ? 1 : 0;
     const std::size_t better = better_of(pair);
     if (is_decided(pair)) {
       differ.push_back(
@@ -313,7 +314,10 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
     sentences.push_back(
         fmt::format(words::others_differ, "count"_a = differ.size(), "pairs"_a = others, "list"_a = clauses(differ)));
   } else if (undefined < others) {
-    sentences.emplace_back(words::others_do_not_differ);
+    const std::string are_same = same == 0 ? ""
+                                           : fmt::format(words::others_are_same, "count"_a = same, "pairs"_a = others,
+                                                         "margin"_a = margin_words(evidence));
+    sentences.push_back(fmt::format(words::others_do_not_differ, "same"_a = are_same));
   }
   if (undefined > 0) {
     sentences.push_back(fmt::format(words::others_not_judged, "count"_a = undefined, "pairs"_a = others));
@@ -370,11 +374,12 @@ std::vector<std::string> short_answer(const Evidence& evidence, const Label& lab
 
 Sentence change_words(const Evidence& evidence) {
   Pairs open;
-  bool is_small = false, is_doubted = false;
+  bool is_within = false, is_across = false, is_doubted = false;
   for (const Contrast& pair : evidence.contrasts) {
     if (pair.relation == Relation::undecided) open.push_back(&pair);
     if (!is_decided(pair)) continue;
-    is_small = is_small || pair.is_within_margin() || pair.is_across_margin();
+    is_within = is_within || pair.is_within_margin();
+    is_across = is_across || pair.is_across_margin();
     is_doubted = is_doubted || !doubt_words(evidence, pair).empty();
   }
   if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
@@ -389,7 +394,9 @@ Sentence change_words(const Evidence& evidence) {
     parts.emplace_back(words::more_than_two);
   }
   if (is_doubted) parts.emplace_back(words::another_measure);
-  if (is_small) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin_words(evidence)));
+  const std::string margin = margin_words(evidence);
+  if (is_within) parts.push_back(fmt::format(words::smaller_margin, "margin"_a = margin));
+  if (is_across) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin));
   parts.emplace_back(words::other_conditions);
   return {"What would change it", fmt::format("{}.", fmt::join(parts, "; "))};
 }

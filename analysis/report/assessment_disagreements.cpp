@@ -44,6 +44,7 @@ std::string dispute_of_all(const Evidence& evidence) {
   std::vector<std::string> others;
   for (const TestResult& test : evidence.tests) {
     if (test.role == Role::assumption || !std::isfinite(test.p)) continue;
+    if (evidence.blocks > 0 && test.role == Role::paper && !test.decides) continue;  // it does not use the blocks
     if (is_significant(test.p, evidence.plan) != some_pair)
       others.push_back(fmt::format("{} ({})", test.test, p_words(test.p)));
   }

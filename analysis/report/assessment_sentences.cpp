@@ -44,7 +44,8 @@ Sentence design(const Evidence& evidence) {
   if (!evidence.replicate.empty()) text += ' ' + fmt::format(words::observation, "what"_a = evidence.replicate);
   if (evidence.scale == ValueScale::log10) text += fmt::format(" {}", words::logarithms);
   if (evidence.blocks > 0) {
-    text += ' ' + fmt::format(words::blocks, "count"_a = evidence.blocks, "what"_a = evidence.block);
+    text += ' ' + fmt::format(words::blocks, "count"_a = evidence.blocks,
+                              "blocks"_a = evidence.blocks == 1 ? "block" : "blocks", "what"_a = evidence.block);
   }
   return {"Data", text};
 }
@@ -75,9 +76,10 @@ Sentence methods(const Evidence& evidence) {
   if (!evidence.from_summaries && (evidence.ranks_decide() || evidence.of_outcomes) && evidence.pairs > 1) {
     family += fmt::format(words::correction, "whose"_a = adjustment_words(evidence));
   }
-  const std::string method = fmt::format(words::method, "test"_a = deciding_words(evidence),
-                                         "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
-                                         "margin"_a = margin_words(evidence));
+  std::string method = fmt::format(words::method, "test"_a = deciding_words(evidence),
+                                   "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
+                                   "margin"_a = margin_words(evidence));
+  if (evidence.blocks > 0 && !evidence.decides_within_blocks()) method += words::ignores_blocks;
   return {"Methods", evidence.of_outcomes ? fmt::format(words::method_of_shares, "method"_a = method,
                                                         "interval"_a = evidence.method->interval)
                                           : method + sensitivity(evidence)};

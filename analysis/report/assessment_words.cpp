@@ -111,7 +111,8 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   const double unit = is_ratio ? 1 : std::isfinite(first + second) ? std::min(first, second) : not_defined;
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-  if (evidence.of_outcomes || evidence.plan.margin == 0 || !(most <= most_in_percent * unit))
+  const bool is_absolute = has_absolute_margin(evidence) && contrast.margin == evidence.margin;
+  if (evidence.of_outcomes || is_absolute || !(most <= most_in_percent * unit))
     return {fmt::format("less or more than {}", margin)};
   return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }

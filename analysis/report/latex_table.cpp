@@ -195,8 +195,8 @@ std::string to_latex(const Table& table) {
   const bool is_turned = columns.size() > widest_upright;
   const bool has_long_texts = std::ranges::count(columns, true, &LatexColumn::wraps) > 0;
   const std::string_view environment = is_turned ? "sidewaystable" : "table";
-  const std::size_t all = table.rows.size(), most_rows = has_long_texts ? 15 : is_turned ? 25 : 40;
-  const std::size_t pages = std::max<std::size_t>(1, (all + most_rows - 1) / most_rows);
+  const std::size_t all = table.rows.size(), rows_that_fit = has_long_texts ? 15 : is_turned ? 25 : 40;
+  const std::size_t pages = std::max<std::size_t>(1, (all + rows_that_fit - 1) / rows_that_fit);
   const std::size_t rows_a_page = (all + pages - 1) / pages;
   std::string text = fmt::format("% Needs \\usepackage{{booktabs,array,adjustbox{}}}\n", is_turned ? ",rotating" : "");
   for (std::size_t page = 0; page < pages; ++page) {
