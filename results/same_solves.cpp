@@ -36,7 +36,9 @@ std::string difference_in_solves(const std::string& definition, const std::strin
   if (!left.is_object() || !right.is_object()) return left == right ? "" : "one definition cannot be read";
   const auto text_of = [](const nlohmann::json& json, const std::string& key) {
     constexpr std::size_t most = 60;
-    return json.contains(key) ? numerics::text_of(json[key]).substr(0, most) : "not there";
+    if (!json.contains(key)) return std::string("not there");
+    const std::string text = numerics::text_of(json[key]);
+    return text.size() <= most ? text : "another";
   };
   std::set<std::string> keys;
   for (const auto* json : {&left, &right})
@@ -44,7 +46,8 @@ std::string difference_in_solves(const std::string& definition, const std::strin
   for (const std::string& key : keys) {
     if (key == "runs" || std::ranges::find(decide_no_solve, key) != decide_no_solve.end()) continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
-    return fmt::format("{} is {} and {}", key, text_of(left, key), text_of(right, key));
+    const std::string one = text_of(left, key), two = text_of(right, key);
+    return one == two ? fmt::format("{} is another", key) : fmt::format("{} is {} and {}", key, one, two);
   }
   return "";
 }

@@ -71,10 +71,9 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
 void penalise(Quantity& result, Metric metric, double limit) {
   result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
   result.notes.push_back(fmt::format(
-      "A solve without status ok costs {0:g} times the limit, {0:g} times {1} (PAR10), so that no solver "
-      "gains by answers that solve nothing. The limit is the study's, or without one what the dearest solve "
-      "cost.",
-      penalty, rounded_number(limit, 6)));
+      "A solve without status ok has {} of {} (PAR10), {:g} times the study's limit, or without one of the dearest "
+      "solve. So no solver gains by answers that solve nothing.",
+      info_of(metric).name, text_of({rounded_number(penalty * limit, 6), std::string(info_of(metric).unit)}), penalty));
 }
 
 std::string tolerance_note(double least, std::string_view unit) {

@@ -74,6 +74,7 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
     }
   }
   add_notes(table, study, metrics);
+  if (std::isfinite(tolerance_cm(study))) table.notes.emplace_back(words::as_measured);
   add_timing_notes(table, study);
   return table;
 }

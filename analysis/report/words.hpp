@@ -218,6 +218,9 @@ inline constexpr Template departs = "This study departs from the built-in study 
 inline constexpr Template no_tolerance =
     "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that "
     "an answer is inside the joint limits, however far it is from the target.";
+inline constexpr Template as_measured =
+    "The numbers of this table are as measured. The answers above count an error below the tolerance as the tolerance, "
+    "and a cost of a solve without status ok as 10 times the limit.";
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst} "

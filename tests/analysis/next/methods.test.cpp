@@ -1,4 +1,5 @@
-// A deciding test more: tests/examples/analysis/inference/methods/yuen.cpp and its line in results/deciding_tests.inc.
+// A deciding test more: tests/examples/analysis/inference/methods/scheffe.cpp and its line in
+// results/deciding_tests.inc.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -20,24 +21,27 @@ TEST_CASE("a deciding test is a file and a line: help, plan, sentences, tables a
   CLI::App app;
   AnalysisPlan plan;
   cli::add_plan_options(app, plan);
-  CHECK(contains(app.help(), "friedman, yuen"));
-  app.parse("--test yuen");
-  CHECK(plan.test == "yuen");
+  CHECK(contains(app.help(), "friedman, scheffe"));
+  app.parse("--test scheffe");
+  CHECK(plan.test == "scheffe");
 
-  // R's PairedData and WRS2 call it yuen.test: here by hand. Without the least and the largest of five: 3 and 7, each
-  // of three values, whose winsorized variance 1 is 4 / 2 of 3 - 1: the standard error is sqrt(2 * 2 / 3).
-  const Observations two{.name = "x", .quantity = "x", .groups = {{"A", {2, 1, 3, 4, 90}}, {"B", {7, 6, 8, 5, 100}}}};
-  const Evidence found = evidence(two, plan);
-  CHECK(found.method->name == "yuen");
+  // By hand: the variance within is 1 with 6 degrees of freedom, so A and B are 24 squared standard errors apart, and
+  // P(F(2, 6) > 24 / 2) = (1 + 2 * 12 / 6)^-3. The quantile of F(2, 6) at 0.95 is 3 (20^(1/3) - 1).
+  const Observations three{
+      .name = "x", .quantity = "x", .groups = {{"A", {1, 2, 3}}, {"B", {5, 6, 7}}, {"C", {2, 3, 4}}}};
+  const Evidence found = evidence(three, plan);
+  CHECK(found.method->name == "scheffe");
   CHECK(found.contrasts[0].difference.value == Approx(-4));
-  CHECK(found.contrasts[0].p == Approx(0.0257214).epsilon(1e-4));
+  CHECK(found.contrasts[0].difference.high == Approx(-4 + 2.618714));
+  CHECK(found.contrasts[0].p == Approx(0.008));
   CHECK(found.contrasts[0].relation == Relation::better);
+  CHECK(found.contrasts[1].p == Approx(0.512));
 
-  const report::Assessment told = report::assess(two, plan);
-  CHECK(contains(report::paragraph_of(told.sentences), "Decided by: Yuen's test."));
+  const report::Assessment told = report::assess(three, plan);
+  CHECK(contains(report::paragraph_of(told.sentences), "Decided by: Scheffe's test, corrected for 3 pairs."));
   CHECK(contains(report::to_csv(told.tables.back()), "A,B,A is better"));
   const nlohmann::json json = nlohmann::json::parse(told.json);
-  CHECK(json["plan"]["test"] == "yuen");
-  CHECK(json["method"] == "Yuen's test of trimmed means");
-  CHECK(plan_of({.name = "x", .definition = R"({"analysis": {"test": "yuen"}})", .series = {}}).test == "yuen");
+  CHECK(json["plan"]["test"] == "scheffe");
+  CHECK(json["method"] == "Scheffe's test");
+  CHECK(plan_of({.name = "x", .definition = R"({"analysis": {"test": "scheffe"}})", .series = {}}).test == "scheffe");
 }
