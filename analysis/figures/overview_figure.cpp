@@ -58,7 +58,8 @@ std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_time
   if (!has_times) return "Without times.";
   const double longest = longest_time(marks), least = longest * std::pow(smallest_size / largest_size, 2);
   const bool is_cut = std::ranges::any_of(marks, [&](const OverviewMark& mark) { return mark.seconds < least; });
-  return is_cut ? "Area: median time; all times below a sixteenth of the longest look the same." : "Area: median time.";
+  return is_cut ? "Size of a dot: median time; all times below a sixteenth of the longest look the same."
+                : "Size of a dot: median time.";
 }
 
 // Lines of variation, error and size. The area is in proportion to the time, but never too small to see.
@@ -101,7 +102,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   const bool has_rings = !printed.empty();
   if (has_rings) {
-    figure.caption += " Rings: printed.";
+    figure.caption += " Rings: the paper's numbers.";
     figure.data += "\n\n# as printed\n" + disc_lines(rings, has_times) + "\n\n# from ours to the printed\n";
     for (std::size_t i = 0; i < ours.size(); ++i) {
       figure.data += fmt::format("{} {} {} {}\n", data_number(ours[i].variation_deg), data_number(ours[i].error_cm),

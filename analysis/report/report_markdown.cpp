@@ -72,7 +72,7 @@ std::string verdict(const ReportContent& content, Detail detail) {
         "## Verdict\n\n" + markdown(table_of(papers, fmt::format("{}", fmt::join(answers_of(content), " ")), detail));
   }
   if (!ours.empty()) {
-    text += "## What we asked besides\n\n" + markdown(table_of(ours, "Not claims of the paper.", detail));
+    text += "## Our own questions\n\n" + markdown(table_of(ours, "Not claims of the paper.", detail));
   }
   return text;
 }

@@ -69,7 +69,7 @@ void add_times(Table& table, const StudyResults& study) {
     const auto times = [](double our_ratio, double printed_ratio) -> Cell {
       return OursAndPrinted{.ours = our_ratio, .printed = short_number(printed_ratio)};
     };
-    table.rows.push_back({printed.algorithm, fmt::format("time by {}'s", time_reference),
+    table.rows.push_back({printed.algorithm, fmt::format("time / {}'s time", time_reference),
                           times(ours.mean / own.mean, printed.printed.mean / printed_reference->printed.mean),
                           times(ours.median / own.median, printed.printed.median / printed_reference->printed.median),
                           Cell(), Cell(), Cell()});

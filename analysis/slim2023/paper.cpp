@@ -49,8 +49,8 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
                        short_number(printed->printed.mean));
   }
   if (!agreed.empty()) {
-    text += fmt::format(" {} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),
-                        agreed.size());
+    text += fmt::format(" {} of {} printed numbers lie in our range.",
+                        std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size());
   }
   return text;
 }

@@ -113,8 +113,8 @@ TEST_CASE("a page tells the number of a claim, and what we asked besides apart",
   CHECK(contains(page, "<span class=\"word depends\">depends on who &lt;obeys&gt;</span>"));
   CHECK(contains(page, "<span class=\"number\">11 of 20</span>"));
   CHECK(contains(page, "Stated in: Fig. &lt;6&gt;. e"));
-  CHECK(page.find(">theirs<") < page.find("What we asked besides"));
-  CHECK(page.find("What we asked besides") < page.find(">ours<"));
+  CHECK(page.find(">theirs<") < page.find("Our own questions"));
+  CHECK(page.find("Our own questions") < page.find(">ours<"));
   CHECK(contains(page, "Of 1 claim, "));
 }
 
