@@ -266,7 +266,7 @@ void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::s
   if (!shares.empty()) {
     content.seen.emplace("multiverse", shares.front().sentence);
     content.seen["Verdict"] +=
-        fmt::format(" The claims were judged in {} interpretations of the paper.", shares.front().of);
+        fmt::format(" Judged in {} interpretations.", shares.front().of);
   }
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
