@@ -49,7 +49,7 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
                        short_number(printed->printed.mean));
   }
   if (!agreed.empty()) {
-    text += fmt::format(" {} of {} printed numbers lie in our range.",
+    text += fmt::format(" {} of {} printed numbers repeat.",
                         std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size());
   }
   return text;

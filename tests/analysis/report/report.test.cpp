@@ -173,7 +173,7 @@ TEST_CASE("of the paper's claims a study is judged by those that it has the solv
   const std::string text = text_of_file(report.file);
   CHECK(contains(text, "Only claims that it has the solvers for are judged."));
   CHECK(contains(text, "Of 1"));
-  for (const char* of_paper : {"The Dobot was computed", "untestable", "cannot be tested here"})
+  for (const char* of_paper : {"The Dobot was simulated", "untestable", "cannot be tested here"})
     CHECK(!contains(text, of_paper));
 }
 
