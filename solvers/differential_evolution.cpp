@@ -99,7 +99,17 @@ class DifferentialEvolution final : public Solver {
       return true;
     };
     if (options_.replacement == Replacement::at_once) {
-      objective.one_by_one(trials_, trial_errors_, combine, replace_if_better);
+      // A trial stays if none of its partners was replaced since it was proposed.
+      Eigen::Index first_stale = 0;
+      const auto propose = [&](Eigen::Index first, Eigen::Index count) {
+        first_stale = x_.cols();
+        combine(first, count);
+      };
+      const auto decide = [&](Eigen::Index i) {
+        if (replace_if_better(i)) first_stale = first_with_partner(i, first_stale);
+        return i + 1 == first_stale && first_stale < x_.cols();
+      };
+      objective.one_by_one(trials_, trial_errors_, propose, decide);
     } else {
       combine(0, x_.cols());
       objective.errors(trials_, trial_errors_);
@@ -119,6 +129,14 @@ class DifferentialEvolution final : public Solver {
     const int b = after(after(pick(1), first), second);
     const int lowest = std::min(first, b), highest = std::max(second, b), middle = std::max(first, std::min(second, b));
     return {a, b, after(after(after(pick(2), lowest), middle), highest)};
+  }
+
+  // The first candidate after i, and before `end`, of which i is a partner; else `end`.
+  Eigen::Index first_with_partner(Eigen::Index i, Eigen::Index end) const {
+    const auto has_it = [i](const std::array<int, 3>& partners) {
+      return std::ranges::find(partners, i) != partners.end();
+    };
+    return std::find_if(partners_.begin() + i + 1, partners_.begin() + end, has_it) - partners_.begin();
   }
 
   template <class Some>
