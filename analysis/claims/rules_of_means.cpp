@@ -128,7 +128,8 @@ Claims smallest(const Case& of) {
   std::ranges::copy(others.sentences, std::back_inserter(claim.evidence));
   if (claim.verdict == Verdict::holds && !others.against.empty()) {
     claim.verdict = Verdict::in_part;
-    claim.evidence.push_back(
+    claim.evidence.insert(
+        claim.evidence.begin(),
         fmt::format("It holds by the mean, which the paper compares and which the worst cases decide{}: so in part.",
                     others.against));
   }

@@ -263,11 +263,7 @@ void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::s
     content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
                          words_of(leader_sentence(study, metric, average_estimand(metric))));
   }
-  if (!shares.empty()) {
-    content.seen.emplace("multiverse", shares.front().sentence);
-    content.seen["Verdict"] +=
-        fmt::format(" Judged in {} interpretations.", shares.front().of);
-  }
+  if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
 }

@@ -37,22 +37,19 @@ bool is_of_companions(const std::string& piece) {
   return std::ranges::find(names, piece) != names.end();
 }
 
-// The error of the paper's solver, and how many printed numbers agree: short, for the first lines.
+// How many printed numbers agree, or if that is not known the error of the paper's solver: short, for the first lines.
 std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreement>& agreed) {
+  if (!agreed.empty()) {
+    return fmt::format("{} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),
+                       agreed.size());
+  }
   const Metric metric = Metric::position_error_cm;
   const std::vector<Sample> all = samples(study, metric);
   const auto own = std::ranges::find(all, time_reference, &Sample::solver);
   const std::optional<PrintedRow> printed = printed_row(study, time_reference, metric);
-  std::string text;
-  if (own != all.end() && printed) {
-    text = fmt::format("{}'s mean error: {} cm (printed {}).", time_reference, short_number(describe(own->values).mean),
-                       short_number(printed->printed.mean));
-  }
-  if (!agreed.empty()) {
-    text += fmt::format(" {} of {} printed numbers repeat.",
-                        std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size());
-  }
-  return text;
+  if (own == all.end() || !printed) return "";
+  return fmt::format("{}'s mean error: {} cm (printed {}).", time_reference, short_number(describe(own->values).mean),
+                     short_number(printed->printed.mean));
 }
 
 std::map<std::string, std::string> seen(const Reported& reported) {
