@@ -74,8 +74,7 @@ ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
           .undecided = undecided,
           .decided_by = names,
           .sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided).{}", counts.claim.words,
-                                  share_words(holds), share_words(fails), share_words(undecided), words),
-          .of = count_words(multiverse.universes())};
+                                  share_words(holds), share_words(fails), share_words(undecided), words)};
 }
 
 Cell percent_cell(double part, double all) {

@@ -46,7 +46,6 @@ struct ClaimShares {
   double holds = 0, fails = 0, undecided = 0;
   std::vector<std::string> decided_by = {};  // dimensions that change the answer most: "who obeys limits"
   std::string sentence = {};                 // how
-  std::string of = {};                       // number of interpretations: "576"
 };
 
 // Smallest share of interpretations at which a claim keeps its verdict; below, it depends.
