@@ -134,9 +134,9 @@ Rows test_list() {
 Rows piece_list() {
   Rows rows{{"PIECE", "KIND", "UNDER", "FILES AND CONTENTS"}};
   for (const report::StudyPiece& piece : report::all_study_pieces()) {
-    if (piece.kind.empty()) continue;
-    rows.push_back(
-        {std::string(piece.name), std::string(piece.kind), std::string(piece.heading), std::string(piece.meaning)});
+    if (!piece.tables && !piece.figures) continue;  // a place only
+    rows.push_back({std::string(piece.name), piece.tables ? "table" : "figure", std::string(piece.heading),
+                    std::string(piece.meaning)});
   }
   return rows;
 }

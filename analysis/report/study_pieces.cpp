@@ -21,9 +21,9 @@ namespace {
 
 constexpr bool shown = true, folded = false;
 constexpr StudyPiece all[]{
-#define TABLE(name, heading, place, meaning) {#name, "table", heading, place, meaning, name##_tables, nullptr},
-#define FIGURE(name, heading, place, meaning) {#name, "figure", heading, place, meaning, nullptr, name##_figures},
-#define PLACE(names, heading, place) {names, "", heading, place, "", nullptr, nullptr},
+#define TABLE(name, heading, place, meaning) {#name, heading, place, meaning, name##_tables, nullptr},
+#define FIGURE(name, heading, place, meaning) {#name, heading, place, meaning, nullptr, name##_figures},
+#define PLACE(names, heading, place) {names, heading, place, "", nullptr, nullptr},
 #include "analysis/report/study_pieces.inc"
 #undef TABLE
 #undef FIGURE

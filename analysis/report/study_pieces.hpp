@@ -17,7 +17,7 @@ namespace ikbench::report {
 
 // A line of study_pieces.inc: its function makes tables or figures. Figures are made if anything was solved.
 struct StudyPiece {
-  std::string_view name, kind, heading;
+  std::string_view name, heading;
   bool is_shown;  // else folded
   std::string_view meaning;
   std::vector<Table> (*tables)(const inference::StudyResults&, const inference::ShownMetrics&) = nullptr;
