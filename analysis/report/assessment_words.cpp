@@ -77,6 +77,11 @@ std::string margins_of(const Evidence& evidence, double relative, double absolut
   return inference::margin_words(relative, absolute, evidence.unit == "cm" ? " cm" : "");
 }
 
+// True if the margin of the pair is the absolute one, not the one in percent.
+bool is_margin_absolute(const Evidence& evidence, const Contrast& contrast) {
+  return has_absolute_margin(evidence) && margin_of(evidence, contrast) == evidence.margin;
+}
+
 }  // namespace
 
 std::string margin_words(const Evidence& evidence) {
@@ -86,7 +91,7 @@ std::string margin_words(const Evidence& evidence) {
 
 std::string margin_words(const Evidence& evidence, const Contrast& contrast) {
   if (evidence.of_outcomes || !has_absolute_margin(evidence)) return margin_words(evidence);
-  const bool is_absolute = margin_of(evidence, contrast) == evidence.margin;
+  const bool is_absolute = is_margin_absolute(evidence, contrast);
   return margins_of(evidence, is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.margin : 0);
 }
 
@@ -111,8 +116,7 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   const double unit = is_ratio ? 1 : std::isfinite(first + second) ? std::min(first, second) : not_defined;
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-  const bool is_absolute = has_absolute_margin(evidence) && contrast.margin == evidence.margin;
-  if (evidence.of_outcomes || is_absolute || !(most <= most_in_percent * unit))
+  if (evidence.of_outcomes || is_margin_absolute(evidence, contrast) || !(most <= most_in_percent * unit))
     return {fmt::format("less or more than {}", margin)};
   return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }
