@@ -100,6 +100,10 @@ constexpr std::array all_words{
         "p is small finds differences that are none. So take for a difference only p below {value:.3g} here: then all "
         "looks after the first together find one that is none in at most {limit:.3g} % of studies. Or plan the looks: "
         "ikbench compare --sequential."},
+    Words{
+        K::no_tolerance, "The study has no tolerance",
+        "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
+        "answer is inside the joint limits, however far it is from the target."},
     Words{K::wrong_claims, "Wrong claims", "Wrong claims: in {count} of {of} solves the error is not what {who} said."},
     Words{
         K::out_of_reach, "Targets are out of reach",

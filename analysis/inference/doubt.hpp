@@ -55,6 +55,7 @@ enum class DoubtKind {
   no_plan,
   looked_before,
   // the study, its solves, and its report
+  no_tolerance,
   wrong_claims,
   out_of_reach,
   unknown_paper,

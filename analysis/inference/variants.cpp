@@ -228,11 +228,8 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     const Estimand estimand = has_average ? average : planned.front();
     MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric, .estimand = estimand});
     const Observations observed = observations(study, metric, estimand);
-    if (metric == Metric::solved && !std::isfinite(tolerance_cm(study))) {
-      comparison.notes.emplace_back(
-          "The study has no tolerance, so \"solved\" is the share of answers inside the joint limits, however far they are "
-          "from the target.");
-    }
+    if (metric == Metric::solved && !std::isfinite(tolerance_cm(study)))
+      comparison.notes.push_back(words_of(Doubt{.kind = DoubtKind::no_tolerance}));
     for (const std::string& note : observed.notes) comparison.notes.push_back(note);
     const auto group = [&](const char* name) { return std::ranges::find(observed.groups, name, &Group::name); };
     const Doubts& why_not =

@@ -40,7 +40,7 @@ std::string departures_sentence(const StudyResults& study) {
 
 std::string no_tolerance_sentence(const StudyResults& study) {
   if (!study.facts.published.empty() || study.solves.empty() || std::isfinite(tolerance_cm(study))) return "";
-  return std::string(words::no_tolerance);
+  return words_of(Doubt{.kind = DoubtKind::no_tolerance});
 }
 
 // The solvers that have a mean of the metric.

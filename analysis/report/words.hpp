@@ -215,9 +215,6 @@ inline constexpr Template hold_for_budgets = "Those of differences hold for all 
 inline constexpr Template another_task =
     "This study names the paper {paper}, but has another arm or task ({list}): it is not held against the paper.";
 inline constexpr Template departs = "This study departs from the built-in study of the paper in: {list}.{judged}";
-inline constexpr Template no_tolerance =
-    "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that "
-    "an answer is inside the joint limits, however far it is from the target.";
 inline constexpr Template as_measured =
     "The numbers of this table are as measured. The answers above count an error below the tolerance as the tolerance, "
     "and a cost of a solve without status ok as 10 times the limit.";
