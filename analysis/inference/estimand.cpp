@@ -70,10 +70,11 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
 // Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
 void penalise(Quantity& result, Metric metric, double limit) {
   result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
+  const std::string_view unit = info_of(metric).unit;
   result.notes.push_back(fmt::format(
-      "A solve without status ok has {} of {} (PAR10), {:g} times the study's limit, or without one of the dearest "
-      "solve. So no solver gains by answers that solve nothing.",
-      info_of(metric).name, text_of({rounded_number(penalty * limit, 6), std::string(info_of(metric).unit)}), penalty));
+      "For {} a solve without status ok counts as {:g} times {}{}{} (PAR10), so that no solver gains by answers that solve "
+      "nothing. This is the study's limit, or without one what the dearest solve cost.",
+      info_of(metric).name, penalty, rounded_number(limit, 6), unit.empty() ? "" : " ", unit));
 }
 
 std::string tolerance_note(double least, std::string_view unit) {

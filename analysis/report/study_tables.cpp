@@ -11,6 +11,7 @@
 
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/words.hpp"
@@ -74,7 +75,7 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
     }
   }
   add_notes(table, study, metrics);
-  if (std::isfinite(tolerance_cm(study))) table.notes.emplace_back(words::as_measured);
+  if (std::isfinite(tolerance_cm(study))) table.notes.push_back(fmt::format(words::as_measured, "penalty"_a = penalty));
   add_timing_notes(table, study);
   return table;
 }

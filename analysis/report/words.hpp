@@ -216,8 +216,8 @@ inline constexpr Template another_task =
     "This study names the paper {paper}, but has another arm or task ({list}): it is not held against the paper.";
 inline constexpr Template departs = "This study departs from the built-in study of the paper in: {list}.{judged}";
 inline constexpr Template as_measured =
-    "The numbers of this table are as measured. The answers above count an error below the tolerance as the tolerance, "
-    "and a cost of a solve without status ok as 10 times the limit.";
+    "The numbers of this table are as measured. The report's answers count an error below the tolerance as the "
+    "tolerance, and the cost of a solve without status ok as {penalty} times the limit.";
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst} "
