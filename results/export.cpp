@@ -50,7 +50,7 @@ std::vector<ColumnInfo> columns() {
   return list;
 }
 
-bool is_empty(std::string_view column, const SolveRecord& record) {
+bool is_uncounted(std::string_view column, const SolveRecord& record) {
   return column == "evaluations" && record.counted_by == CountedBy::nobody;
 }
 

@@ -22,7 +22,7 @@ struct ColumnInfo {
 // The columns of a solve, in their order.
 std::vector<ColumnInfo> columns();
 // True if the column has no value: nobody counted the evaluations.
-bool is_empty(std::string_view column, const SolveRecord& record);
+bool is_uncounted(std::string_view column, const SolveRecord& record);
 
 // What is exported. The solves are in the order solver, run, point.
 struct Exported {

@@ -79,7 +79,7 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
       for (const double element : record.*member) cells.push_back(text_of(element));
       cells.resize(cells.size() + *width - (record.*member).size());
     } else {
-      cells.push_back(is_empty(name, record) ? std::string() : cell_of(record.*member));
+      cells.push_back(is_uncounted(name, record) ? std::string() : cell_of(record.*member));
     }
     ++width;
   });

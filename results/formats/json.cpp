@@ -17,7 +17,7 @@ OrderedJson json_of(const SolveRecord& record) {
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
     if constexpr (std::is_enum_v<Value>)
       object[std::string(name)] = name_of(record.*member);
-    else if (is_empty(name, record))
+    else if (is_uncounted(name, record))
       object[std::string(name)] = nullptr;
     else
       object[std::string(name)] = record.*member;
