@@ -36,8 +36,7 @@ namespace {
 using Samples = std::vector<std::vector<double>>;
 
 void name_group(Reason& reason, const std::vector<GroupEvidence>& groups) {
-  if (!reason.group) return;
-  reason = fmt::format(fmt::runtime(reason), row_label(groups.at(*reason.group).name, 60));
+  if (reason.group) reason = named(reason, row_label(groups.at(*reason.group).name, 60));
 }
 
 void name_groups(Evidence& evidence) {

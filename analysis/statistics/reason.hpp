@@ -1,9 +1,12 @@
-// Why a number is not defined.
+// Reasons why numbers are not defined.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace ikbench::statistics {
@@ -17,5 +20,10 @@ struct Reason : std::string {
 
   std::optional<std::size_t> group = std::nullopt;  // in the given order, from 0
 };
+
+// The words with the name of the group.
+inline std::string named(const Reason& reason, std::string_view group) {
+  return reason.group ? fmt::format(fmt::runtime(std::string_view(reason)), group) : std::string(reason);
+}
 
 }  // namespace ikbench::statistics

@@ -120,16 +120,16 @@ TEST_CASE("where there is no F the table says why", "[anova]") {
                                   {Groups{{1}, {2}, {3}}, "single value"},
                                   {Groups{{1, 1}, {2, 2}}, "every group is constant"},
                                   {Groups{{3, 3}, {3, 3}}, "every group is constant"},
-                                  {Groups{{1, 2}, {}}, "{} has no values"},
-                                  {Groups{{1, 2}, {1, nan}}, "{} has values that are not finite"},
-                                  {Groups{{HUGE_VAL, 2}, {1, 2}}, "{} has values that are not finite"},
+                                  {Groups{{1, 2}, {}}, "group 2 has no values"},
+                                  {Groups{{1, 2}, {1, nan}}, "group 2 has values that are not finite"},
+                                  {Groups{{HUGE_VAL, 2}, {1, 2}}, "group 1 has values that are not finite"},
                                   {Groups{{1e200, -1e200, 1}, {1, 2}}, "too large for double precision"},
                                   {Groups{{1.7e308, -1.7e308}, {1, 2}}, "too large for double precision"},
                                   {Groups{{1e-160, 2e-160}, {3e-160, 5e-160}}, "too small for double precision"},
                                   {Groups{{1e-320, 2e-320}, {3e-320, 5e-320}}, "too small for double precision"}}));
   const AnovaTable table = anova(groups);
   CAPTURE(reason, table.undefined);
-  CHECK(table.undefined.find(reason) != std::string::npos);
+  CHECK(ikbench::samples::says(table.undefined, reason));
   CHECK(std::isnan(table.F));
   CHECK(std::isnan(table.p));
 }

@@ -77,16 +77,16 @@ TEST_CASE("neither test knows the unit, however large or small", "[equal_varianc
 TEST_CASE("where variances cannot be compared the tests say why", "[equal_variances]") {
   CHECK(says(bartlett({}).undefined, "no group"));
   CHECK(says(bartlett(summaries_of(Groups{{1, 2}})).undefined, "one group"));
-  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {1}})).undefined, "{} has fewer than two values"));
-  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {}})).undefined, "{} has fewer than two values"));
-  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {3, 3}})).undefined, "{} is constant"));
-  CHECK(says(bartlett(summaries_of(Groups{{1, HUGE_VAL}, {3, 4}})).undefined, "{} is not defined"));
+  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {1}})).undefined, "group 2 has fewer than two values"));
+  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {}})).undefined, "group 2 has fewer than two values"));
+  CHECK(says(bartlett(summaries_of(Groups{{1, 2}, {3, 3}})).undefined, "group 2 is constant"));
+  CHECK(says(bartlett(summaries_of(Groups{{1, HUGE_VAL}, {3, 4}})).undefined, "group 1 is not defined"));
   CHECK(bartlett(summaries_of(Groups{{1e308, -1e308}, {3, 4}})).p < 1e-100);
-  CHECK(says(bartlett(summaries_of(Groups{{3, 4}, {1.7e308, -1.7e308, 1.7e308}})).undefined, "{} is too large"));
+  CHECK(says(bartlett(summaries_of(Groups{{3, 4}, {1.7e308, -1.7e308, 1.7e308}})).undefined, "group 2 is too large"));
   CHECK(std::isnan(bartlett(summaries_of(Groups{{1, 2}, {3, 3}})).p));
 
   CHECK(says(brown_forsythe({}).undefined, "no group"));
-  CHECK(says(brown_forsythe(Groups{{1, 2}, {}}).undefined, "{} has no values"));
+  CHECK(says(brown_forsythe(Groups{{1, 2}, {}}).undefined, "group 2 has no values"));
   CHECK(says(brown_forsythe(Groups{{1}, {2}}).undefined, "single value"));
   CHECK(says(brown_forsythe(Groups{{1, 1}, {2, 2}}).undefined, "constant"));
   CHECK(says(brown_forsythe(Groups{{1, NAN}, {2, 2}}).undefined, "not finite"));

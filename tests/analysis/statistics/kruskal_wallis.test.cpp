@@ -45,7 +45,7 @@ TEST_CASE("where there is no H the test says why", "[kruskal_wallis]") {
   const auto [groups, reason] =
       GENERATE_COPY(table<Groups, std::string>({{Groups{}, "no group"},
                                                 {Groups{{1, 2}}, "one group"},
-                                                {Groups{{1, 2}, {}}, "{} has no values"},
+                                                {Groups{{1, 2}, {}}, "group 2 has no values"},
                                                 {Groups{{1, 2}, {1, NAN}}, "not a number"},
                                                 {Groups{{3, 3}, {3}}, "all values are equal"},
                                                 {Groups{{HUGE_VAL}, {HUGE_VAL}}, "all values are equal"}}));

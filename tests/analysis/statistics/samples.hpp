@@ -1,8 +1,12 @@
 // Data that several tests of the statistical methods share.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
+
+#include "analysis/statistics/reason.hpp"
 
 namespace ikbench::samples {
 
@@ -14,6 +18,12 @@ inline const std::vector<std::vector<double>> plant_growth{
 
 using Groups = std::vector<std::vector<double>>;
 
+// The words with the number of the group, from 1.
+inline std::string numbered(const statistics::Reason& reason) {
+  return named(reason, fmt::format("group {}", reason.group.value_or(0) + 1));
+}
+
 inline bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+inline bool says(const statistics::Reason& reason, const std::string& part) { return says(numbered(reason), part); }
 
 }  // namespace ikbench::samples

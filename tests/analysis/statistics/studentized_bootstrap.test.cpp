@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench::statistics;
@@ -21,7 +22,8 @@ std::vector<MeanDifference> compared(const Groups& groups, const PairFamily& fam
 }
 
 bool says(const MeanDifference& pair, std::string_view words) {
-  return std::isnan(pair.p) && std::isnan(pair.difference.low) && pair.undefined.find(words) != std::string::npos;
+  return std::isnan(pair.p) && std::isnan(pair.difference.low) &&
+         ikbench::samples::says(pair.undefined, std::string(words));
 }
 
 Groups in_units(Groups groups, double factor) {
@@ -122,8 +124,8 @@ TEST_CASE("what is common to a block has no say in what is compared within it", 
 
 TEST_CASE("within blocks a pair that cannot be resampled says why", "[studentized_bootstrap]") {
   const auto of = [](Groups groups) { return bootstrap_within_blocks(groups, {}, {})[0]; };
-  CHECK(says(of({{1, 2}, {3, 5}}), "{} has fewer than 3 values"));
-  CHECK(says(of({{1, 2, 3}, {3, 5, HUGE_VAL}}), "{} has values that are not finite"));
+  CHECK(says(of({{1, 2}, {3, 5}}), "group 1 has fewer than 3 values"));
+  CHECK(says(of({{1, 2, 3}, {3, 5, HUGE_VAL}}), "group 2 has values that are not finite"));
   CHECK(says(of({{1, 2, 3, 4}, {2, 3, 4, 5}}), "the differences within blocks are all equal"));
   CHECK(says(of({{1, 2, 3}, {3, 5, 9}}), "too few differences within blocks"));  // 3^-2 of the resamples have no spread
   CHECK(fewest_blocks(1, 0.95) == 4);                                            // 4^-3 is below 0.025
@@ -193,7 +195,7 @@ TEST_CASE("a value of any size makes no winner: the means are hard to tell apart
   for (const bool by_ratios : {true, false}) {
     const auto pair = compared({{small, huge, 1, 2}, {0.1, 0.2, 5, 2}}, {.by_ratios = by_ratios})[0];
     CAPTURE(huge, small, pair.p, pair.undefined);
-    if (huge / std::abs(small) > 1e131) CHECK(says(pair, "{} has values too far apart for double precision"));
+    if (huge / std::abs(small) > 1e131) CHECK(says(pair, "group 1 has values too far apart for double precision"));
     CHECK_FALSE(pair.p < 0.05);
   }
 }
@@ -233,11 +235,9 @@ TEST_CASE("lognormal values of unequal spread have fewer false findings than by 
 TEST_CASE("groups that the bootstrap learns nothing of are refused with the reason", "[studentized_bootstrap]") {
   const std::vector<double> good{1, 2, 3, 5, 4}, other{2, 4, 1, 7, 3};
   const auto pairs = compared({good, {1, 2}, other, {1, 2, HUGE_VAL}, {7, 7, 7}, {8, 8, 8}});
-  CHECK(says(pairs[0], "{} has fewer than 3 values"));
+  CHECK(says(pairs[0], "group 2 has fewer than 3 values"));
   CHECK(pairs[1].p <= 1);
-  CHECK(pairs[0].undefined.group == 1);
-  CHECK(says(pairs[2], "{} has values that are not finite"));
-  CHECK(pairs[2].undefined.group == 3);
+  CHECK(says(pairs[2], "group 4 has values that are not finite"));
   CHECK(says(pairs.back(), "both groups are constant"));
   const Groups of_three{{1, 2, 3}, {2, 3, 5}, {3, 5, 8}, {9, 11, 14}};  // each has no spread in 3 of 27 resamples
   CHECK(says(compared(of_three)[0], "too few values"));
@@ -250,8 +250,7 @@ TEST_CASE("groups that the bootstrap learns nothing of are refused with the reas
   std::vector<double> nearly_constant(20, 5), constant(20, 6);
   nearly_constant[0] = 5.5;
   const auto beside = compared({nearly_constant, constant, good, other});
-  CHECK(says(beside[0], "{} are all equal, and the other group has too few different values"));
-  CHECK(beside[0].undefined.group == 1);
+  CHECK(says(beside[0], "group 2 are all equal, and the other group has too few different values"));
   CHECK(says(beside[0], "of 6 pairs; 5 would be enough"));  // 5^-4 < 0.025 / 6 / 2
   for (std::size_t i = 1; i < beside.size(); ++i) CHECK(beside[i].p <= 1);
   CHECK(compared({}).empty());
