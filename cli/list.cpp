@@ -183,7 +183,7 @@ void add_list(CLI::App& app, Invocation&) {
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
-      "  ikbench list pieces                      the tables and figures of a study's report\n"
+      "  ikbench list pieces                      the tables and figures of a study without a paper\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
     if (arguments->kind.empty()) {

@@ -15,7 +15,8 @@
 
 namespace ikbench::report {
 
-// A line of study_pieces.inc: its function makes tables or figures. Figures are made if anything was solved.
+// A line of study_pieces.inc, for studies without a paper. Its function makes tables or figures; figures only if
+// anything was solved.
 struct StudyPiece {
   std::string_view name, heading;
   bool is_shown;  // else folded
@@ -35,7 +36,7 @@ struct StudyPieces {
   std::map<std::string, std::string> seen = {};
 };
 
-// The pieces of any study.
+// The pieces of a study without a paper; a paper may extend them.
 StudyPieces study_pieces(const inference::StudyResults& study);
 
 }  // namespace ikbench::report
