@@ -128,10 +128,8 @@ Claims smallest(const Case& of) {
   std::ranges::copy(others.sentences, std::back_inserter(claim.evidence));
   if (claim.verdict == Verdict::holds && !others.against.empty()) {
     claim.verdict = Verdict::in_part;
-    claim.evidence.insert(
-        claim.evidence.begin(),
-        fmt::format("It holds by the mean, which the paper compares and which the worst cases decide{}: so in part.",
-                    others.against));
+    claim.evidence.insert(claim.evidence.begin(),
+                          fmt::format("The worst cases decide the mean, which the paper compares{}.", others.against));
   }
   const std::string closest = metric == Metric::position_error_cm ? closest_point_by_point(of.study()) : "";
   if (!closest.empty()) claim.evidence.push_back(closest);
@@ -373,8 +371,8 @@ namespace {
 // The mean absolute second difference of the joints' angles along each complete run [deg].
 std::vector<double> second_differences_deg(const StudyResults& study, const std::string& solver) {
   std::vector<double> means;
-  for (const RunShape& shape : study.gathered->shapes) {
-    if (study.gathered->labels[shape.solver] == solver && shape.points == study.points)
+  for (const RunShape& shape : study.solve_data->shapes) {
+    if (study.solve_data->labels[shape.solver] == solver && shape.points == study.points)
       means.push_back(shape.mean_bend_deg);
   }
   return means;

@@ -72,8 +72,8 @@ void penalise(Quantity& result, Metric metric, double limit) {
   result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
   const std::string_view unit = info_of(metric).unit;
   result.notes.push_back(fmt::format(
-      "For {} a solve without status ok counts as {:g} times {}{}{} (PAR10), so that no solver gains by answers that solve "
-      "nothing. This is the study's limit, or without one what the dearest solve cost.",
+      "For {} a solve without status ok counts as {:g} times the limit of {}{}{} (PAR10), so that no solver gains by "
+      "answers that solve nothing. The limit is the study's, or without one what the dearest solve cost.",
       info_of(metric).name, penalty, rounded_number(limit, 6), unit.empty() ? "" : " ", unit));
 }
 

@@ -56,7 +56,7 @@ inline constexpr Template more_than_two = "more observations than two";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
 inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
-inline constexpr Template smaller_margin = "a margin below {margin}, because a difference that is shown is smaller";
+inline constexpr Template smaller_margin = "a margin below {margin}, because a smaller difference is shown";
 inline constexpr Template other_conditions = "other targets, arms, budgets or settings";
 inline constexpr Template undecided_is_not_equal = "undecided does not mean equal: a difference remains possible";
 inline constexpr Template flawed_p = "with flawed observations the p-values are no evidence";
@@ -226,7 +226,7 @@ inline constexpr Template times_not_ranked = "Computing times are not ranked or 
 inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
-inline constexpr Template by_default = "By our default: {verdict}; {evidence}";
+inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
 inline constexpr Template audit =
     "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
     "from statements that results/published marks as not printed. consistent: the numbers agree to the last "

@@ -28,7 +28,7 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
   test.average_ranks.assign(groups.size(), not_defined);
   for (std::size_t i = 1; i < groups.size(); ++i) {
     if (groups[i].size() == groups[0].size()) continue;
-    test.undefined = {i, fmt::format("{{}} has {} values, and the first group has {}; each needs one a block",
+    test.undefined = {i, fmt::format("{{}} has {} values, and another group has {}; each needs one a block",
                                      groups[i].size(), groups[0].size())};
     return test;
   }

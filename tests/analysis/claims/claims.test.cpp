@@ -138,7 +138,8 @@ TEST_CASE("claims are judged on the printed numbers too, by Tamhane's test", "[c
 
 TEST_CASE("the paper's claims are all there, those without numbers as what cannot be tested", "[claims]") {
   const auto all = claims_of(study_of(synthetic::solves({})));
-  CHECK(std::ranges::all_of(all, [](const Claim& claim) { return claim.by == By::paper; }));  // ours need companions
+  CHECK(std::ranges::all_of(all,
+                            [](const Claim& claim) { return claim.by == Claimant::paper; }));  // ours need companions
   for (const char* id :
        {"elongation_control", "real_time", "only_offline_above_12", "circle", "real_arm", "singularities_avoided"}) {
     CHECK(verdict_of(all, id) == Verdict::untested);
@@ -169,8 +170,7 @@ TEST_CASE("a solver that is the most accurate by its mean alone is so in part, w
   CHECK(claim.verdict == Verdict::in_part);
   CHECK(claim.printed == Verdict::holds);
   CHECK(contains(evidence_text(claim),
-                 "It holds by the mean, which the paper compares and which the worst cases decide; by "
-                 "typical error PSO is better: so in part."));
+                 "The worst cases decide the mean, which the paper compares; by typical error PSO is better."));
   CHECK(contains(evidence_text(claim), " Smallest typical error: PSO ("));
   CHECK(contains(evidence_text(claim), " Most often within 0.01 cm: IK-BA (100 %) is better than PSO (95 %)"));
   study.plan.estimands = {Estimand::mean};
@@ -283,7 +283,7 @@ TEST_CASE("Eq. 13 fails where nothing changes without it, and holds where joints
   CHECK(claim().number == "400 of 400 answers change");
 }
 
-TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
+TEST_CASE("our own questions stand apart and are not counted", "[claims]") {
   const StudyResults study = study_of(synthetic::solves({}), "s");
   StudyResults limits = study_of(synthetic::solves({}), "s-limits");
   limits.facts = facts_of(R"({"published": "slim2023", "limits": "enforced"})");
@@ -296,7 +296,7 @@ TEST_CASE("what we asked besides stands apart and is not counted", "[claims]") {
   auto all = claims_of(study, {limits, context});
   CHECK(verdict_of(all, "accurate_inside_limits") == Verdict::holds);
   CHECK(verdict_of(all, "better_than_classical") == Verdict::fails);
-  CHECK(claims_by(By::us, all).size() == 2);
+  CHECK(claims_by(Claimant::us, all).size() == 2);
   CHECK(tally(all) == tally(claims_of(study)));
 
   for (Solve& solve : context.solves.to_change()) solve.evaluations = 20000;
@@ -389,7 +389,7 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
   CHECK(accurate.verdict == Verdict::depends);
   CHECK(verdict_words(accurate) == "depends on who obeys limits etc.");
   CHECK(accurate.number == "holds in 61 %, fails in 30 %");
-  CHECK(evidence_text(accurate).starts_with("By our default: holds; Position error: "));
+  CHECK(evidence_text(accurate).starts_with("By our default: holds. Position error: "));
   CHECK(evidence_text(accurate).ends_with(" It holds in 3 % where nobody is clamped, in 90 % where all are."));
   const Claim& variation = claim_of(all, "smallest_variation");
   CHECK(variation.verdict == Verdict::in_part);  // as before: what holds in part is undecided, and that is clear
@@ -397,7 +397,7 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
                  "Over all interpretations it holds in 2 %, fails in 1 %, is undecided in 97 %."));
   const Claim& ba = claim_of(all, "better_than_ba");
   CHECK(verdict_words(ba) == "depends on how many there are");  // clear, but not what the default says
-  CHECK(evidence_text(ba).starts_with("By our default: holds; "));
+  CHECK(evidence_text(ba).starts_with("By our default: holds. "));
   CHECK(verdict_of(all, "real_arm") == Verdict::untested);
   CHECK(tally(all) != before);
   CHECK(contains(tally(all), ", 2 depend on the interpretation, "));
