@@ -91,7 +91,7 @@ Study study_of(const SolveArguments& arguments) {
     say("warning: --start-deg is outside the joint limits");
   }
   if (is_arm_file(arguments.robot)) study.robot_of_file = std::make_shared<const Robot>(arm);
-  const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::Asked::position).empty();
+  const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::GoalKind::position).empty();
   const std::string search = !arguments.search.empty()         ? arguments.search
                              : needs_pose                      ? "pose"
                              : SphericalWrist::fits(arm.chain) ? "wrist"

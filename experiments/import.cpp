@@ -37,9 +37,9 @@ Eigen::VectorXd joints_of(const std::vector<double>& values) {
 }
 
 // The study into which solves are imported, with the targets and starts of its stored solves.
-class AskedStudy {
+class ReceivingStudy {
  public:
-  AskedStudy(const Store& store, const std::string& name) : entry_(store.study(name)), arm_(arm_in(entry_)) {
+  ReceivingStudy(const Store& store, const std::string& name) : entry_(store.study(name)), arm_(arm_in(entry_)) {
     requirement_ = requirement_of(entry_);
     requirement_.orientation_is_exact = false;  // no wrist of ours completed the answers
     const auto definition = numerics::parsed_json(entry_.definition);
@@ -117,7 +117,7 @@ void check_target(const ImportedRow& row, const SolveRecord& asked) {
   }
 }
 
-SolveRecord record_of(const ImportedRow& row, const AskedStudy& asked) {
+SolveRecord record_of(const ImportedRow& row, const ReceivingStudy& asked) {
   const SolveRecord& other = asked.at(row);
   check_target(row, other);
   const double half_angle = row.orientation_error_deg.value_or(not_known) * degree / 2;
@@ -171,7 +171,7 @@ void check_whole(const Places& places, int points) {
   }
 }
 
-std::vector<SolveRecord> records_of(const Places& places, const AskedStudy& asked, ImportedSolver& told) {
+std::vector<SolveRecord> records_of(const Places& places, const ReceivingStudy& asked, ImportedSolver& told) {
   const bool has_answers = std::ranges::any_of(places, [](const auto& each) { return !each.second->answer.empty(); });
   std::vector<SolveRecord> records;
   for (const auto& [place, row] : places) {
@@ -207,7 +207,7 @@ Series series_of(const StudyEntry& entry, const ImportRequest& request, const st
           .options = numerics::text_of(nlohmann::json{{"file", request.source}})};
 }
 
-std::int64_t begin_session(Store& store, const ImportRequest& request, const AskedStudy& asked,
+std::int64_t begin_session(Store& store, const ImportRequest& request, const ReceivingStudy& asked,
                            const std::vector<SolveRecord>& records) {
   std::map<std::string, std::string> session{{"command", request.command},
                                              {"imported", request.source},
@@ -222,7 +222,7 @@ std::int64_t begin_session(Store& store, const ImportRequest& request, const Ask
 }  // namespace
 
 Imported import_solves(Store& store, const ImportRequest& request) {
-  const AskedStudy asked(store, request.study);
+  const ReceivingStudy asked(store, request.study);
   const ImportedRows read =
       read_imported_rows(request.text, request.source, request.label, joint_units(asked.arm().chain));
   std::vector<std::pair<std::string, Places>> solvers;  // in the file's order

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/asked_again.hpp"
+#include "experiments/redrawn_tasks.hpp"
 #include "numerics/json.hpp"
 #include "numerics/units.hpp"
 #include "results/digest.hpp"
@@ -192,7 +192,7 @@ struct Recheck::Looking {
       found.add("digest", solve, "the solve was changed since it was written");
   }
   void look_at_question(const SolveRecord& solve) {
-    const char* const column = asked ? asked->other_than_asked(solve) : nullptr;
+    const char* const column = asked ? asked->differing_column(solve) : nullptr;
     if (column != nullptr) found.add(column, solve, "it is not what the definition of the study gives");
   }
 
@@ -200,7 +200,7 @@ struct Recheck::Looking {
   const Requirement requirement;
   bool is_from_urdf = false;
   std::optional<Checked> checked = {};  // from `arm` and `requirement`
-  std::optional<AskedAgain> asked = {};
+  std::optional<RedrawnTasks> asked = {};
   bool has_solves = false;
   Findings found = {};
 };

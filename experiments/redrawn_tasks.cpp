@@ -1,4 +1,4 @@
-#include "experiments/asked_again.hpp"
+#include "experiments/redrawn_tasks.hpp"
 
 #include <fmt/format.h>
 
@@ -81,7 +81,7 @@ Configuration joints_in(const std::vector<double>& joints) {
 
 }  // namespace
 
-AskedAgain::AskedAgain(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
+RedrawnTasks::RedrawnTasks(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
   const auto definition = numerics::parsed_json(entry.definition);
   if (!definition.is_object() || definition.contains("urdf")) return;  // a URDF arm's table is rounded differently
   if (std::ranges::none_of(entry.series, is_by_this_source)) return;
@@ -101,7 +101,7 @@ AskedAgain::AskedAgain(const StudyEntry& entry, const Robot& arm) : arm_(arm) {
 }
 
 // The targets and starts of a run; null if they are not drawn.
-const AskedAgain::Run* AskedAgain::drawn(int run) {
+const RedrawnTasks::Run* RedrawnTasks::drawn(int run) {
   const bool differ = study_.path->is_drawn() || study_.start == Start::random;
   const auto points = static_cast<std::size_t>(study_.path->points());
   const auto [found, is_new] = runs_.try_emplace(differ ? run : 1);
@@ -110,7 +110,7 @@ const AskedAgain::Run* AskedAgain::drawn(int run) {
   return found->second.targets.empty() ? nullptr : &found->second;
 }
 
-bool AskedAgain::has_its_target(const SolveRecord& solve) {
+bool RedrawnTasks::has_its_target(const SolveRecord& solve) {
   const Run* const run = drawn(solve.run);
   const auto point = static_cast<std::size_t>(solve.point);
   if (run == nullptr || point > run->targets.size()) return true;
@@ -118,7 +118,7 @@ bool AskedAgain::has_its_target(const SolveRecord& solve) {
 }
 
 // An answer that is not finite moves the arm nowhere.
-bool AskedAgain::has_its_start(const SolveRecord& solve) {
+bool RedrawnTasks::has_its_start(const SolveRecord& solve) {
   const Configuration stored = joints_in(solve.start_rad);
   const bool follows = next_ == Place{solve.series, solve.run, solve.point};
   const Configuration now = solve.status == Status::not_finite ? stored : joints_in(solve.answer_rad);
@@ -132,7 +132,7 @@ bool AskedAgain::has_its_start(const SolveRecord& solve) {
   return run == nullptr || point > run->starts.size() || is_same(stored, run->starts[point - 1]);
 }
 
-const char* AskedAgain::other_than_asked(const SolveRecord& solve) {
+const char* RedrawnTasks::differing_column(const SolveRecord& solve) {
   const auto joints = static_cast<std::size_t>(arm_.joints());
   const bool has_sizes = solve.target_position_m.size() == 3 && solve.target_rotation.size() == 9 &&
                          solve.start_rad.size() == joints && solve.answer_rad.size() == joints;

@@ -11,14 +11,14 @@
 namespace ikbench::experiments {
 
 // Compares the stored solves of a study, in the order of solver, run and point, with what the definition asks.
-class AskedAgain {
+class RedrawnTasks {
  public:
   // Draws nothing if another version of the source solved the study, if its definition cannot be read, or if its arm is
   // from a URDF file. Skips later runs once very many targets are drawn.
-  AskedAgain(const results::StudyEntry& entry, const robots::Robot& arm);
+  RedrawnTasks(const results::StudyEntry& entry, const robots::Robot& arm);
 
   // The column in which the solve differs from the definition; null if none does, or if its lists have wrong sizes.
-  const char* other_than_asked(const results::SolveRecord& solve);
+  const char* differing_column(const results::SolveRecord& solve);
 
  private:
   struct Run {

@@ -31,8 +31,8 @@ void check_solvers(const TomlReader& reader, const Study& study, const Robot& ar
     const SolverEntry& entry = study.solvers[i];
     if (entry.program) continue;  // a program itself declines what it cannot solve
     const auto own = table["solvers"][i];
-    const Asked asked = study.search == Search::pose ? Asked::pose : Asked::position;
-    if (const std::string why = solver(entry.solver).why_not(arm.chain, asked); !why.empty()) {
+    const GoalKind goal = study.search == Search::pose ? GoalKind::pose : GoalKind::position;
+    if (const std::string why = solver(entry.solver).why_not(arm.chain, goal); !why.empty()) {
       throw mistake(reader, own["solver"].node(), entry.label + ".solver", why);
     }
     const int population = effective_population(study, entry);

@@ -24,15 +24,15 @@ std::vector<ColumnInfo> columns();
 // True if the column has no value: nobody counted the evaluations.
 bool is_uncounted(std::string_view column, const SolveRecord& record);
 
-// What is exported. The solves are in the order solver, run, point.
+// The exported solves and their study. The solves are in the order solver, run, point.
 struct Exported {
   const StudyEntry& study;
   const std::vector<Session>& sessions;
   const std::vector<SolveRecord>& solves;
 };
 
-// A format is either a text or a folder, which is absent or empty before. It throws std::invalid_argument if it cannot
-// have the study. Who writes a folder returns warnings.
+// A format is either a text or a folder, which must be absent or empty. Both functions throw std::invalid_argument if
+// the format cannot hold the study. `write_folder` returns warnings.
 struct ExportFormat {
   std::string_view name;
   std::string_view meaning;

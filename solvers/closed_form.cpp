@@ -26,8 +26,8 @@ class NearestBranch final : public Solver {
 
   explicit NearestBranch(Options) {}
 
-  static std::string why_not(const Chain& arm, Asked asked) {
-    if (asked == Asked::position) return "closed_form solves for a pose; expected search = \"pose\"";
+  static std::string why_not(const Chain& arm, GoalKind goal) {
+    if (goal == GoalKind::position) return "closed_form solves for a pose; expected search = \"pose\"";
     const std::string why = ClosedForm::why_not(arm);
     if (why.empty()) return {};
     return fmt::format("closed_form needs an arm with six joints that turn and a spherical wrist, but this one {}",
@@ -36,8 +36,8 @@ class NearestBranch final : public Solver {
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     if (!arm_ || *arm_ != objective.arm()) {
-      const Asked asked = objective.goal().is_pose() ? Asked::pose : Asked::position;
-      if (const std::string why = why_not(objective.arm(), asked); !why.empty()) throw std::invalid_argument(why);
+      const GoalKind kind = objective.goal().is_pose() ? GoalKind::pose : GoalKind::position;
+      if (const std::string why = why_not(objective.arm(), kind); !why.empty()) throw std::invalid_argument(why);
       arm_ = objective.arm();
       closed_form_.emplace(*arm_);
     }

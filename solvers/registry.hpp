@@ -13,7 +13,7 @@
 namespace ikbench::solvers {
 
 // Tells whether solvers search the tool's position or its pose.
-enum class Asked { position, pose };
+enum class GoalKind { position, pose };
 
 struct SolverInfo {
   std::string name;
@@ -23,7 +23,7 @@ struct SolverInfo {
   std::string library = {};  // of a peer: name and version, such as "KDL 1.5.1"
   bool is_counted = true;    // we count its evaluations; false for a library with its own kinematics
   // Says in one sentence why it cannot solve for an arm; empty if it can.
-  std::function<std::string(const robots::Chain& arm, Asked asked)> why_not;
+  std::function<std::string(const robots::Chain& arm, GoalKind goal)> why_not;
   // The defaults with `settings` applied. Throws std::invalid_argument as OptionList::set does.
   std::function<Settings(const Settings& settings)> options;
   std::function<std::unique_ptr<Solver>(const Settings& settings)> make;
@@ -32,7 +32,7 @@ struct SolverInfo {
 
 std::vector<SolverInfo> all_solvers();
 // The solvers that can solve for this arm.
-std::vector<SolverInfo> solvers_for(const robots::Chain& arm, Asked asked);
+std::vector<SolverInfo> solvers_for(const robots::Chain& arm, GoalKind goal);
 // Finds a solver; std::invalid_argument lists the names, or names the package that a peer lacks.
 SolverInfo solver(std::string_view name);
 
@@ -59,8 +59,8 @@ SolverInfo solver_info(std::string name, std::string summary, std::string source
           .summary = std::move(summary),
           .source = std::move(source),
           .least_population = least_population,
-          .why_not = []([[maybe_unused]] const robots::Chain& arm, [[maybe_unused]] Asked asked) -> std::string {
-            if constexpr (requires { S::why_not(arm, asked); }) return S::why_not(arm, asked);
+          .why_not = []([[maybe_unused]] const robots::Chain& arm, [[maybe_unused]] GoalKind goal) -> std::string {
+            if constexpr (requires { S::why_not(arm, goal); }) return S::why_not(arm, goal);
             return {};
           },
           .options =

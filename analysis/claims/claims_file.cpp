@@ -49,7 +49,7 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
     if (field->empty()) refuse(reader, fmt::format("a claim without {}; expected a text", key));
   }
   reader.text("section", entry.section, "");
-  reader.choice("by", entry.by, {{"paper", By::paper}, {"us", By::us}}, "");
+  reader.choice("by", entry.by, {{"paper", Claimant::paper}, {"us", Claimant::us}}, "");
   reader.text("solver", entry.solver, "");
   reader.text("against", entry.against, "");
   reader.chosen("metrics", entry.metrics, metric_choices(), "");

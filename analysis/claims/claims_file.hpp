@@ -18,7 +18,7 @@ enum class FromCompanion { all, solver, others };
 
 struct ClaimEntry {
   std::string id, sentence, section, decides;
-  report::By by = report::By::paper;
+  report::Claimant by = report::Claimant::paper;
   std::string rule;     // the rule that judges it (rules.hpp)
   std::string solver;   // its solver; empty: the paper's own
   std::string against;  // one solver; empty: all others

@@ -64,7 +64,7 @@ Claims judged(const ClaimsFile& file, const Reported& reported) {
     const Case of{file, entry, reported};
     Claims found = rule_of(entry.rule)(of);
     const bool is_of_many = entry.sentence.find('{') != std::string::npos;
-    if (found.empty() && of.is_of_means() && entry.by == By::paper && !is_of_many) found.push_back(untested(of));
+    if (found.empty() && of.is_of_means() && entry.by == Claimant::paper && !is_of_many) found.push_back(untested(of));
     std::ranges::move(found, std::back_inserter(claims));
   }
   // Claims that another study could test are no shortcoming of the paper.

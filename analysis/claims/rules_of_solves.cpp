@@ -115,7 +115,7 @@ Claims singularities(const Case& of) {
   claim.verdict = Verdict::untested;
   claim.table = "";
   claim.evidence = {of.entry.decides};
-  const SolverFacts& facts = gathered_of(of.study(), of.entry.solver);
+  const SolverFacts& facts = solver_facts(of.study(), of.entry.solver);
   if (facts.joints.size() != of.entry.joints.size()) return {claim};
   for (std::size_t joint = 0; joint < facts.joints.size(); ++joint) {
     const auto& [answers, near, nearest_deg] = facts.joints[joint];

@@ -90,7 +90,7 @@ std::vector<double> averages_by_point(const StudyResults& study, const std::stri
 
 std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
   std::map<int, const SolveRecord*> solves;
-  for (const SolveRecord& solve : study.gathered->drawn) {
+  for (const SolveRecord& solve : study.solve_data->drawn) {
     if (solve.solver == solver) solves[solve.point] = &solve;
   }
   return solves;

@@ -53,7 +53,7 @@ bool is_less(const Problem& a, const Problem& b) {
 }  // namespace
 
 std::vector<std::uint32_t> target_numbers(const StudyResults& study) {
-  const Problems& problems = study.gathered->problems;
+  const Problems& problems = study.solve_data->problems;
   std::vector<std::uint32_t> order(problems.size()), target(problems.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return is_less(problems[a], problems[b]); });

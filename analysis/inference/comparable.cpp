@@ -179,7 +179,7 @@ Doubts cpu_doubts(const std::set<std::string>& cpus) {
 
 Doubts transport_doubts(const StudyResults& study) {
   const SolverLabels found = those(study, [&](const std::string& solver) {
-    const std::vector<double>& shares = gathered_of(study, solver).transport_shares;
+    const std::vector<double>& shares = solver_facts(study, solver).transport_shares;
     return !shares.empty() && median(shares) >= 0.5;
   });
   if (found.empty()) return {};

@@ -30,7 +30,7 @@ std::vector<RunningTime> replicates_of(const std::vector<RunningTime>& sums, con
 }
 
 // A number that is above 0 where the first costs more, and that of every replicate.
-struct PairNumber {
+struct ReplicatedNumber {
   double value = not_defined;
   std::vector<double> replicates = {};
 };
@@ -39,13 +39,13 @@ class Pair {
  public:
   Pair(const SolverCost& first, const SolverCost& second) : first_(first), second_(second) {}
 
-  PairNumber log_ratio() const {
+  ReplicatedNumber log_ratio() const {
     return by([](const RunningTime& first, const RunningTime& second) {
       return std::log(first.expected()) - std::log(second.expected());
     });
   }
 
-  PairNumber shares_of_success() const {
+  ReplicatedNumber shares_of_success() const {
     return by([&](const RunningTime& first, const RunningTime& second) {
       double by_first = first.spent / first.trials, by_second = second.spent / second.trials;
       if (first_.time.successes == 0 || second_.time.successes == 0) {  // an infinite cost outweighs any other
@@ -67,8 +67,8 @@ class Pair {
 
  private:
   template <class Of>
-  PairNumber by(Of of) const {
-    PairNumber result{.value = of(first_.time, second_.time)};
+  ReplicatedNumber by(Of of) const {
+    ReplicatedNumber result{.value = of(first_.time, second_.time)};
     for (std::size_t b = 0; b < std::min(first_.replicates.size(), second_.replicates.size()); ++b) {
       result.replicates.push_back(of(first_.replicates[b], second_.replicates[b]));
     }
@@ -79,7 +79,9 @@ class Pair {
   const SolverCost& second_;
 };
 
-bool is_finite(const PairNumber& compared) { return std::isfinite(compared.value) && all_finite(compared.replicates); }
+bool is_finite(const ReplicatedNumber& compared) {
+  return std::isfinite(compared.value) && all_finite(compared.replicates);
+}
 
 }  // namespace
 
@@ -133,7 +135,7 @@ std::vector<Finding> compare_costs(const StudyResults& study, Metric cost, const
   std::vector<bool> has_ratio;
   for (const auto& [first, second] : pairs) {
     const Pair pair(costs[first], costs[second]);
-    PairNumber compared = pair.log_ratio();
+    ReplicatedNumber compared = pair.log_ratio();
     has_ratio.push_back(is_finite(compared));
     if (!has_ratio.back()) compared = pair.shares_of_success();
     found.push_back({.quantity = fmt::format("expected {}", name_of(cost)),

@@ -312,7 +312,7 @@ Estimate power_of_ten(const Estimate& of) {
 }
 
 // Converts results for logarithms to the unit of the values.
-Evidence told(Evidence found) {
+Evidence in_unit_of_values(Evidence found) {
   if (found.scale == ValueScale::plain) return found;
   for (GroupEvidence& group : found.groups) {
     Description& of = group.described;
@@ -365,7 +365,7 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
   const Observations observations = exact(given);
   Evidence result = describe_groups(observations, plan);
   make_tests(result, observations);
-  result = told(std::move(result));
+  result = in_unit_of_values(std::move(result));
   if (!result.contrasts.empty()) judge_not_finite(result, observations);
   return result;
 }
@@ -380,7 +380,7 @@ Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
 }
 
 Evidence described(const Observations& observations, const AnalysisPlan& plan) {
-  return told(describe_groups(exact(observations), plan));
+  return in_unit_of_values(describe_groups(exact(observations), plan));
 }
 
 }  // namespace ikbench::inference

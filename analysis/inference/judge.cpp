@@ -84,7 +84,7 @@ const TestResult* deciding_test(const Evidence& evidence) {
   return found == evidence.tests.end() ? nullptr : &*found;
 }
 
-double standing(const Evidence& evidence, const GroupEvidence& group) {
+double group_score(const Evidence& evidence, const GroupEvidence& group) {
   const double rank = !evidence.ranks_decide()           ? not_defined
                       : evidence.decides_within_blocks() ? group.average_rank
                                                          : group.mean_rank;
@@ -98,7 +98,7 @@ std::size_t best_group(const Evidence& evidence) {
   if (evidence.contrasts.size() == 1 && evidence.contrasts[0].ahead != 0) {
     return evidence.contrasts[0].ahead > 0 ? evidence.contrasts[0].first : evidence.contrasts[0].second;
   }
-  const auto worth = [&](const GroupEvidence& group) { return standing(evidence, group); };
+  const auto worth = [&](const GroupEvidence& group) { return group_score(evidence, group); };
   return static_cast<std::size_t>(std::ranges::min_element(groups, {}, worth) - groups.begin());
 }
 

@@ -32,8 +32,8 @@ std::string_view deciding_words(const Evidence& evidence);
 std::string_view test_of_constants_words(const Evidence& evidence);
 // A group's score by the deciding method: its mean rank, average rank or mean. Smaller is better; infinite if not
 // defined.
-double standing(const Evidence& evidence, const GroupEvidence& group);
-// Index of the group with the best standing().
+double group_score(const Evidence& evidence, const GroupEvidence& group);
+// Index of the group with the smallest group_score().
 std::size_t best_group(const Evidence& evidence);
 // The test of all groups that goes with the deciding test of pairs; null if it was not made or does not exist.
 const TestResult* deciding_test(const Evidence& evidence);

@@ -66,7 +66,7 @@ StudyResults of_entry(const StudyEntry& entry) {
 
 // Adds facts of the sessions that solved the study.
 void add_sessions(StudyResults& study, const std::vector<Series>& series, const std::vector<Session>& sessions) {
-  const std::vector<std::int64_t>& used = study.gathered->sessions;
+  const std::vector<std::int64_t>& used = study.solve_data->sessions;
   std::vector<Session> solving;
   std::ranges::copy_if(sessions, std::back_inserter(solving),
                        [&](const Session& each) { return std::ranges::find(used, each.id) != used.end(); });
@@ -174,11 +174,11 @@ StudyResults StudyMaker::finish(const std::vector<Session>& sessions) {
                     study_.runs, study_.points, solvers, most_solves));
   }
   end_run();
-  gathered_.labels = study_.solvers;
-  gathered_.of_solver.resize(study_.solvers.size());
-  gathered_.problems.forget_index();
+  data_.labels = study_.solvers;
+  data_.of_solver.resize(study_.solvers.size());
+  data_.problems.forget_index();
   study_.solves = SolveList(std::move(solves_));
-  study_.gathered = std::make_shared<const SolveData>(std::move(gathered_));
+  study_.solve_data = std::make_shared<const SolveData>(std::move(data_));
   add_sessions(study_, series_, sessions);
   return std::move(study_);
 }

@@ -1,4 +1,4 @@
-// Makes studies from their solves, which are read one by one and condensed (solve.hpp, gathered.hpp).
+// Makes studies from their solves, which are read one by one and condensed (solve.hpp, solve_data.hpp).
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/gathered.hpp"
+#include "analysis/inference/solve_data.hpp"
 #include "analysis/inference/study.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
@@ -32,7 +32,7 @@ class StudyMaker {
   };
   void check(const results::SolveRecord& record) const;
   std::uint16_t number_of(const std::string& solver);
-  // Takes the facts from a record (gathered.cpp).
+  // Takes the facts from a record (solve_data.cpp).
   Solve condensed(const results::SolveRecord& record, std::uint16_t solver);
   bool is_following(const results::SolveRecord& record, std::uint16_t solver) const;
   void look_at_times(const results::SolveRecord& record, std::uint16_t solver, bool is_repeated);
@@ -44,7 +44,7 @@ class StudyMaker {
   StudyResults study_;
   std::vector<results::Series> series_ = {};  // from the study's definition
   std::vector<Solve> solves_;
-  SolveData gathered_;
+  SolveData data_;
   // These belong to the current run.
   std::vector<std::vector<double>> answers_;
   TargetOfSolve first_, last_;

@@ -38,7 +38,7 @@ double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
 // Shape of a run that follows a path; not defined if it has one solve only.
 RunShape shape_of(Run run, const StudyResults& study) {
   if (!is_followed(run, study)) return {};
-  const std::vector<RunShape>& all = study.gathered->shapes;
+  const std::vector<RunShape>& all = study.solve_data->shapes;
   const auto place = [](const auto& of) { return std::pair(of.solver, of.run); };
   const auto found = std::ranges::lower_bound(all, place(*run.front()), {}, place);
   return found != all.end() && place(*found) == place(*run.front()) ? *found : RunShape{};

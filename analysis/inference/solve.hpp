@@ -1,5 +1,5 @@
 // The numbers that the analysis keeps of a solve. They take about a hundred bytes, so that a study may have ten million
-// solves. Facts from lists (angles, targets, traces) are taken while the record is read (gathered.hpp).
+// solves. Facts from lists (angles, targets, traces) are taken while the record is read (solve_data.hpp).
 #pragma once
 
 #include <cstddef>

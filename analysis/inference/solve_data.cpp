@@ -1,4 +1,4 @@
-#include "analysis/inference/gathered.hpp"
+#include "analysis/inference/solve_data.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -154,7 +154,7 @@ bool StudyMaker::is_following(const SolveRecord& record, std::uint16_t solver) c
 }
 
 std::uint16_t StudyMaker::session_number(std::int64_t session) {
-  std::vector<std::int64_t>& known = gathered_.sessions;
+  std::vector<std::int64_t>& known = data_.sessions;
   if (known.empty() || known.back() != session) {
     const auto found = std::ranges::find(known, session);
     if (found != known.end()) return static_cast<std::uint16_t>(found - known.begin());
@@ -167,27 +167,27 @@ std::uint16_t StudyMaker::session_number(std::int64_t session) {
 }
 
 void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
-  SolverFacts& own = gathered_.of_solver[solver];
+  SolverFacts& own = data_.of_solver[solver];
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
   }
-  if (record.timing == Timing::clean) ++gathered_.repeats[record.repeats];
+  if (record.timing == Timing::clean) ++data_.repeats[record.repeats];
   if (std::isfinite(record.interruptions)) {
-    gathered_.interruptions = gathered_.interruptions.value_or(0) + record.interruptions;
+    data_.interruptions = data_.interruptions.value_or(0) + record.interruptions;
   }
   const double longest = std::fmax(record.seconds, record.largest_seconds), usual = record.smallest_seconds;
   if (!is_repeated || !(longest > outlying * usual)) return;
   ++own.outlying_repeats;
-  std::optional<Outlier>& worst = gathered_.worst_repeat;
+  std::optional<Outlier>& worst = data_.worst_repeat;
   if (!worst || longest / usual > worst->seconds / worst->usual) {
     worst = Outlier{solver, record.run, record.point, longest, usual, true};
   }
 }
 
 void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
-  SolverFacts& own = gathered_.of_solver[solver];
+  SolverFacts& own = data_.of_solver[solver];
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
-  gathered_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
+  data_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
   own.joints.resize(std::max(own.joints.size(), record.answer_rad.size()));
   for (std::size_t joint = 0; joint < record.answer_rad.size(); ++joint) {
     StraightJoint& straight = own.joints[joint];
@@ -200,7 +200,7 @@ void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver)
 }
 
 void StudyMaker::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {
-  std::vector<SolveRecord>& drawn = gathered_.drawn;
+  std::vector<SolveRecord>& drawn = data_.drawn;
   if (!is_first_of_solver && drawn.back().run != record.run) return;
   drawn.push_back(record);
   drawn.back().trace_cm = {};
@@ -221,21 +221,21 @@ void StudyMaker::end_run() {
       shape.return_deg =
           norm_deg(first.size(), study_.facts.slides, [&](std::size_t joint) { return last[joint] - first[joint]; });
     }
-    gathered_.shapes.push_back(shape);
+    data_.shapes.push_back(shape);
   }
   answers_.clear();
 }
 
 Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
   const bool is_first_of_solver = solves_.empty() || solver != solves_.back().solver;
-  if (gathered_.of_solver.size() <= solver) gathered_.of_solver.resize(solver + std::size_t{1});
+  if (data_.of_solver.size() <= solver) data_.of_solver.resize(solver + std::size_t{1});
   const bool is_following = this->is_following(record, solver);
   if (is_first_of_solver || record.run != solves_.back().run) {
     end_run();
     first_ = {record.target_position_m, record.target_rotation};
   }
   const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
-  if (gathered_.robot.empty()) gathered_.robot = record.robot;
+  if (data_.robot.empty()) data_.robot = record.robot;
   look_at_times(record, solver, is_repeated);
   look_at_answer(record, solver);
   keep_drawn(record, is_first_of_solver);
@@ -250,7 +250,7 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .evaluations = record.evaluations,
               .run = record.run,
               .point = record.point,
-              .problem = gathered_.problems.number_of(record, study_.facts.starts_anew() || !is_following),
+              .problem = data_.problems.number_of(record, study_.facts.starts_anew() || !is_following),
               .answer = digest_of(record.answer_rad),
               .iterations = static_cast<std::uint32_t>(
                   std::clamp<std::int64_t>(record.iterations, 0, std::numeric_limits<std::uint32_t>::max())),
@@ -265,8 +265,8 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .is_repeated = is_repeated,
               .is_following = is_following};
   if (!record.trace_cm.empty() || record.variation_m != 0) {
-    gathered_.extras.push_back({record.trace_cm, record.variation_m});
-    solve.extras = &gathered_.extras.back();
+    data_.extras.push_back({record.trace_cm, record.variation_m});
+    solve.extras = &data_.extras.back();
   }
   answers_.push_back(record.answer_rad);
   last_ = {record.target_position_m, record.target_rotation};

@@ -60,11 +60,11 @@ void join_equal_runs(Sample& sample, std::size_t runs) {
 }  // namespace
 
 const std::string& solver_of(const StudyResults& study, const Solve& solve) {
-  return study.gathered->labels[solve.solver];
+  return study.solve_data->labels[solve.solver];
 }
 
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver) {
-  const auto number = std::ranges::find(study.gathered->labels, solver) - study.gathered->labels.begin();
+  const auto number = std::ranges::find(study.solve_data->labels, solver) - study.solve_data->labels.begin();
   // Not equal_range, which clang++ 14 cannot compile with this library.
   return {std::ranges::lower_bound(study.solves, number, {}, &Solve::solver),
           std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};
@@ -75,19 +75,19 @@ bool is_imported(const StudyResults& study, std::string_view solver) {
   return !solves.empty() && solves.front().timing == Timing::imported;
 }
 
-const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver) {
+const SolverFacts& solver_facts(const StudyResults& study, std::string_view solver) {
   static const SolverFacts none;
-  const SolveData& all = *study.gathered;
+  const SolveData& all = *study.solve_data;
   const auto found = std::ranges::find(all.labels, solver);
   return found == all.labels.end() ? none : all.of_solver[static_cast<std::size_t>(found - all.labels.begin())];
 }
 
-Problem problem_of(const StudyResults& study, const Solve& solve) { return study.gathered->problems[solve.problem]; }
+Problem problem_of(const StudyResults& study, const Solve& solve) { return study.solve_data->problems[solve.problem]; }
 
 std::vector<const Solve*> places_of(const StudyResults& study) {
   const auto place = [](const Solve* solve) { return std::pair(solve->run, solve->point); };
   std::vector<const Solve*> all;
-  for (const std::string& solver : study.gathered->labels) {
+  for (const std::string& solver : study.solve_data->labels) {
     std::vector<const Solve*> own, both;
     for (const Solve& solve : solves_of(study, solver)) own.push_back(&solve);
     std::ranges::set_union(all, own, std::back_inserter(both), {}, place, place);
@@ -97,11 +97,11 @@ std::vector<const Solve*> places_of(const StudyResults& study) {
 }
 
 SolvesOfSessions solves_of_sessions(const StudyResults& study) {
-  std::vector<std::int64_t> counts(study.gathered->sessions.size());
+  std::vector<std::int64_t> counts(study.solve_data->sessions.size());
   for (const Solve& solve : study.solves) ++counts[solve.session];
   SolvesOfSessions of_sessions;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] > 0) of_sessions[study.gathered->sessions[i]] = counts[i];
+    if (counts[i] > 0) of_sessions[study.solve_data->sessions[i]] = counts[i];
   }
   return of_sessions;
 }
@@ -200,7 +200,7 @@ std::vector<SolverCounts> counts(const StudyResults& study) {
         ++count.by_status[static_cast<std::size_t>(solve.status)];
         ++count.by_timing[static_cast<std::size_t>(solve.timing)];
         if (solve.is_outside_limits) ++count.outside_limits;
-        count.worst_outside_deg = study.gathered->of_solver[solve.solver].worst_outside_deg;
+        count.worst_outside_deg = study.solve_data->of_solver[solve.solver].worst_outside_deg;
       }
     }
     result.push_back(count);
@@ -221,7 +221,7 @@ std::vector<Status> shown_statuses(const StudyResults& study) {
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept) {
   std::vector<std::span<const Solve>> parts;
   std::size_t solves = 0;
-  for (const std::string& solver : study.gathered->labels) {
+  for (const std::string& solver : study.solve_data->labels) {
     if (is_kept(solver)) parts.push_back(solves_of(study, solver));
     if (is_kept(solver)) solves += parts.back().size();
   }

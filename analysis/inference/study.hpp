@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/inference/gathered.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/solve.hpp"
+#include "analysis/inference/solve_data.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
@@ -36,7 +36,7 @@ struct StudyResults {
   StudyFacts facts = {};                   // from its definition
   std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
   SolveList solves = {};
-  std::shared_ptr<const SolveData> gathered = std::make_shared<const SolveData>();
+  std::shared_ptr<const SolveData> solve_data = std::make_shared<const SolveData>();
   std::vector<double> seconds_per_evaluation = {};  // one per solver; replace measured ones (times.hpp)
 };
 
@@ -46,7 +46,7 @@ const std::string& solver_of(const StudyResults& study, const Solve& solve);
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
 // Returns whether the solver's solves were imported from a file.
 bool is_imported(const StudyResults& study, std::string_view solver);
-const SolverFacts& gathered_of(const StudyResults& study, std::string_view solver);
+const SolverFacts& solver_facts(const StudyResults& study, std::string_view solver);
 Problem problem_of(const StudyResults& study, const Solve& solve);
 // The first solve of each place (run and point), ordered by place.
 std::vector<const Solve*> places_of(const StudyResults& study);

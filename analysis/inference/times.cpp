@@ -29,7 +29,7 @@ constexpr double ms_per_second = 1000;
 // Median seconds per evaluation of each solver.
 std::vector<double> seconds_per_evaluation_of(const StudyResults& study) {
   std::vector<double> medians;
-  for (const std::string& solver : study.gathered->labels) {
+  for (const std::string& solver : study.solve_data->labels) {
     std::vector<double> paces;
     for (const Solve& solve : solves_of(study, solver)) {
       if (has_pace(study, solve)) paces.push_back(seconds_of(study, solve) / static_cast<double>(solve.evaluations));
@@ -66,12 +66,12 @@ bool stands_out(double seconds, double usual) { return seconds > outlying * usua
 // Compares a solve without repeats with its solver's pace, any other with its own repeats.
 Outliers outliers_of(const StudyResults& study) {
   const std::vector<double> paces = seconds_per_evaluation_of(study);
-  const SolveData& gathered = *study.gathered;
-  Outliers found{.of_solver = std::vector<int>(gathered.labels.size())};
-  for (std::uint16_t i = 0; i < gathered.labels.size(); ++i) {
-    found.add({.solver = i}, gathered.of_solver[i].outlying_repeats);
+  const SolveData& data = *study.solve_data;
+  Outliers found{.of_solver = std::vector<int>(data.labels.size())};
+  for (std::uint16_t i = 0; i < data.labels.size(); ++i) {
+    found.add({.solver = i}, data.of_solver[i].outlying_repeats);
   }
-  if (gathered.worst_repeat) found.worst = gathered.worst_repeat;
+  if (data.worst_repeat) found.worst = data.worst_repeat;
   for (const Solve& solve : study.solves) {
     if (solve.is_repeated || !has_pace(study, solve)) continue;
     const Outlier one{.solver = solve.solver,
@@ -94,7 +94,7 @@ Doubt slow_doubt(const Outliers& found, const StudyResults& study) {
           .other = outlying,
           .value = ms_per_second * worst.seconds,
           .limit = ms_per_second * worst.usual,
-          .what = fmt::format("{}, run {}, point {}{}", one_line(study.gathered->labels[worst.solver]), worst.run,
+          .what = fmt::format("{}, run {}, point {}{}", one_line(study.solve_data->labels[worst.solver]), worst.run,
                               worst.point, worst.is_repeated ? ", in one of its repeats" : "")};
 }
 
@@ -124,7 +124,7 @@ Doubts outlier_doubts(const StudyResults& study) {
   const Outliers found = outliers_of(study);
   if (found.solves == 0) return {};
   Doubts doubts{slow_doubt(found, study)};
-  if (const auto& count = study.gathered->interruptions) {
+  if (const auto& count = study.solve_data->interruptions) {
     doubts.push_back({.kind = DoubtKind::interruptions, .count = static_cast<double>(*count)});
   }
   if (std::isfinite(study.stolen_seconds)) {
@@ -138,7 +138,7 @@ Doubts repeat_doubts(const StudyResults& study) {
   if (!std::isfinite(defined) || study.facts.stop.seconds > 0) return {};  // those solves are not repeated
   std::int64_t others = 0;
   int fewest = std::numeric_limits<int>::max(), most = 0;
-  for (const auto& [repeats, solves] : study.gathered->repeats) {
+  for (const auto& [repeats, solves] : study.solve_data->repeats) {
     if (repeats == defined) continue;
     others += solves;
     fewest = std::min(fewest, repeats);
@@ -156,7 +156,7 @@ Doubts load_doubts(const StudyResults& study) {
   const Outliers found = outliers_of(study);
   bool is_loaded = false;
   for (std::size_t i = 0; i < found.of_solver.size(); ++i) {
-    const std::size_t solves = solves_of(study, study.gathered->labels[i]).size();
+    const std::size_t solves = solves_of(study, study.solve_data->labels[i]).size();
     is_loaded |= found.of_solver[i] > 1 && found.of_solver[i] > loaded * static_cast<double>(solves);
   }
   if (!is_loaded) return {};

@@ -188,7 +188,7 @@ class Answer {
       }
     }
     std::ranges::stable_sort(result, {}, [&](const Contrast* pair) {
-      return standing(evidence_, evidence_.groups[other_than(best_, *pair)]);
+      return group_score(evidence_, evidence_.groups[other_than(best_, *pair)]);
     });
     return result;
   }

@@ -72,14 +72,14 @@ std::string verdict_words(const Claim& claim) {
 
 std::string evidence_text(const Claim& claim) { return fmt::format("{}", fmt::join(claim.evidence, " ")); }
 
-std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims) {
+std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims) {
   std::vector<Claim> result;
   std::ranges::copy_if(claims, std::back_inserter(result), [by](const Claim& claim) { return claim.by == by; });
   return result;
 }
 
 std::string tally(const std::vector<Claim>& claims) {
-  const std::vector<Claim> all = claims_by(By::paper, claims);
+  const std::vector<Claim> all = claims_by(Claimant::paper, claims);
   std::vector<std::string> parts;
   for (const Verdict verdict : in_order) {
     const auto count = std::ranges::count(all, verdict, &Claim::verdict);

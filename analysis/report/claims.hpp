@@ -13,7 +13,7 @@ namespace ikbench::report {
 enum class Verdict { holds, in_part, undecided, fails, depends, untested };
 std::string_view name_of(Verdict verdict);
 
-enum class By { paper, us };  // who made the claim: the paper, or we added it
+enum class Claimant { paper, us };  // who made the claim: the paper, or we added it
 
 struct Claim {
   std::string statement;
@@ -24,7 +24,7 @@ struct Claim {
   std::optional<Verdict> printed = {};  // verdict by the printed numbers only; nullopt if they cannot tell
   std::string id = {};                  // "most_accurate"; joins other results to the claim
   std::string section = {};             // section of the paper
-  By by = By::paper;
+  Claimant by = Claimant::paper;
   std::string decides = {};                  // a sentence on what would decide it
   std::string number = {};                   // the most telling number, short: "0.0017 against 0.21 cm"
   std::vector<std::string> depends_on = {};  // what the verdict depends on, most important first: "who obeys limits"
@@ -35,7 +35,7 @@ std::string verdict_words(const Claim& claim);
 
 std::string evidence_text(const Claim& claim);  // all of it
 
-std::vector<Claim> claims_by(By by, const std::vector<Claim>& claims);
+std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims);
 
 // A sentence that counts how many of the paper's claims hold here; our own questions do not count.
 std::string tally(const std::vector<Claim>& claims);

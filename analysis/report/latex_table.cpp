@@ -179,7 +179,7 @@ std::string notes_of(const Table& table) {
   return text;
 }
 
-// Whether pdflatex has no letter for some character: it has those of Europe and general punctuation.
+// Returns whether pdflatex lacks a letter: it has those of Europe and general punctuation.
 bool needs_another_engine(std::string_view latex) {
   for (std::size_t i = 0; i < latex.size(); ++i) {
     const auto lead = static_cast<unsigned char>(latex[i]);

@@ -95,7 +95,7 @@ Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estim
     if (std::isfinite(evidence.groups[i].described.mean)) order.push_back(i);
   }
   if (order.empty()) return {};
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return standing(evidence, evidence.groups[i]); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return group_score(evidence, evidence.groups[i]); });
   std::vector<std::string> labels;
   for (const std::size_t group : order) labels.push_back(label(group));
   const std::string words = order.size() == 1 ? labels.front()

@@ -91,12 +91,12 @@ Json drawn(const robots::Chain& chain) {
 
 bool can_be_drawn(const StudyResults& study, std::size_t joints) {
   const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
-  const Problems& problems = study.gathered->problems;
+  const Problems& problems = study.solve_data->problems;
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const std::span<const double> target = problems[i].target_position_m;
     if (target.size() != 3 || !std::ranges::all_of(target, is_near)) return false;
   }
-  return std::ranges::all_of(study.gathered->joints, [&](std::size_t size) { return size == joints; });
+  return std::ranges::all_of(study.solve_data->joints, [&](std::size_t size) { return size == joints; });
 }
 
 }  // namespace

@@ -34,13 +34,13 @@ struct Paper {
   int repetitions = 0;              // number of seeds with which its first study is solved again
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
-  ReportPlan sections = {};                                 // places the pieces; if no results, they do so themselves
+  ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
-  // Printed summaries that the same methods can assess.
+  // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
-  // Table of the universes with at most one choice that is not the default.
+  // Makes the table of the universes with at most one choice that is not the default.
   std::function<Table(const inference::Multiverse&, const results::AnalysisPlan&)> one_at_a_time = {};
 };
 

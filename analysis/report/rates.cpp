@@ -149,8 +149,8 @@ std::vector<RatesOfArm> solve_rates(const Reported& reported, const RatesPlan& p
   std::vector<RatesOfArm> arms;
   for (const JudgedStudy& study : studies) {
     if (study.solves.empty()) continue;
-    const auto named = plan.rows.find(study.gathered->robot);
-    const std::string arm = named == plan.rows.end() ? study.gathered->robot : named->second;
+    const auto named = plan.rows.find(study.solve_data->robot);
+    const std::string arm = named == plan.rows.end() ? study.solve_data->robot : named->second;
     const std::optional<std::size_t> row = row_of(printed, arm);
     if (!plan.table.empty() && !row) continue;
     RatesOfArm& rates =

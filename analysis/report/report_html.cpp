@@ -160,10 +160,10 @@ Json claim_json(const Claim& claim, const ReportContent& content) {
 // The paper's claims and our own questions, as a list of the lists that are not empty.
 Json verdicts_json(const ReportContent& content) {
   Json lists = Json::array();
-  for (const By by : {By::paper, By::us}) {
+  for (const Claimant by : {Claimant::paper, Claimant::us}) {
     Json claims = Json::array();
     for (const Claim& claim : claims_by(by, content.claims)) claims.push_back(claim_json(claim, content));
-    if (!claims.empty()) lists.push_back({{"besides", by == By::us}, {"claims", claims}});
+    if (!claims.empty()) lists.push_back({{"besides", by == Claimant::us}, {"claims", claims}});
   }
   return lists;
 }

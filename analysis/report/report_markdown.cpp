@@ -66,7 +66,8 @@ Table table_of(const std::vector<Claim>& claims, std::string caption, Detail det
 
 std::string verdict(const ReportContent& content, Detail detail) {
   std::string text;
-  const std::vector<Claim> papers = claims_by(By::paper, content.claims), ours = claims_by(By::us, content.claims);
+  const std::vector<Claim> papers = claims_by(Claimant::paper, content.claims),
+                           ours = claims_by(Claimant::us, content.claims);
   if (!papers.empty()) {
     text +=
         "## Verdict\n\n" + markdown(table_of(papers, fmt::format("{}", fmt::join(answers_of(content), " ")), detail));

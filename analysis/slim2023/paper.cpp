@@ -37,7 +37,7 @@ bool is_of_companions(const std::string& piece) {
   return std::ranges::find(names, piece) != names.end();
 }
 
-// How many printed numbers agree, or if that is not known the error of the paper's solver: short, for the first lines.
+// Says for the first lines how many printed numbers agree or, if that is not known, the error of the paper's solver.
 std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreement>& agreed) {
   if (!agreed.empty()) {
     return fmt::format("{} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),

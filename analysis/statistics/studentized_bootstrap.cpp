@@ -38,7 +38,7 @@ struct Resample {
   double square = not_defined;  // of the standard error; exactly 0 if all values are equal
 };
 
-// Of the values at these positions.
+// Summarizes the values at these positions.
 Resample summary_of(const std::vector<double>& values, const std::vector<std::size_t>& positions) {
   const auto n = static_cast<double>(positions.size());
   double sum = 0, squares = 0;

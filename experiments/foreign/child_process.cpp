@@ -293,14 +293,14 @@ void ChildProcess::drain_output() {
   }
 }
 
-bool ChildProcess::wait(WaitFor waiting, Clock::time_point deadline) {
+bool ChildProcess::wait(Wait purpose, Clock::time_point deadline) {
   constexpr long slice = 200;  // [ms] between checks that the process still runs
   const long left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   if (left <= 0) return false;
   const bool has_room = read_.size() - taken_ < most_unread;
   std::array<pollfd, 3> files{pollfd{.fd = errors_, .events = POLLIN, .revents = 0},
                               pollfd{.fd = has_room ? output_ : -1, .events = POLLIN, .revents = 0},
-                              pollfd{.fd = waiting.to_write ? input_ : -1, .events = POLLOUT, .revents = 0}};
+                              pollfd{.fd = purpose == Wait::to_write ? input_ : -1, .events = POLLOUT, .revents = 0}};
   const int ready = ::poll(files.data(), files.size(), static_cast<int>(std::min(left, slice)));
   if (ready > 0 && files[0].revents != 0) drain_errors();
   if (ready > 0 && files[1].revents != 0) drain_output();
@@ -322,7 +322,7 @@ ChildProcess::Outcome ChildProcess::write(std::string_view text, Clock::time_poi
     if (size >= 0) {
       text.remove_prefix(static_cast<std::size_t>(size));
     } else if (errno == EAGAIN) {
-      if (!wait({.to_write = true}, deadline)) return Outcome::too_late;
+      if (!wait(Wait::to_write, deadline)) return Outcome::too_late;
     } else if (errno != EINTR) {
       return Outcome::ended;
     }
@@ -347,7 +347,7 @@ ChildProcess::Outcome ChildProcess::read_line(std::string& line, Clock::time_poi
     if (output_ < 0) return Outcome::ended;
     read_.erase(0, std::exchange(taken_, 0));
     seen = read_.size();
-    if (!wait({.to_write = false}, deadline)) return Outcome::too_late;
+    if (!wait(Wait::to_read, deadline)) return Outcome::too_late;
   }
 }
 

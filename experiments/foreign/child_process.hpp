@@ -49,11 +49,9 @@ class ChildProcess {
   void end(std::chrono::milliseconds patience);
 
  private:
-  struct WaitFor {
-    bool to_write;
-  };
+  enum class Wait { to_read, to_write };
   // Waits until it can write or has read something. False at the deadline.
-  bool wait(WaitFor waiting, Clock::time_point deadline);
+  bool wait(Wait purpose, Clock::time_point deadline);
   void drain_output();
   void drain_errors();
   bool ends_within(std::chrono::milliseconds patience);

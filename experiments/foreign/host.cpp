@@ -130,7 +130,7 @@ HostedArm arm_in(const Json& robot, const Json& options) {
           .options = option_values(options, robot.at("options"))};
 }
 
-struct AskedOfHost {
+struct RequestToHost {
   Goal goal;
   Problem problem;
   StopRule stop;
@@ -140,7 +140,7 @@ struct AskedOfHost {
   int repeats;
 };
 
-AskedOfHost solve_in(const Json& told, double rotation_weight) {
+RequestToHost solve_in(const Json& told, double rotation_weight) {
   const Json &target = told.at("target"), &budget = told.at("budget"), &tolerance = told.at("tolerance");
   Pose pose = Pose::Identity();
   pose.translation() = vector_in(target.at("position"));
@@ -171,7 +171,7 @@ struct Measured {
 
 // Solves as often as asked; the results are ordered by time. Throws Breach if the answers differ, or if the processor's
 // mode was changed.
-std::vector<Measured> solved(SharedSolver& solver, const Chain& chain, const AskedOfHost& asked) {
+std::vector<Measured> solved(SharedSolver& solver, const Chain& chain, const RequestToHost& asked) {
   std::vector<Measured> all;
   for (int i = 0; i < asked.repeats; ++i) {
     solver.set_seed(asked.seed);
@@ -190,7 +190,7 @@ std::vector<Measured> solved(SharedSolver& solver, const Chain& chain, const Ask
   return all;
 }
 
-Json answer(std::int64_t id, SharedSolver& solver, const Chain& chain, const AskedOfHost& asked) {
+Json answer(std::int64_t id, SharedSolver& solver, const Chain& chain, const RequestToHost& asked) {
   Json message{{"message", "solved"}, {"id", id}};
   try {
     const std::vector<Measured> all = solved(solver, chain, asked);

@@ -310,7 +310,7 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
   return line_of(json);
 }
 
-std::string solve_message(Mode mode, const AskedSolve& asked) {
+std::string solve_message(Mode mode, const SolveRequest& asked) {
   const Problem& problem = asked.problem;
   const JointLimits limits = finite_limits(problem);
   Json target{{"position", numbers(asked.goal.target.translation())}};

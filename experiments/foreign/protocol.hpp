@@ -99,7 +99,7 @@ struct HostedSolve {
   solvers::Trace trace = solvers::Trace::none;
 };
 
-struct AskedSolve {
+struct SolveRequest {
   std::int64_t id;
   const solvers::Problem& problem;
   const solvers::Goal& goal;
@@ -107,7 +107,7 @@ struct AskedSolve {
   std::uint32_t seed;
   HostedSolve hosted = {};
 };
-std::string solve_message(Mode mode, const AskedSolve& asked);
+std::string solve_message(Mode mode, const SolveRequest& asked);
 enum class Over { no, yes };
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over);
 // A message padded to about `bytes` bytes.

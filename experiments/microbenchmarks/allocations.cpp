@@ -31,7 +31,7 @@ void count(benchmark::State& state, const SolverInfo& info) {
 }
 
 void register_solvers() {
-  for (const SolverInfo& info : solvers_for(wrist_reach().chain, Asked::position)) {
+  for (const SolverInfo& info : solvers_for(wrist_reach().chain, GoalKind::position)) {
     if (!info.library.empty()) continue;  // a peer: one step of it is a whole solve
     benchmark::RegisterBenchmark(("allocations/" + info.name).c_str(), count, info)
         ->Iterations(1)

@@ -44,7 +44,7 @@ void one_step(benchmark::State& state, const SolverInfo& info, const Reach& reac
 }
 
 void register_solvers() {
-  for (const SolverInfo& info : solvers_for(wrist_reach().chain, Asked::position)) {
+  for (const SolverInfo& info : solvers_for(wrist_reach().chain, GoalKind::position)) {
     if (!info.library.empty()) continue;  // a peer: one step of it is a whole solve
     for (const auto& [joints, reach] : {std::pair("joints:4", wrist_reach()), std::pair("joints:7", flange_reach())}) {
       const std::string name = "solvers/" + info.name + "/" + joints;

@@ -32,7 +32,7 @@ class KdlLma final : public Solver {
 
   explicit KdlLma(Options options) : options_(options) {}
 
-  static std::string why_not(const Chain& arm, Asked) { return why_kdl_cannot(arm); }
+  static std::string why_not(const Chain& arm, GoalKind) { return why_kdl_cannot(arm); }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     if (!arm_ || *arm_ != objective.arm()) {

@@ -48,8 +48,8 @@ class KdlNewton final : public Solver {
 
   explicit KdlNewton(Options options) : options_(options) {}
 
-  static std::string why_not(const Chain& arm, Asked asked) {
-    if (asked == Asked::position) return "kdl_newton solves for a pose; expected search = \"pose\"";
+  static std::string why_not(const Chain& arm, GoalKind goal) {
+    if (goal == GoalKind::position) return "kdl_newton solves for a pose; expected search = \"pose\"";
     return why_kdl_cannot(arm);
   }
 

@@ -76,7 +76,7 @@ TEST_CASE("the studies of baselines have the same solvers and budgets", "[study]
 TEST_CASE("nobody counts the evaluations of a library with kinematics of its own", "[peers]") {
   Study study = small_study();
   study.solvers.clear();
-  for (const SolverInfo& info : solvers_for(arm_of(study).chain, Asked::position)) {
+  for (const SolverInfo& info : solvers_for(arm_of(study).chain, GoalKind::position)) {
     study.solvers.push_back({info.name, info.name, {}, 10});
   }
   for (const results::SolveRecord& record : solves_of(study)) {

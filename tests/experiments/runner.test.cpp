@@ -50,7 +50,7 @@ Progress run_for(const Study& study, Store& store, std::int64_t solves) {
 Study study_of_every_solver() {
   Study study = small_study();
   study.solvers.clear();
-  for (const SolverInfo& info : solvers_for(arm_of(study).chain, Asked::position)) {
+  for (const SolverInfo& info : solvers_for(arm_of(study).chain, GoalKind::position)) {
     study.solvers.push_back({info.name, info.name, {}, std::max(study.population, info.least_population)});
   }
   return study;

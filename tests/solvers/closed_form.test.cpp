@@ -110,12 +110,12 @@ TEST_CASE("a solver of closed form that is used again takes no memory from the h
 
 TEST_CASE("arms without a closed form, and goals that are positions, are refused", "[closed_form]") {
   const SolverInfo info = solver("closed_form");
-  CHECK(info.why_not(irb120.chain, Asked::pose).empty());
-  CHECK(info.why_not(irb120.chain, Asked::position) == "closed_form solves for a pose; expected search = \"pose\"");
+  CHECK(info.why_not(irb120.chain, GoalKind::pose).empty());
+  CHECK(info.why_not(irb120.chain, GoalKind::position) == "closed_form solves for a pose; expected search = \"pose\"");
   const std::string why =
       "closed_form needs an arm with six joints that turn and a spherical wrist, but this one has 7 joints, not six";
   const Robot panda = robot("franka_panda");
-  CHECK(info.why_not(panda.chain, Asked::pose) == why);
+  CHECK(info.why_not(panda.chain, GoalKind::pose) == why);
   const Eigen::VectorXd q = Eigen::VectorXd::Zero(7);
   Objective objective(panda.chain, {panda.chain.forward(q), 0.3});
   Random random{Key(1)};

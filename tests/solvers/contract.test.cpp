@@ -20,7 +20,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Includes the peers that were built.
-std::vector<SolverInfo> solvers_of_positions() { return solvers_for(iiwa_task().chain, Asked::position); }
+std::vector<SolverInfo> solvers_of_positions() { return solvers_for(iiwa_task().chain, GoalKind::position); }
 
 // Leaves out peers: their libraries allocate as they like, and some draw nothing.
 std::vector<SolverInfo> own_solvers_of_positions() {

@@ -28,7 +28,7 @@ Task endless_task(int population = 10) {
            .iterations = 50}};
 }
 
-std::vector<SolverInfo> solvers_for_endless() { return solvers_for(endless_task().chain, Asked::position); }
+std::vector<SolverInfo> solvers_for_endless() { return solvers_for(endless_task().chain, GoalKind::position); }
 
 }  // namespace
 

@@ -97,7 +97,7 @@ TEST_CASE("a pose's residual is the way and the weighted turn that are left, and
 TEST_CASE("every solver's best is honest about a pose and never worsens, and its steps take no memory", "[pose]") {
   for (const char* const name : {"ur5e", "stanford", "puma560"}) {
     const PoseTask task = pose_task(name);
-    for (const SolverInfo& info : solvers_for(task.arm.chain, Asked::pose)) {
+    for (const SolverInfo& info : solvers_for(task.arm.chain, GoalKind::pose)) {
       CAPTURE(info.name, name);
       Objective objective(task.arm.chain, task.goal), judge(task.arm.chain, task.goal);
       Random random{Key(1)};
@@ -120,7 +120,7 @@ TEST_CASE("every solver's best is honest about a pose and never worsens, and its
 
 TEST_CASE("every solver gives the same answer to a pose, however far ahead it evaluates", "[pose]") {
   const PoseTask task = pose_task("puma560", 3);
-  for (const SolverInfo& info : solvers_for(task.arm.chain, Asked::pose)) {
+  for (const SolverInfo& info : solvers_for(task.arm.chain, GoalKind::pose)) {
     CAPTURE(info.name);
     Objective ahead(task.arm.chain, task.goal);
     OneAheadObjective one(task.arm.chain, task.goal);

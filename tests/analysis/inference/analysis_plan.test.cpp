@@ -127,9 +127,9 @@ TEST_CASE("solvers that were dropped after they had solved are told, and those o
 
 TEST_CASE("to repeat a study that was merged of shards is to repeat all of it", "[analysis_plan]") {
   StudyResults study;
-  SolveData gathered;
-  gathered.sessions = {1};
-  study.gathered = std::make_shared<const SolveData>(std::move(gathered));
+  SolveData data;
+  data.sessions = {1};
+  study.solve_data = std::make_shared<const SolveData>(std::move(data));
   study.solves = SolveList({Solve{}});
   const auto repeated = [&](const char* command, bool is_shard) {
     std::map<std::string, std::string> environment{{"command", command}};

@@ -102,10 +102,10 @@ TEST_CASE("a page has both verdicts of a claim, or the one that there is", "[rep
   CHECK(contains(text, "| b | fails |  |  |  | e |"));
 }
 
-TEST_CASE("a page tells the number of a claim, and what we asked besides apart", "[report]") {
+TEST_CASE("a page tells the number of a claim, and keeps our own questions apart", "[report]") {
   ReportContent content{.study = "s", .title = "t"};
   content.claims = {
-      {.statement = "ours", .verdict = Verdict::holds, .evidence = {"e"}, .table = "", .by = By::us},
+      {.statement = "ours", .verdict = Verdict::holds, .evidence = {"e"}, .table = "", .by = Claimant::us},
       {.statement = "theirs", .verdict = Verdict::depends, .evidence = {"e"}, .table = "", .section = "Fig. <6>"}};
   content.claims.back().number = "11 of 20";
   content.claims.back().depends_on = {"who <obeys>"};

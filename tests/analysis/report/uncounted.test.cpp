@@ -229,7 +229,7 @@ TEST_CASE("a second reason why times are not comparable begins with a capital", 
   StudyResults study = study_without_counts(0.05);
   study.plan.program_times = ProgramTimes::apart;
   for (Solve& solve : study.solves.to_change()) {
-    if (study.gathered->labels[solve.solver] == "BA") solve.timing = Timing::imported;
+    if (study.solve_data->labels[solve.solver] == "BA") solve.timing = Timing::imported;
   }
   const std::string note = words_of(timing_doubts(study));
   CAPTURE(note);

@@ -148,8 +148,8 @@ TEST_CASE("NLopt with restarts goes on until it has found a pose", "[peers]") {
 TEST_CASE("KDL's Newton refuses positions, and both of KDL refuse coupled joints", "[peers]") {
   if (is_missing("kdl_lma")) return;
   const Chain iiwa = robot("kuka_iiwa14").chain, dobot = robot("dobot_magician").chain;
-  CHECK(solver("kdl_newton").why_not(iiwa, Asked::position).find("expected search = \"pose\"") != std::string::npos);
-  CHECK(solver("kdl_newton").why_not(iiwa, Asked::pose).empty());
-  CHECK(solver("kdl_lma").why_not(iiwa, Asked::position).empty());
-  CHECK(solver("kdl_lma").why_not(dobot, Asked::position).find("coupled") != std::string::npos);
+  CHECK(solver("kdl_newton").why_not(iiwa, GoalKind::position).find("expected search = \"pose\"") != std::string::npos);
+  CHECK(solver("kdl_newton").why_not(iiwa, GoalKind::pose).empty());
+  CHECK(solver("kdl_lma").why_not(iiwa, GoalKind::position).empty());
+  CHECK(solver("kdl_lma").why_not(dobot, GoalKind::position).find("coupled") != std::string::npos);
 }
