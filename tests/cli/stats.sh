@@ -377,7 +377,7 @@ degenerate "Other pairs that differ (1 of 1; the better first): B vs C." A "1 2 
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
 degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
 degenerate "cannot be judged against B" A "Inf Inf" B "Inf Inf"
-degenerate "B against A is undecided (p = 0.3" A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
+degenerate "B against A is undecided (p = 0.318)." A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has values too far apart for double precision" A "0.5 1e300 1 2" B "0.1 0.2 5 2"
 degenerate "the sums of squares are too large for double precision" A "1.7e308 -1.7e308 1.7e308" B "1.7e308 -1.7e308 1"
 has_no "$out" "not finite"
