@@ -35,6 +35,10 @@ succeeds compare $base $again --metric position_error_cm --metric variation_deg 
 [ "$(answer)" = "No regression beyond 5 %. Of 24 comparisons: 24 the same within 5 %." ] || fail "the answer is: $(answer)"
 quiet
 
+# Without a tolerance nothing says what is solved, and that is said once.
+unsolved="The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an answer is inside the joint limits, however far it is from the target."
+[ "$(grep -cxF "$unsolved" .out)" = 1 ] || fail "not said once that the study has no tolerance: $out"
+
 # Of two stores, B remembers how many runs were looked at; a later look at more runs says which level holds. A stays
 # unchanged.
 make grown --set runs=4

@@ -27,3 +27,9 @@ report=$(<made/report.md)
 largest=$(column $store position_error_cm DLS | sort -g | tail -1)
 has "$(sed -n 2p made/tables/worst.csv)" ",$largest"
 [ "$(grep -c '^[0-9]' made/figures/effort.dat)" = 16 ] || fail "not every solve is in the figure"
+
+# The figure is drawn.
+command -v gnuplot >/dev/null || exit 0
+succeeds report $store --out drawn
+has_no "$err" "not drawn"
+[ -s drawn/figures/effort.svg ] || fail "the figure was not drawn: $(ls drawn/figures)"

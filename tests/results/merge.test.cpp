@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "results/fingerprint.hpp"
+#include "results/same_solves.hpp"
 #include "results/writer_mark.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
@@ -167,6 +168,16 @@ TEST_CASE("another study of the same name is refused with the field that differs
   CHECK_THAT(said("b"), ContainsSubstring("robot is \"iiwa14\" and \"iiwa7\""));
   CHECK_THAT(said("c"), ContainsSubstring("use one version of ikbench"));
   CHECK_THAT(said("d"), ContainsSubstring("its solvers or their options are others"));
+}
+
+TEST_CASE("the difference of two definitions names the field, and values that fit", "[merge]") {
+  const std::string alike(60, 'x');
+  const auto with = [](const std::string& note) { return R"({"runs":20,"urdf":")" + note + "\"}"; };
+  CHECK(difference_in_solves(with("a"), with("b")) == R"(urdf is "a" and "b")");
+  CHECK(difference_in_solves(with("a"), R"({"runs":30})") == R"(urdf is "a" and not there)");
+  CHECK(difference_in_solves(with(alike + "a"), with(alike + "b")) == "urdf is another");
+  CHECK(difference_in_solves(with("a"), with(alike + "b")) == R"(urdf is "a" and another)");
+  CHECK(difference_in_solves(with(alike), with(alike)).empty());
 }
 
 TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged may differ", "[merge]") {

@@ -183,6 +183,70 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
   CHECK(verdict_at(0) == "A is better");
 }
 
+TEST_CASE("only a margin on the other side of a difference would change its answer", "[assessment]") {
+  // Welch's interval of the difference is 0.885 to 1.115, of 100.
+  const Observations near{
+      .name = "x",
+      .quantity = "x",
+      .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
+  const auto change_at = [&](double margin) {
+    return words_of(change_words(evidence(near, {.test = "welch", .margin = margin})));
+  };
+  CHECK(change_at(0.05) ==
+        "What would change it: a margin below 5 %, because a difference that is shown is smaller; other targets, arms, "
+        "budgets or settings.");
+  CHECK(
+      change_at(0.01) ==
+      "What would change it: a margin above 1 %, because a difference may be smaller; other targets, arms, budgets or "
+      "settings.");
+  CHECK(change_at(0.005) == "What would change it: other targets, arms, budgets or settings.");
+}
+
+TEST_CASE("a margin in the unit of the values has no percent beside it", "[assessment]") {
+  Observations drift{
+      .name = "drift",
+      .quantity = "drift [K]",
+      .unit = "K",
+      .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
+  const auto verdict = [&](double margin) {
+    drift.margin = margin;
+    const Evidence found = evidence(drift, {.test = "welch", .margin = 0});
+    CHECK_FALSE(says(found, " %, "));
+    return verdict_words(found, found.contrasts[0]);
+  };
+  CHECK(verdict(2) == "A is better by less than 2");
+  CHECK(verdict(1) == "A is better by less or more than 1");
+  CHECK(verdict(0.5) == "A is better by more than 0.5");
+}
+
+TEST_CASE("a test that does not use the blocks says so, and disagrees with none that does", "[assessment]") {
+  // Within blocks B is always 1 above A, and C 2; between the blocks lie thousands.
+  Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
+  for (int i = 0; i < 10; ++i) {
+    for (std::size_t group = 0; group < 3; ++group) {
+      sets.groups[group].values.push_back(1000 * i + 100 + static_cast<double>(group) + 0.01 * ((3 * i) % 7));
+    }
+    sets.blocks.push_back(fmt::format("{}", i));
+  }
+  const Evidence blocked = evidence(sets, {});
+  REQUIRE(std::ranges::all_of(blocked.contrasts, is_decided));
+  REQUIRE(blocked.test(anova_name)->p > 0.99);
+  CHECK_FALSE(says(blocked, "Where methods disagree"));
+  CHECK_FALSE(says(blocked, "It does not use the blocks."));
+  const Evidence unblocked = evidence(sets, {.test = "welch"});
+  CHECK(std::ranges::none_of(unblocked.contrasts, is_decided));
+  CHECK(says(unblocked, " do not matter. It does not use the blocks."));
+}
+
+TEST_CASE("pairs that are the same are counted where no other pair differs", "[assessment]") {
+  const Observations three{.name = "x",
+                           .quantity = "x",
+                           .groups = {{"A", {1, 1.1, 0.9, 1.05, 0.95}},
+                                      {"B", {100, 100.1, 99.9, 100.05, 99.95}},
+                                      {"C", {100.1, 100, 99.95, 100.05, 99.9}}}};
+  CHECK(says(evidence(three, {.test = "welch"}), "No other pair is shown to differ: 1 of 1 are the same within 5 %."));
+}
+
 TEST_CASE("a margin in cm is for what is in cm, and what is within either margin does not matter", "[assessment]") {
   Observations near{
       .name = "x",

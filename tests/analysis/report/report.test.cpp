@@ -1,6 +1,7 @@
 #include "analysis/report/report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/report/provenance.hpp"
+#include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/csv.hpp"
 #include "results/files.hpp"
@@ -257,6 +259,21 @@ TEST_CASE("the summary writes solvers that are the same to the bit as equal, and
   std::string all;
   for (const std::string& sentence : summary({JudgedStudy(make_study("s", solves))}, {})) all += sentence + '\n';
   CHECK(contains(all, "smallest first): IK-BA = BA = DE."));
+}
+
+TEST_CASE("the table beside answers that count failures says that its numbers are as measured", "[report]") {
+  StudyResults study = make_study("s", synthetic::solves({.runs = 3}));
+  const auto noted = [&] {
+    const std::array metrics{Metric::position_error_cm};
+    const Table table = results_table(study, metrics);
+    return std::ranges::count(
+        table.notes,
+        "The numbers of this table are as measured. The report's answers count an error below the "
+        "tolerance as the tolerance, and the cost of a solve without status ok as 10 times the limit.");
+  };
+  CHECK(noted() == 0);  // no tolerance: nothing counts as a failure
+  study.facts = facts_of(R"({"stop": {"tolerance_cm": 1}})");
+  CHECK(noted() == 1);
 }
 
 TEST_CASE("targets that no configuration reaches are told first", "[report]") {
