@@ -297,11 +297,13 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   const double bottom = (1.9 + more_legend) / figure.height_cm, top = 1 - 0.6 / figure.height_cm,
                gap = 1.2 / figure.height_cm;
   figure.plot =
-      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, {}, {} spacing 0.06, {}\nset key\n", rows,
+      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, {}, {} spacing 0.03, {}\nset key\n", rows,
                   columns, text_of(bottom), text_of(top), text_of(gap));
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    figure.plot += fmt::format("set xlabel '{}'\nset ylabel '{}'\n", i + columns < panels.size() ? "" : "point",
-                               i % columns > 0 ? "" : "joint angle [deg]");
+    const bool is_inner = i % columns > 0;  // the first of its row has the axis of all
+    figure.plot +=
+        fmt::format("set xlabel '{}'\nset ylabel '{}'\nset format y '{}'\n", i + columns < panels.size() ? "" : "point",
+                    is_inner ? "" : "joint angle [deg]", is_inner ? "" : "%g");
     figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.facts.slides);
   }
   figure.plot += "unset multiplot";

@@ -253,6 +253,16 @@ TEST_CASE("the path is drawn with the arm at its first point", "[figure]") {
   for (const char* label : {"'path'", "'target'", "'reached'", "'arm at point 1'"}) CHECK(contains(figure.plot, label));
 }
 
+TEST_CASE("panels in a row share the first one's numbers on the axis", "[figure]") {
+  const Figure figure =
+      *joints_figure(make_study("s", synthetic::solves({.runs = 1})), "joints");  // six, three in a row
+  std::vector<std::string> formats;
+  for (std::size_t at = 0; (at = figure.plot.find("set format y ", at)) != std::string::npos; ++at) {
+    formats.push_back(figure.plot.substr(at + 13, figure.plot.find('\n', at) - at - 13));
+  }
+  CHECK(formats == std::vector<std::string>{"'%g'", "''", "''", "'%g'", "''", "''"});
+}
+
 TEST_CASE("numbers from elsewhere stand in grey below the values of their group", "[figure]") {
   const StudyResults study = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 3}));
   const Figure figure =
