@@ -54,12 +54,16 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
   std::array<std::vector<double>, 3> coordinates, reached;  // the axes are not widened by what was reached
   double largest_error = 0;
   const auto solves = first_run(study, solver);
+  std::string first;
   for (const auto& [point, solve] : solves) {
-    figure.data += line_of(solve->target_position_m, coordinates) + line_of(solve->reached_position_m, reached) +
-                   data_number(solve->position_error_cm) + '\n';
+    const std::string line = line_of(solve->target_position_m, coordinates) +
+                             line_of(solve->reached_position_m, reached) + data_number(solve->position_error_cm) + '\n';
+    if (first.empty()) first = line;
+    figure.data += line;
     largest_error =
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
+  if (study.facts.path == "circle") figure.data += first;  // closes it
   figure.caption += std::isfinite(largest_error)
                         ? fmt::format(" The largest error is {} cm.", rounded_number(largest_error, 2))
                         : " Some of its answers are not finite.";
@@ -69,21 +73,26 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
     labels.emplace_back("path");
     add("index 0 using 1:2:3 with lines lw 0.7 lc rgb '#888888' title 'path'");
   }
-  const std::vector<Point> corners =
-      view == View::with_arm ? arm_points(study.facts, solves.begin()->second->answer_rad) : std::vector<Point>();
-  if (!corners.empty()) {
-    figure.data += "\n\n# the arm at the first point, from the base to the tool: x, y, z [cm]\n";
+  const std::size_t arms = view == View::from_above ? 0 : view == View::with_arm ? 1 : 3;
+  std::size_t at = 0, drawn = 0;
+  for (const auto& [point, solve] : solves) {
+    if (arms == 0 || at++ % ((solves.size() + arms - 1) / arms) != 0) continue;
+    const std::vector<Point> corners = arm_points(study.facts, solve->answer_rad);
+    if (corners.empty()) continue;
+    figure.data += fmt::format("\n\n# the arm at point {}, from the base to the tool: x, y, z [cm]\n", point);
     for (const Point& corner : corners) {
       figure.data += line_of({corner.begin(), corner.end()}, coordinates) + '\n';
     }
-    labels.emplace_back(fmt::format("arm at point {}", solves.begin()->first));
-    add(fmt::format("index 1 using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) title '{}'",
-                    labels.back()));
+    ++drawn;
+    labels.emplace_back(fmt::format("arm at point {}", point));
+    add(fmt::format("index {} using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, {}) title '{}'",
+                    drawn, drawn + 1, labels.back()));
   }
   add("index 0 using 1:2:3 with points pt 7 ps 0.35 lc rgb '#000000' title 'target'");
   add("index 0 using 4:5:6 with points pt 6 ps 0.8 lw 0.8 lc rgb word(colours, 1) title 'reached'");
-  if (!study.facts.draws_targets) {
-    add("index 0 using 1:2:3:('start') every ::0::0 with labels right offset -0.9,0.4 notitle");
+  if (!study.facts.draws_targets && drawn == 0) {  // an arm at the first target says as much
+    labels.emplace_back("start");
+    add("index 0 using 1:2:3 every ::0::0 with points pt 4 ps 1.5 lw 1.2 lc rgb '#000000' title 'start'");
   }
   figure.settings = space_axes(coordinates);
   if (view == View::from_above) {
@@ -92,7 +101,8 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
         "set ylabel offset -0.5, 0\n";
   }
   add_legend(figure, labels);
-  figure.settings += "set key at screen 0.5, 0.99 top center horizontal maxrows 2\n";  // below, gnuplot cuts it
+  figure.settings += fmt::format("set key at screen 0.5, 0.99 top center horizontal maxrows {}\n",
+                                 (labels.size() + 1) / 2);  // below, gnuplot cuts it
   figure.plot = plot_command(clauses, "splot");
   return figure;
 }

@@ -157,7 +157,7 @@ Figure iterations_figure(const StudyResults& study) {
 
 std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || !is_circle(study)) return {};
-  std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above), path_figure(study, "figure-15")};
+  std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above), path_figure(study, "figure-15", View::with_three_arms)};
   if (std::optional<Figure> joints = joints_figure(study, "figure-16")) figures.push_back(std::move(*joints));
   std::map<int, std::vector<double>> printed;
   for (const PrintedPosture& posture : printed_table_8(study.facts.published)) {

@@ -253,6 +253,14 @@ TEST_CASE("the path is drawn with the arm at its first point", "[figure]") {
   for (const char* label : {"'path'", "'target'", "'reached'", "'arm at point 1'"}) CHECK(contains(figure.plot, label));
 }
 
+TEST_CASE("where no arm is drawn, a mark is at the first target", "[figure]") {
+  const StudyResults study =
+      make_study(StudyEntry{.name = "s", .definition = R"({"path": {"kind": "helix"}})", .series = {}},
+                 synthetic::solves({.runs = 1}));
+  CHECK(contains(path_figure(study, "path").plot, "every ::0::0 with points"));
+  CHECK(contains(path_figure(study, "path").plot, "title 'start'"));
+}
+
 TEST_CASE("panels in a row share the first one's numbers on the axis", "[figure]") {
   const Figure figure =
       *joints_figure(make_study("s", synthetic::solves({.runs = 1})), "joints");  // six, three in a row

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "analysis/inference/make_study.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
@@ -124,11 +125,20 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
   CHECK(names_of(figures) == std::vector<std::string>{"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"});
   check_drawn(figures);
   CHECK(contains(figures[0].settings, "set view map"));
-  CHECK(contains(figures[1].plot, "title 'arm at point 1'"));
+  for (const char* arm : {"'arm at point 1'", "'arm at point 8'", "'arm at point 15'"})
+    CHECK(contains(figures[1].plot, arm));
   CHECK(contains(figures[1].data, "\n0 0 5.8"));  // the shoulder
   CHECK(contains(figures[2].caption,
                  "the joint limits, -90 to 90 deg (joint 1); -10 to 95 deg (joint 3); 0 to 85 deg (joint 2)."));
   CHECK(contains(figures[3].data, "\n12 9.61e-14\n"));
+}
+
+TEST_CASE("the drawn circle ends where it began", "[circle]") {
+  std::istringstream lines(circle_figures(circle_study(synthetic::dobot_solves())).front().data);
+  std::vector<std::string> drawn;
+  for (std::string line; std::getline(lines, line) && !line.empty();) drawn.push_back(line);
+  REQUIRE(drawn.size() == 1 + 20 + 1);  // the heading, the points, the first again
+  CHECK(drawn.back() == drawn[1]);
 }
 
 TEST_CASE("another path has none of these figures, and no trace no convergence", "[circle]") {
