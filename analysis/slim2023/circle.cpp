@@ -1,21 +1,27 @@
 #include "analysis/slim2023/circle.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <vector>
 
+#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "numerics/number.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::slim2023 {
 
+using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -163,6 +169,54 @@ std::optional<Table> table_8(const StudyResults& study) {
   table.notes.push_back(printed_errors_note(printed));
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
   return table;
+}
+
+std::optional<Figure> printed_joints_figure(const StudyResults& study, const std::string& name) {
+  if (!is_table_8(study)) return std::nullopt;
+  std::map<int, std::vector<double>> ours, printed;
+  std::vector<double> all;
+  for (const Row& row : rows_of(study)) {
+    ours[row.point] = {row.ours.begin(), row.ours.end()};
+    all.insert(all.end(), row.ours.begin(), row.ours.end());
+    if (!row.printed) continue;
+    const Angles& angles = row.printed->angles_deg;
+    printed[row.point] = {angles.begin(), angles.end()};
+    all.insert(all.end(), angles.begin(), angles.end());
+  }
+  const Axis axis = value_axis(all, {"joint angle", "deg"}, Scale::linear);
+  Figure figure{
+      .name = name,
+      .caption = fmt::format("Joint angles along the circle, in the first run of {}. Joint 4 turns the tool, in the "
+                             "paper by the angle of joint 1. Grey: as printed.",
+                             study.solvers.front()),
+      .settings = axis.settings + point_axis(study.points),
+      .data = "# point, then the angle of each joint [deg]\n" + lines_by_point(ours) + "\n\n# as printed\n" +
+              lines_by_point(printed)};
+  std::vector<std::string> clauses, labels{"as printed"}, limits;
+  for (std::size_t joint = 1; joint <= angles_of_table; ++joint) {
+    clauses.push_back(fmt::format("'{}.dat' index 1 using 1:{} with points {} {}", name, joint + 1, grey_rings,
+                                  joint == 1 ? "title 'as printed'" : "notitle"));
+  }
+  for (std::size_t joint = 1; joint <= angles_of_table; ++joint) {
+    labels.push_back(fmt::format("joint {}", joint));
+    clauses.push_back(fmt::format("'{}.dat' index 0 using 1:{} with {} title '{}'", name, joint + 1,
+                                  joint == 4 ? "points ls 4 pt 8 ps 0.8" : fmt::format("linespoints ls {}", joint),
+                                  labels.back()));
+  }
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.facts.json);
+  for (Eigen::Index joint = 0; arm && joint < std::min<Eigen::Index>(arm->joints(), angles_of_table); ++joint) {
+    for (const double limit : {arm->limits.lower[joint], arm->limits.upper[joint]}) {
+      const double deg = limit * 180 / std::numbers::pi;
+      if (!(deg > axis.low && deg < axis.high)) continue;
+      limits.push_back(fmt::format("{} deg (joint {})", rounded_number(deg, 4), joint + 1));
+      clauses.push_back(
+          fmt::format("{} with lines lw 0.7 dt 2 lc rgb word(colours, {}) notitle", text_of(deg), joint + 1));
+    }
+  }
+  if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits {}.", fmt::join(limits, ", "));
+  add_legend(figure, labels);
+  figure.plot = plot_command(clauses);
+  return figure;
 }
 
 std::string printed_angles_verdict(const StudyResults& study) {

@@ -157,8 +157,11 @@ Figure iterations_figure(const StudyResults& study) {
 
 std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || !is_circle(study)) return {};
-  std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above), path_figure(study, "figure-15", View::with_three_arms)};
-  if (std::optional<Figure> joints = joints_figure(study, "figure-16")) figures.push_back(std::move(*joints));
+  std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above),
+                              path_figure(study, "figure-15", View::with_three_arms)};
+  std::optional<Figure> joints = printed_joints_figure(study, "figure-16");
+  if (!joints) joints = joints_figure(study, "figure-16");
+  if (joints) figures.push_back(std::move(*joints));
   std::map<int, std::vector<double>> printed;
   for (const PrintedPosture& posture : printed_table_8(study.facts.published)) {
     printed[posture.point] = {posture.error_cm};

@@ -128,8 +128,8 @@ TEST_CASE("a circle has figures 14 to 18, and every one is drawn", "[circle]") {
   for (const char* arm : {"'arm at point 1'", "'arm at point 8'", "'arm at point 15'"})
     CHECK(contains(figures[1].plot, arm));
   CHECK(contains(figures[1].data, "\n0 0 5.8"));  // the shoulder
-  CHECK(contains(figures[2].caption,
-                 "the joint limits, -90 to 90 deg (joint 1); -10 to 95 deg (joint 3); 0 to 85 deg (joint 2)."));
+  CHECK(contains(figures[2].caption, "the joint limits 90 deg (joint 1), 85 deg (joint 2), 95 deg (joint 3)."));
+  CHECK(contains(figures[2].data, "# as printed\n1 34.8 66.5 49.5 34.8\n"));  // the printed Table 8
   CHECK(contains(figures[3].data, "\n12 9.61e-14\n"));
 }
 
@@ -139,6 +139,12 @@ TEST_CASE("the drawn circle ends where it began", "[circle]") {
   for (std::string line; std::getline(lines, line) && !line.empty();) drawn.push_back(line);
   REQUIRE(drawn.size() == 1 + 20 + 1);  // the heading, the points, the first again
   CHECK(drawn.back() == drawn[1]);
+}
+
+TEST_CASE("joint angles without printed ones are drawn as for any path", "[circle]") {
+  const auto figures = circle_figures(circle_study(synthetic::dobot_solves(), R"({"path": {"kind": "circle"}})"));
+  CHECK(contains(figures[2].caption, "in the first run of each solver"));
+  CHECK(!contains(figures[2].data, "as printed"));
 }
 
 TEST_CASE("another path has none of these figures, and no trace no convergence", "[circle]") {
