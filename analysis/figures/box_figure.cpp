@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_chart.hpp"
@@ -65,12 +66,12 @@ std::string box_line(std::size_t row, Box b) {
 }
 
 std::string marks_block(std::span<const Group> groups, const std::vector<Mark>& marks) {
-  std::string block = "\n\n# marks: row, smallest, median, largest\n";
+  std::string block = "\n\n# marks: row, smallest, median, largest, whether the smallest is less\n";
   for (const Mark& mark : marks) {
     const auto group = std::ranges::find(groups, mark.group, &Group::name);
     if (group == groups.end()) continue;
-    block += fmt::format("{} {} {} {}\n", group - groups.begin() + 1, data_number(mark.min), data_number(mark.median),
-                         data_number(mark.max));
+    block += fmt::format("{} {} {} {} {}\n", group - groups.begin() + 1, data_number(mark.min),
+                         data_number(mark.median), data_number(mark.max), mark.is_open ? 1 : 0);
   }
   return block;
 }
@@ -137,9 +138,12 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
   if (!marks.empty()) {
     figure.data += marks_block(groups, marks);
     const std::string source = fmt::format("'{}.dat' index {} using", name, n + 1);
-    clauses.push_back(
-        fmt::format("{} (shown($2)):($1+{}):(shown($4)-shown($2)):(0) with vectors nohead lw 1.6 lc rgb '#808080'",
-                    source, marks_middle));
+    for (const auto& [is_open, head] : {std::pair{0, "nohead"}, {1, "backhead filled size graph 0.02, 25"}}) {
+      clauses.push_back(
+          fmt::format("{} ($5=={} ? shown($2) : NaN):($1+{}):(shown($4)-shown($2)):(0) with vectors {} lw 1.6 lc rgb "
+                      "'#808080'",
+                      source, is_open, marks_middle, head));
+    }
     clauses.push_back(fmt::format("{} (shown($3)):($1+{}):(0):(0.12) with vectors nohead lw 1.6 lc rgb '#404040'",
                                   source, marks_middle - 0.06));
   }

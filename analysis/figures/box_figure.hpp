@@ -15,6 +15,7 @@ namespace ikbench::figures {
 struct Mark {
   std::string group;
   double min, median, max;
+  bool is_open = false;  // the minimum is somewhere below `min`: an arrow
 };
 
 // The axis is logarithmic if the values differ by more than 30 times.

@@ -69,9 +69,11 @@ Figure printed_box_figure(const StudyResults& study, Metric metric) {
     if (!is_drawn || std::ranges::count(study.solvers, row.algorithm) == 0) continue;
     const double resolution = claims::half_unit(row.digits.back());
     const double least = row.printed.min > 0 ? row.printed.min : resolution;
-    marks.push_back({row.algorithm, scale * least, scale * row.printed.median, scale * row.printed.max});
-    if (row.printed.min > 0) continue;
-    below += fmt::format(" The printed minimum of {} is 0, so below {}.", row.algorithm, rounded_number(least, 3));
+    const bool is_open = !(row.printed.min > 0);
+    marks.push_back({row.algorithm, scale * least, scale * row.printed.median, scale * row.printed.max, is_open});
+    if (!is_open) continue;
+    below +=
+        fmt::format(" Arrow: the printed minimum of {} is 0, so below {}.", row.algorithm, rounded_number(least, 3));
   }
   Figure figure = box_figure(study, metric, fmt::format("figure-{}", paper_numbers(metric).box_figure), marks);
   if (!marks.empty()) {

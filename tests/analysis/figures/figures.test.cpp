@@ -274,15 +274,18 @@ TEST_CASE("panels in a row share the first one's numbers on the axis", "[figure]
 TEST_CASE("numbers from elsewhere stand in grey below the values of their group", "[figure]") {
   const StudyResults study = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 3}));
   const Figure figure =
-      box_figure(study, Metric::position_error_cm, "boxes", {{"B", 5e-5, 0.01, 0.02}, {"unknown", 1, 2, 3}});
-  CHECK(figure.data.ends_with("# marks: row, smallest, median, largest\n2 5e-05 0.01 0.02\n"));
+      box_figure(study, Metric::position_error_cm, "boxes", {{"B", 5e-5, 0.01, 0.02, true}, {"unknown", 1, 2, 3}});
+  CHECK(figure.data.ends_with(
+      "# marks: row, smallest, median, largest, whether the smallest is less\n2 5e-05 0.01 0.02 1\n"));
+  CHECK(contains(figure.plot, "($5==1 ? shown($2) : NaN):($1+0.4):(shown($4)-shown($2)):(0) with vectors backhead"));
   CHECK(contains(figure.plot, "'boxes.dat' index 3 using"));
 }
 
 TEST_CASE("a printed minimum of zero is below its last digit", "[figure][paper]") {
   StudyResults study = make_study("s", synthetic::solves({.runs = 3}));
   study.facts.published = "slim2023";
-  CHECK(contains(named(paper_figures(study), "figure-10").caption, "The printed minimum of PSO is 0, so below 5e-05."));
+  CHECK(contains(named(paper_figures(study), "figure-10").caption,
+                 "Arrow: the printed minimum of PSO is 0, so below 5e-05."));
 }
 
 TEST_CASE("small times are shown in milli- and microseconds", "[figure]") {
