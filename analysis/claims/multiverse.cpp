@@ -220,14 +220,15 @@ std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t sol
   return all;
 }
 
-// The rows of the choices, by dimension and alternative; rivals are rows of a separate group.
+// The rows of the choices, by dimension and alternative; the rivals that are drawn are rows of a separate
+// group.
 struct CurveRows {
   std::vector<SpecificationCurve::Group> groups;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> of_choice;
   std::map<std::size_t, std::size_t> of_rival;
 };
 
-CurveRows rows_of_curve(const Multiverse& multiverse, std::size_t solver) {
+CurveRows rows_of_curve(const Multiverse& multiverse, std::size_t solver, const std::vector<const BestRival*>& chosen) {
   CurveRows rows;
   std::size_t row = 0;
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
@@ -242,7 +243,7 @@ CurveRows rows_of_curve(const Multiverse& multiverse, std::size_t solver) {
   }
   rows.groups.push_back({.name = "best rival", .rows = {}});
   for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
-    if (s == solver) continue;
+    if (std::ranges::find(chosen, s, &BestRival::rival) == chosen.end()) continue;
     rows.groups.back().rows.push_back("best rival: " + multiverse.solvers[s]);
     rows.of_rival[s] = row++;
   }
@@ -274,20 +275,22 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
     universes += each.universes;
     weight += each.weight;
   }
-  const CurveRows rows = rows_of_curve(multiverse, solver);
-  SpecificationCurve curve{.name = "multiverse",
-                           .quantity = fmt::format("mean error of {} / of its best rival", label),
-                           .below = label + " is more accurate",
-                           .above = "its best rival is",
-                           .groups = rows.groups};
   const auto count = static_cast<std::size_t>(std::min(universes, static_cast<double>(most_drawn)));
+  std::vector<const BestRival*> chosen;
   double before = 0;
   auto at = all.begin();
   for (std::size_t i = 0; i < count; ++i) {
     const double rank = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * weight;
     while (at + 1 != all.end() && before + at->weight < rank) before += (at++)->weight;
-    curve.universes.push_back(drawn(multiverse, *at, solver, rows));
+    chosen.push_back(&*at);
   }
+  const CurveRows rows = rows_of_curve(multiverse, solver, chosen);
+  SpecificationCurve curve{.name = "multiverse",
+                           .quantity = fmt::format("mean error of {} / of its best rival", label),
+                           .below = label + " is more accurate",
+                           .above = "its best rival is",
+                           .groups = rows.groups};
+  for (const BestRival* each : chosen) curve.universes.push_back(drawn(multiverse, *each, solver, rows));
   curve.caption = fmt::format(
       "Specification curve: mean error of {} divided by that of its best rival, with 95 % intervals, in {} of {} "
       "interpretations, sorted by it and drawn evenly by their weight. Dots below: the choices of each, "

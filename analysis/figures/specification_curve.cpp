@@ -21,6 +21,7 @@ namespace {
 constexpr double curve_rows = 13;  // height of the curve, in rows of the choices below it
 constexpr double row_height_cm = 0.34;
 constexpr std::size_t longest_choice = 60;
+constexpr double farthest = 2;          // an interval reaches so many decades beyond all estimates; the rest is cut
 constexpr double label_width = 0.0066;  // of a letter, relative to the figure's; gnuplot guesses twice that for SVG
 
 // The axis that places log10 ratios above the rows.
@@ -30,11 +31,16 @@ struct CurveAxis {
 };
 
 CurveAxis curve_axis(const SpecificationCurve& curve) {
-  CurveAxis axis;
+  CurveAxis estimates, axis;
   for (const SpecificationCurve::Universe& each : curve.universes) {
     if (!std::isfinite(each.estimate)) continue;
-    axis.low = std::min(axis.low, each.estimate - 0.2);
-    axis.high = std::max(axis.high, each.estimate + 0.2);
+    estimates.low = std::min(estimates.low, each.estimate);
+    estimates.high = std::max(estimates.high, each.estimate);
+  }
+  axis = estimates;
+  for (const SpecificationCurve::Universe& each : curve.universes) {
+    if (each.low < axis.low) axis.low = std::max(each.low, estimates.low - farthest);
+    if (each.high > axis.high) axis.high = std::min(each.high, estimates.high + farthest);
   }
   return axis;
 }
@@ -103,13 +109,16 @@ Figure specification_curve(const SpecificationCurve& curve) {
   const auto x_of = [&](std::size_t i) {
     return 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
   };
+  bool is_cut = false;
   for (std::size_t i = 0; i < curve.universes.size(); ++i) {
     const SpecificationCurve::Universe& each = curve.universes[i];
-    const auto shown = [&](double value) { return data_number(std::clamp(axis.at(value), 0.6, curve_rows + 0.6)); };
+    const auto shown = [&](double value) { return data_number(axis.at(std::clamp(value, axis.low, axis.high))); };
+    is_cut = is_cut || each.low < axis.low || each.high > axis.high;
     figure.data +=
         fmt::format("{} {} {} {} {} {} {}\n", text_of(x_of(i)), data_number(each.estimate), data_number(each.low),
                     data_number(each.high), shown(each.estimate), shown(each.low), shown(each.high));
   }
+  if (is_cut) figure.caption += " Longer intervals are cut at the edge of the picture.";
   figure.data +=
       "\n\n# share of interpretations before it [%], row of a choice; -1: the interval is below 1, 1: above, 0: neither\n";
   for (std::size_t i = 0; i < curve.universes.size(); ++i) {

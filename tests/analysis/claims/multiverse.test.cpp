@@ -216,6 +216,24 @@ TEST_CASE("the specification curve is drawn evenly by the weight of the universe
   CHECK(drawn == sorted.size());
 }
 
+TEST_CASE("the specification curve has a row for the rivals that are the best in a universe, and for no other",
+          "[multiverse]") {
+  Multiverse multiverse = near_the_print();
+  const auto has_row_of = [&](const std::string& rival) {
+    return contains(analysis::paper("slim2023").multiverse(multiverse, {}).figures.front().settings,
+                    "best rival: " + rival);
+  };
+  CHECK(has_row_of("DE"));
+  CHECK(has_row_of("BA"));
+  for (Multiverse::OfStudy& study : multiverse.studies) {
+    for (Multiverse::ChosenSolver& ba : study.solvers[1]) {
+      for (double& error : ba.error_cm[0]) error *= 100;
+    }
+  }
+  CHECK(has_row_of("DE"));
+  CHECK(!has_row_of("BA"));
+}
+
 TEST_CASE("the claims that every universe judges are those that say so", "[multiverse]") {
   const MultiverseReport report = analysis::paper("slim2023").multiverse(near_the_print(), {});
   std::vector<std::string> ids;
