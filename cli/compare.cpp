@@ -221,6 +221,16 @@ void add_compare(CLI::App& app, Invocation& invocation) {
           metric_names() +
               ", which are the default (of poses also orientation_error_deg), or another of ikbench list metrics; repeat for more")
       ->allow_extra_args(false);
+  command
+      ->add_option_function<std::string>(
+          "--estimand",
+          [arguments](const std::string& name) {
+            arguments->estimand =
+                static_cast<Estimand>(std::ranges::find(estimand_names, name) - estimand_names.begin());
+          },
+          "what of errors is compared; mean: their mean, which the worst cases decide; typical: their geometric mean; "
+          "reliability: the share of solves within the tolerance; default: that of A's study")
+      ->check(CLI::IsMember(std::vector<std::string>(estimand_names.begin(), estimand_names.end())));
   const CLI::Option *margin = add_margin_option(*command, arguments->plan.margin),
                     *margin_cm = add_margin_cm_option(*command, arguments->plan.margin_cm),
                     *significance = add_significance_option(*command, arguments->plan.significance);

@@ -27,6 +27,7 @@ AnalysisPlan plan_for(const CompareArguments& arguments, const StudyEntry& study
   plan.margin = arguments.margin.value_or(plan.margin);
   plan.margin_cm = arguments.margin_cm.value_or(plan.margin_cm);
   plan.significance = arguments.significance.value_or(plan.significance);
+  if (arguments.estimand) plan.estimands = {*arguments.estimand};
   return plan;
 }
 

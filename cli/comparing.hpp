@@ -20,6 +20,7 @@ struct CompareArguments {
   std::optional<double> margin = {};  // if given; else the study of A has it
   std::optional<double> margin_cm = {};
   std::optional<double> significance = {};
+  std::optional<results::Estimand> estimand = {};
   bool strict = false;
   bool sequential = false;
   inference::Looks looks = {};

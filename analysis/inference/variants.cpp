@@ -274,7 +274,7 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     } else if (std::ranges::all_of(observed.groups, is_known)) {
       row.contrast = tested(observed, judged).contrasts.front();
       row.remark = "all runs of each are equal: a fact of these targets, without a test";
-    } else if (are_rounding(observed, metric)) {
+    } else if (estimand == Estimand::mean && are_rounding(observed, metric)) {  // shares of 0 are none
       settle(row, fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
     } else {
       open.push_back({.row = &row, .observations = observed, .plan = judged});
@@ -404,6 +404,7 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
   judged.margin_cm = plan.margin_cm;
   judged.significance = plan.significance;
   judged.power = plan.power;
+  judged.estimands = plan.estimands;
   refuse_other_tasks(result.study, a.series.label);
   return result;
 }

@@ -34,8 +34,8 @@ struct VariantStudy {
   std::string differences;  // settings, program and machine that differ between A and B
 };
 
-// Takes the definition and plan of A, but margins, significance and power from `plan`. Throws std::invalid_argument if
-// one side has no complete run, or if robot, targets or start configurations differ.
+// Takes the definition and plan of A, but margins, significance, power and estimands from `plan`. Throws
+// std::invalid_argument if one side has no complete run, or if robot, targets or start configurations differ.
 VariantStudy study_of_both(const Variant& a, const Variant& b, const results::AnalysisPlan& plan);
 
 // The comparison of B with A by one metric.

@@ -72,6 +72,16 @@ succeeds compare $base $fewer --label K-ABC --metric evaluations --metric positi
 refused '--margin-cm: no metric is in cm' compare $base $fewer --metric evaluations --margin-cm 1
 refused '--margin-cm: 2000 is not a number from 0 to 1000' compare $base $fewer --margin-cm 2000
 
+# Another estimand of the errors than the study's first.
+succeeds compare BA IK-BA --store $base --metric position_error_cm --estimand typical
+has "$out" "IK-BA against BA  position_error_cm (typical)  "
+has "$out" "one observation is the geometric mean of a run over its 3 points."
+run_it compare BA IK-BA --store $base --metric position_error_cm --estimand mean
+by_mean=$out
+succeeds compare BA IK-BA --store $base --metric position_error_cm
+[ "$out" = "$by_mean" ] || fail "the study's first estimand is the mean: $out"
+refused '--estimand: median not in {mean,typical,reliability}' compare BA IK-BA --store $base --estimand median
+
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --metric evaluations
 has "$out" "B: IK-BA, against A: BA, in study slim2023"

@@ -197,16 +197,18 @@ TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variant
 }
 
 TEST_CASE("a plan without means is compared by what it has", "[variants]") {
-  const std::string definition =
-      R"({"points": 1, "runs": 20, "path": {"kind": "helix"}, "start": "previous", "analysis": {"estimands": ["typical"]}})";
   const auto of = [&](double factor) {
-    return variant({.runs = 20, .points = 1, .definition = definition},
-                   [=](int run, int) { return factor * (1 + 0.02 * run); });
+    return variant({.runs = 20, .points = 1}, [=](int run, int) { return factor * (1 + 0.02 * run); });
   };
-  const MetricComparison typical = error_of(of(1), of(3));
+  const MetricComparison typical = error_of(of(1), of(3), {.estimands = {Estimand::typical}});
   CHECK(typical.estimand == Estimand::typical);
   CHECK(is_regression(typical));
   CHECK(typical.mean_b / typical.mean_a == Approx(3));
+  // None of 20 runs is within the distance: shares of 0, which are no rounding errors.
+  const MetricComparison share = error_of(of(1), of(3), {.estimands = {Estimand::reliability}});
+  CHECK(share.mean_a == 0);
+  CHECK(share.contrast.relation == Relation::undecided);
+  CHECK(share.remark.find("rounding") == std::string::npos);
 }
 
 TEST_CASE("copies of an answer that is not finite are the worse ones", "[variants]") {
