@@ -237,7 +237,9 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       "Rows that depend on each other, such as the points of one path: --run.\n\n"
       "Write Inf for a run that crashed (-Inf where larger is better): it then ranks last. A missing, empty or NaN\n"
       "value makes its run or block incomplete. Incomplete runs and blocks are left out, and the first lines warn.\n\n"
-      "docs/reading-a-report.md explains every line of the output, docs/your-own-csv.md has examples.");
+      "docs/reading-a-report.md explains every line of the output, docs/your-own-csv.md has examples.\n\n"
+      "Exit codes: 0 the report is written, whatever it says, also that nothing is decided or can be judged (ikbench\n"
+      "compare --strict is the gate), 1 a mistake in the request or the data, 2 a failure of the program or the system.");
   command->callback([arguments, &invocation] {
     check(*arguments);
     if (arguments->margin > 0) arguments->plan.margin = 0;

@@ -178,6 +178,10 @@ void expect_one_a_block(const CsvFile& file, const Contents& contents, const Obs
   for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
   const auto several = std::ranges::find_if(rows, [](const auto& row) { return row.second > 1; });
   if (several == rows.end()) return;
+  if (result.blocks.size() == 1) {
+    file.refuse(fmt::format("all rows are in one block, {}, within which nothing can be judged; leave out --block",
+                            in_quotes(result.blocks.front())));
+  }
   std::string run = "COLUMN";
   for (const std::string& title : file.table.header) {
     if (names_replicates(title) && run == "COLUMN") run = one_line(title);

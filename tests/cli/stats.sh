@@ -385,6 +385,11 @@ degenerate "A has no values" A "NaN NaN" B "1 2" C "2 3"
 degenerate "A against B is undecided" A "1e-320 2e-320 3e-320" B "5e-324 1e-323 9e-320"
 degenerate "; 2 groups" A "-0 0 0" B "0 0 1"
 
+# Of one block no advice leads to a report that judges nothing.
+printf 'solver,error,problem\nA,1,1\nA,2,1\nB,4,1\nB,3,1\n' >block.csv
+refused "all rows are in one block, '1', within which nothing can be judged; leave out --block" \
+  stats block.csv --value error --block problem
+
 # One block that is complete: ranks, and no test of them.
 printf 'A,B,C\n1,2,3\n' >block.csv
 succeeds stats block.csv --wide --rows-are-blocks --out block
