@@ -172,10 +172,9 @@ void add_list(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand(
       "list",
       "List solvers, robots, studies, kinds of path, result columns, metrics, tests, pieces of a report or instruction sets");
-  const std::string kinds = "solvers, robots, studies, paths, columns, metrics, tests, pieces or instruction-sets";
-  command->add_option("KIND", arguments->kind, kinds)
-      ->check(CLI::IsMember(
-          {"solvers", "robots", "studies", "paths", "columns", "metrics", "tests", "pieces", "instruction-sets"}));
+  const std::vector<std::string> kinds{"solvers", "robots", "studies", "paths",           "columns",
+                                       "metrics", "tests",  "pieces",  "instruction-sets"};
+  command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
   command->footer(
@@ -187,8 +186,10 @@ void add_list(CLI::App& app, Invocation&) {
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
     if (arguments->kind.empty()) {
-      throw std::invalid_argument(fmt::format("list lacks its KIND; expected {}", kinds));
+      throw std::invalid_argument(fmt::format("list lacks its KIND; expected one of: {}", fmt::join(kinds, ", ")));
     }
+    if (std::ranges::find(kinds, arguments->kind) == kinds.end())
+      throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
     fmt::print("{}", listed(arguments->kind, arguments->name));
   });
 }

@@ -54,6 +54,21 @@ int main(int argc, char** argv) {
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
     cli::say(fmt::format("ikbench: {}", unknown_name("command", argv[1], commands)));
     return 1;
+  } catch (const CLI::ExtrasError& error) {  // CLI11 names what it did not expect, but no option that is like it
+    const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& name : option->get_lnames()) options.push_back(name);
+    }
+    for (const std::string& word : command.remaining()) {
+      if (!word.starts_with("--")) continue;
+      const std::string name = word.substr(2, word.find('=') - 2), nearest = nearest_name(name, options);
+      cli::say(fmt::format("ikbench: {} has no option --{}{}; see --help", command.get_name(), front(name, 100),
+                           nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest)));
+      return 1;
+    }
+    app.exit(error);
+    return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   } catch (const std::invalid_argument& error) {

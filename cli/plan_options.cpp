@@ -24,15 +24,19 @@ CLI::Validator number_in(std::pair<double, double> range) {
       "");
 }
 
-CLI::Validator whole_number() {
+CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
   return CLI::Validator(
-      [](const std::string& text) {
+      [range](const std::string& text) {
         const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return digits && text.size() <= 18 && (text == "0" || text[0] != '0')
-                   ? std::string()
-                   : fmt::format("{} is not a whole number without leading zeros", text.substr(0, 100));
+        const bool has_zeros = digits && text.size() > 1 && text[0] == '0';
+        if (digits && !has_zeros && text.size() <= 18) {
+          const std::int64_t value = std::stoll(text);
+          if (value >= range.first && value <= range.second) return std::string();
+        }
+        return fmt::format("{} is not a whole number from {} to {}{}", text.substr(0, 100), range.first, range.second,
+                           has_zeros ? " without leading zeros" : "");
       },
-      "");
+      range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : "");
 }
 
 CLI::Option* add_margin_option(CLI::App& command, double& margin) {
@@ -103,8 +107,7 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
       ->capture_default_str();
   command
       .add_option("--quartiles", plan.quartiles, "Hyndman-Fan type of quartiles: 7 as in R and NumPy, 5 as in MATLAB")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 9))
+      ->check(whole_number({1, 9}))
       ->capture_default_str();
 }
 

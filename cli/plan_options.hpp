@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <utility>
 
 #include "results/analysis_plan.hpp"
 
@@ -15,7 +17,8 @@ void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 CLI::Validator number_in(std::pair<double, double> range);
 
 // Accepts decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large for the largest.
-CLI::Validator whole_number();
+constexpr std::int64_t largest_whole = 999'999'999'999'999'999;
+CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, largest_whole});
 
 // --margin takes "5%" or "0.05".
 CLI::Option* add_margin_option(CLI::App& command, double& margin);

@@ -141,8 +141,7 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command
       .add_option("--quartiles", arguments.quartiles,
                   "Hyndman-Fan type of quartiles in box plots, 5 as in MATLAB; default: as in the study")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 9));
+      ->check(whole_number({1, 9}));
   add_significance_option(command, arguments.significance)
       ->description("significance level of the tests, also for companion studies; default: as in the study")
       ->default_str("");
@@ -161,8 +160,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
   command
       .add_option("--jobs", arguments.jobs,
                   "number of solves at once; the answers stay the same, but times are comparable only with 1")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number({1, 1024}))
       ->capture_default_str();
 }
 

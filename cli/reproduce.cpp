@@ -179,8 +179,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
   command->add_option("--runs", arguments->runs, collections_with("--runs") + "runs of each solver on the helix")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(whole_number({1, 1'000'000}))
       ->capture_default_str();
   command
       ->add_option(
@@ -188,15 +187,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
           collections_with("--readings") +
               "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
               "both")
-      ->check(whole_number())
-      ->check(CLI::Range(0, 1000))
+      ->check(whole_number({0, 1000}))
       ->capture_default_str();
   command
       ->add_option("--repetitions", arguments->repetitions,
                    collections_with("--repetitions") +
                        "number of seeds that say what a repetition would give; default: 50; 0: skip them")
-      ->check(whole_number())
-      ->check(CLI::Range(0, 1000));
+      ->check(whole_number({0, 1000}));
   command->add_flag("--quick", arguments->is_quick,
                     collections_with("--repetitions") + "skip the interpretations and the repetitions");
   add_report_options(*command, arguments->report);

@@ -31,12 +31,10 @@ RunMeans run_means(const Study& study, std::vector<SolveRecord> solves) {
 
 void add_series_options(CLI::App& command, int& seeds, int& jobs) {
   command.add_option("--seeds", seeds, "number of seeds, counted from 1; each is a study of its own")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number({1, 1000}))
       ->capture_default_str();
   command.add_option("--jobs", jobs, "number of series at once; the results do not depend on it")
-      ->check(whole_number())
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number({1, 1024}))
       ->capture_default_str();
 }
 

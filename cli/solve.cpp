@@ -111,7 +111,15 @@ void check_range(std::string_view option, const std::vector<double>& values) {
   throw std::invalid_argument(fmt::format("{} has {}; expected numbers within +-1e6", option, *wrong));
 }
 
+void check_size(std::string_view option, const std::vector<double>& values, std::string_view expected) {
+  if (values.size() == 3) return;
+  throw std::invalid_argument(fmt::format("{} has {} number{}; expected 3: {}", option, values.size(),
+                                          values.size() == 1 ? "" : "s", expected));
+}
+
 Pose target_of(const SolveArguments& arguments) {
+  check_size("--position-cm", arguments.position_cm, "x y z [cm]");
+  if (!arguments.rpy_deg.empty()) check_size("--rpy-deg", arguments.rpy_deg, "roll, pitch and yaw [deg]");
   check_range("--position-cm", arguments.position_cm);
   check_range("--rpy-deg", arguments.rpy_deg);
   Pose target = Pose::Identity();
@@ -165,10 +173,8 @@ void add_solve(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand("solve", "Solve one target and print the answer with its errors");
   command->add_option("--position-cm", arguments->position_cm, "target position x y z [cm]")
       ->required()
-      ->expected(3)
       ->delimiter(',');
   command->add_option("--rpy-deg", arguments->rpy_deg, "roll, pitch and yaw of the tool [deg]; default: see --tool")
-      ->expected(3)
       ->delimiter(',');
   command->add_option("--tool", arguments->tool, "orientation of the tool: down, or as in the paper's Eq. 27")
       ->check(CLI::IsMember({"down", "eq27"}))

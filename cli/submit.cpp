@@ -172,8 +172,7 @@ void add_submit(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   command->add_option("--tasks", arguments->tasks, "number of tasks, each of which solves one shard")
       ->required()
-      ->check(whole_number())
-      ->check(CLI::Range(1, most_shards));
+      ->check(whole_number({1, most_shards}));
   add_run_options(*command, arguments->run);
   command->add_option("--sbatch", arguments->sbatch,
                       "further arguments of sbatch, separated by blanks: \"--partition=long --time=02:00:00\"");

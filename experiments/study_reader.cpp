@@ -15,6 +15,7 @@
 #include "experiments/table_reader.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
 #include "solvers/registry.hpp"
@@ -35,6 +36,28 @@ constexpr EmbeddedFile study_files[]{
 const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
+
+// Says that there is no such study, and which one has a name like it: built in, or a file in the folder that was meant.
+std::string no_study(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return fmt::format("{} is a folder; expected a TOML file, or a name of: ikbench list studies", file.string());
+  std::vector<std::string> names, files;
+  for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
+  std::ranges::sort(names);
+  if (file.extension() != ".toml" && !file.has_parent_path())
+    return "no such file, and " + unknown_name("built-in study", file.string(), names);
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  for (std::filesystem::directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
+    if (entry->path().extension() == ".toml") files.push_back(entry->path().stem().string());
+  }
+  std::ranges::sort(files);
+  const std::string stem = file.stem().string(), near = nearest_name(stem, files), built_in = nearest_name(stem, names);
+  const std::string meant = near.empty() ? built_in : (file.parent_path() / (near + ".toml")).string();
+  return fmt::format("no such file: {}; {}", file.string(),
+                     meant.empty() ? "expected a TOML file, or a name of: ikbench list studies"
+                                   : fmt::format("did you mean \"{}\"?", meant));
+}
 
 // The folder of a file that a key names: the study's, or the current one if --set gave the key.
 std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
@@ -140,6 +163,11 @@ SolverEntry read_solver(TomlReader reader) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
         if (!TomlReader::is_plain(*text)) option_reader.fail(option, node, TomlReader::plain);
+        const Settings defaults = options_with(entry, {});
+        const auto by_default = defaults.find(option);
+        const bool is_of_numbers = by_default != defaults.end() && number_from(by_default->second);
+        if (const auto number = number_from(*text); number && is_of_numbers)
+          option_reader.fail(option, node, fmt::format("a number, without quotes: {}", *number));
         entry.options[option] = *text;
       } else if (node.is_integer()) {
         entry.options[option] = fmt::format("{}", *node.value<std::int64_t>());
@@ -304,12 +332,7 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides,
     return parse_study(file->text, source_of(*file), overrides, points_as_observations);
   std::error_code error;
   const std::filesystem::path file = name_or_file;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    std::vector<std::string> names;
-    for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
-    std::ranges::sort(names);
-    throw std::invalid_argument("no such file, and " + unknown_name("built-in study", name_or_file, names));
-  }
+  if (!std::filesystem::is_regular_file(file, error)) throw std::invalid_argument(no_study(file));
   return parse_study(text_of_file(file), name_or_file, overrides, points_as_observations);
 }
 

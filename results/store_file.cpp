@@ -2,6 +2,7 @@
 
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
 
@@ -73,13 +74,28 @@ std::string on_one_line(std::string_view sql) {
   return text;
 }
 
+// ", such as 'out/mine/store.sqlite'": stores in a folder and in the folders in it; empty if there are none.
+std::string stores_in(const std::filesystem::path& folder) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> found;
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator entry(folder, error), end; entry != end; entry.increment(error)) {
+    if (entry.depth() > 0) entry.disable_recursion_pending();
+    if (entry->path().extension() == ".sqlite") found.push_back(fmt::format("'{}'", entry->path().string()));
+  }
+  std::ranges::sort(found);
+  found.resize(std::min(found.size(), most));
+  return found.empty() ? "" : fmt::format(", such as {}", fmt::join(found, ", "));
+}
+
 // The path for SQLite, absolute so that it has no special meaning (":memory:").
 std::string checked_path(const std::filesystem::path& file, Store::Mode mode) {
   std::error_code error;
   const auto path = std::filesystem::absolute(file, error);
   const auto status = std::filesystem::status(path, error);
   if (file.empty() || std::filesystem::is_directory(status))
-    throw std::invalid_argument(fmt::format("'{}' is a folder; expected a store file", file.string()));
+    throw std::invalid_argument(
+        fmt::format("'{}' is a folder; expected a store file{}", file.string(), stores_in(file)));
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store file", file.string()));
   if (mode == Store::Mode::read && status.type() == std::filesystem::file_type::not_found)

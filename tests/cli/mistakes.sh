@@ -14,30 +14,35 @@ refused 'unknown column "tmie"' list columns tmie
 refused 'unknown built-in study "x"' list studies x
 refused 'unknown kind of path "helx"; did you mean "helix"?' list paths helx
 refused 'unknown instruction set "x86-65"' list instruction-sets x86-65
-refused 'things' list things
+refused 'unknown kind of list "solver"; did you mean "solvers"?' list solver
+refused 'unknown kind of list "things" (there are: solvers, robots, ' list things
 
 # Options of the commands.
-refused '--bogus' run slim2023 --bogus
+refused 'run has no option --bogus; see --help' run slim2023 --bogus
+refused 'compare has no option --metrics; did you mean --metric?' compare --metrics solved a b
+refused 'report has no option --studi; did you mean --study?' report store.sqlite --studi=x
 refused 'extra' run slim2023 extra
 refused 'STUDY' run
-refused '--jobs' run slim2023 --jobs 0
-refused '--jobs' run slim2023 --jobs many
-refused '--runs: Value 0 not in range 1 to 1000000' reproduce --runs 0
-refused '--seed: -1 is not a whole number' reproduce --seed -1
+refused '--jobs: 0 is not a whole number from 1 to 1024; ' run slim2023 --jobs 0
+refused '--jobs: many is not a whole number from 1 to 1024; ' run slim2023 --jobs many
+refused '--runs: 0 is not a whole number from 1 to 1000000; ' reproduce --runs 0
+refused '--seed: -1 is not a whole number from 0' reproduce --seed -1
 refused '--unit' report store.sqlite --unit day
 refused '--quartiles' report store.sqlite --quartiles 10
 refused '--unit is point; expected run: points of one run depend on each other' run slim2023 --unit point
 refused 'to insist: --force' reproduce --unit point
 refused '--format' export store.sqlite --format xml
 refused '--position-cm' solve
-refused '--position-cm' solve --position-cm 60 20
+refused '--position-cm has 2 numbers; expected 3: x y z [cm]' solve --position-cm 60 20
+refused '--position-cm has 4 numbers; expected 3: x y z [cm]' solve --position-cm 60,20,10,1
+refused '--rpy-deg has 1 number; expected 3: roll, pitch and yaw [deg]' solve --position-cm 60 20 10 --rpy-deg 90
 refused '--position-cm' solve --position-cm a b c
 refused '--position-cm has nan; expected numbers within +-1e6' solve --position-cm nan 0 0
 refused '--rpy-deg has inf; expected numbers within +-1e6' solve --position-cm 60 20 10 --rpy-deg inf 0 0
 refused '--tolerance-cm is nan; ' solve --position-cm 60 20 10 --tolerance-cm nan
 refused '--snap-deg: nan is not a number from 0 to 1' robot ur5e --snap-deg nan
 refused '--base is about a URDF file, but the arm is ur5e' robot ur5e --base x
-refused 'list lacks its KIND; expected solvers, ' list
+refused 'list lacks its KIND; expected one of: solvers, ' list
 refused 'did you mean "franka_panda"' robot panda
 refused '--runs is not an option of beeson2015' reproduce beeson2015 --runs 3
 refused '--start-deg has 2 angles; expected 7' solve --position-cm 60 20 10 --start-deg 1,2
@@ -71,8 +76,14 @@ refused 'to insist: --force' run slim2023 --set analysis.unit=point
 refused 'did you mean "analysis"?' run slim2023 --set anlysis.unit=run
 
 # Study files.
-refused 'no such file' run none.toml
-refused 'no such file' run .
+refused 'no such file: none.toml; expected a TOML file, or a name of: ikbench list studies' run none.toml
+refused '. is a folder; expected a TOML file' run .
+study hand 'options = { damping = "0.1" }'
+refused 'no such file: hnd.toml; did you mean "hand.toml"?' run hnd.toml
+refused "no such file: $work/hnd.toml; did you mean \"$work/hand.toml\"?" run "$work/hnd.toml"
+refused 'no such file: slim2032.toml; did you mean "slim2023"?' run slim2032.toml
+refused 'hand.toml:13:23: DLS.damping is "0.1"; expected a number, without quotes: 0.1' run hand.toml
+refused '--set DLS.damping: DLS.damping is "0.1"; expected a number, without quotes: 0.1' run hand.toml --set 'DLS.damping="0.1"'
 printf 'name = "x"\nruns = = 3\n' >broken.toml
 refused 'broken.toml:2:8: not TOML' run broken.toml
 printf 'name = "x"\nruns = 0\n[[solvers]]\nsolver = "bat"\n' >wrong.toml
@@ -86,12 +97,15 @@ refused 'empty.toml:1:1: the study names no solver' run empty.toml
 
 # Stores.
 succeeds run slim2023 "${small[@]}" --no-report --out made
+mkdir none
 head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'solver,error\nA,1\n' >table.csv
 : >empty.sqlite
 for command in report export fingerprint; do
   refused "'none.sqlite' does not exist" $command none.sqlite
-  refused 'is a folder' $command made
+  refused "'made' is a folder; expected a store file, such as 'made/store.sqlite'" $command made
+  refused "'.' is a folder; expected a store file, such as './empty.sqlite', './made/store.sqlite', './truncated.sqlite'" $command .
+  refused "'none' is a folder; expected a store file" $command none
   refused 'is not an ikbench store' $command table.csv
   refused 'empty.sqlite' $command empty.sqlite
   refused 'truncated.sqlite' $command truncated.sqlite
@@ -120,7 +134,7 @@ quiet
 [ ! -e out ] || fail "something was written to out/"
 
 # Whole numbers are decimal and fit: CLI11 alone reads 010 as 8.
-refused '010 is not a whole number' reproduce --seed 010 --runs 1
+refused '010 is not a whole number from 0 to 999999999999999999 without leading zeros' reproduce --seed 010 --runs 1
 refused 'is not a whole number' reproduce --runs 99999999999999999999999
 refused 'is not a whole number' run slim2023 --jobs 0x2
 

@@ -279,14 +279,15 @@ TEST_CASE("a solver's population is its own, and the others keep the study's", "
   CHECK(effective_population(study, study.solvers[1]) == 40);
 }
 
-TEST_CASE("options may be written as numbers or as texts", "[study]") {
-  const Study study =
-      read(solver_entry + "options = { alpha = 0.5, loudness = 2, f_max = \"1.5\", bounds = \"clamp\" }\n");
+TEST_CASE("options are numbers, or words in quotes", "[study]") {
+  const Study study = read(solver_entry + "options = { alpha = 0.5, loudness = 2, f_max = 1.5, bounds = \"clamp\" }\n");
   const Settings options = effective_options(study, study.solvers[0]);
   CHECK(options.at("alpha") == "0.5");
   CHECK(options.at("loudness") == "2");
   CHECK(options.at("f_max") == "1.5");
   CHECK(options.at("bounds") == "clamp");
+  CHECK_THROWS_WITH(read(solver_entry + "options = { f_max = \"1.5\" }\n"),
+                    ContainsSubstring("f_max is \"1.5\"; expected a number, without quotes: 1.5"));
 }
 
 TEST_CASE("as JSON a study says its fields and its number of points", "[study]") {
@@ -775,16 +776,20 @@ TEST_CASE("a file of more than 10 MB is not read", "[study][mistakes]") {
   CHECK(load_study(file.string()).solvers.size() == 1);
 }
 
-TEST_CASE("a study is a built-in name or a file, and anything else is told the names", "[study][mistakes]") {
+TEST_CASE("a study is a built-in name or a file, and anything else is told the names, or where they are",
+          "[study][mistakes]") {
   const ScratchFolder folder;
-  for (const std::string& none : {std::string("slim2032"), std::string(), folder.path.string(),
-                                  (folder.path / "none.toml").string(), std::string("/dev/zero")}) {
+  const std::string file = (folder.path / "none.toml").string(), names = "ikbench list studies";
+  const auto says = [](const std::string& none, const std::string& what, const std::string& where) {
     const std::string message = complaint<std::invalid_argument>([&] { load_study(none); });
-    INFO(none);
-    CHECK(contains(message, "no such file"));
-    CHECK(contains(message, "slim2023-context"));
-  }
-  CHECK(contains(complaint<std::invalid_argument>([] { load_study("slim2032"); }), "did you mean \"slim2023\"?"));
+    INFO(message);
+    CHECK(contains(message, what));
+    CHECK(contains(message, where));
+  };
+  for (const char* none : {"slim2032", ""}) says(none, "no such file", "slim2023-context");
+  for (const std::string& none : {file, std::string("/dev/zero")}) says(none, "no such file: " + none + ";", names);
+  says(folder.path.string(), folder.path.string() + " is a folder; expected a TOML file", names);
+  says("slim2032", "no such file", "did you mean \"slim2023\"?");
 }
 
 TEST_CASE("a mistake in a file is reported under the file's name", "[study][mistakes]") {
