@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
       "5 more runs are needed (compare --sequential) or solves are missing (merge, status),\n"
-      "128 + number of the signal (130: Ctrl-C).");
+      "6 the status of the answer is not ok (solve), 128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", "ikbench " + version());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {

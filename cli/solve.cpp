@@ -35,6 +35,7 @@ using namespace report;
 namespace {
 
 constexpr std::string_view command_line = "the command line";
+constexpr int not_solved = 6;  // exit code
 
 struct SolveArguments {
   std::string robot = "kuka_iiwa14", solver = "damped_least_squares", tool = "down", search;
@@ -168,7 +169,7 @@ std::string shown(const SolveRecord& record, const Study& study) {
 
 }  // namespace
 
-void add_solve(CLI::App& app, Invocation&) {
+void add_solve(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one target and print the answer with its errors");
   command->add_option("--position-cm", arguments->position_cm, "target position x y z [cm]")
@@ -215,14 +216,18 @@ void add_solve(CLI::App& app, Invocation&) {
       "  ikbench solve --position-cm 60 20 10\n"
       "  ikbench solve --position-cm 60,20,10 --solver ik_bat --set bounds=clamp --set stop.iterations=1000\n"
       "  ikbench solve --robot planar_2 --position-cm 50 50 0\n"
-      "  ikbench solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90");
-  command->callback([arguments] {
+      "  ikbench solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90\n\n"
+      "Exit codes: 0 the status of the answer is ok, 6 it is another and the answer is printed all the same,\n"
+      "1 a mistake in the request, 2 a failure of the program or the system.");
+  command->callback([arguments, &invocation] {
     const Pose target = target_of(*arguments);
     check_range("--start-deg", arguments->start_deg);
     Study study = asked_study(*arguments);
     study.path = path_through({target});
     warn_of_unreachable(study);
-    fmt::print("{}", shown(solve_once(study, study.solvers.front(), target), study));
+    const SolveRecord record = solve_once(study, study.solvers.front(), target);
+    fmt::print("{}", shown(record, study));
+    if (record.status != Status::ok) invocation.exit_code = not_solved;
   });
 }
 

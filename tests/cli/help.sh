@@ -7,6 +7,7 @@ has "$out" "Examples:"
 has "$out" "Exit codes:"
 has "$out" "1 a mistake in the request or a damaged store, 2 a failure of the program or the system"
 has "$out" "5 more runs are needed (compare --sequential) or solves are missing (merge, status)"
+has "$out" "6 the status of the answer is not ok (solve)"
 all=$out
 for command in reproduce run merge submit status report stats audit compare multiverse list robot solve export import fingerprint check-solver; do
   has "$all" "  $command "

@@ -6,6 +6,12 @@ value() { # value NAME: what `solve` says of it
   grep "^$1  " .out | sed -E 's/^.* {2,}//'
 }
 
+# answers ARGUMENTS...: an answer that is printed, within the tolerance or not: exit code 0 or 6.
+answers() {
+  run_it solve "$@"
+  [ "$code" = $([ "$(value status)" = ok ] && echo 0 || echo 6) ] || fail "solve $*: exit code $code; it said: $out $err"
+}
+
 # Two links of half a metre: (50, 50) cm is an elbow of 90 degrees.
 succeeds solve --robot planar_2 --position-cm 50 50 0 --tolerance-cm 0
 [ "$(value status)" = ok ] || fail "planar: $out"
@@ -41,27 +47,28 @@ succeeds solve --search pose --position-cm 50 10 40 --tolerance-cm 0
 for solver in $("$program" list solvers | tail -n +2 | grep -v "  not built: " | cut -d' ' -f1); do
   arm=kuka_iiwa14
   [ "$solver" = closed_form ] && arm=abb_irb120  # for six joints
-  succeeds solve --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
+  answers --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
   [ "$(value solver)" = "$solver" ] || fail "$solver: $out"
   first=$(grep -v '^time' .out)
-  succeeds solve --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
+  answers --robot $arm --position-cm 40 20 30 --solver "$solver" --set stop.iterations=5
   [ "$(grep -v '^time' .out)" = "$first" ] || fail "$solver: another answer with the same seed"
 done
-succeeds solve --position-cm 60 20 30 --solver ik_bat --seed 1
+answers --position-cm 60 20 30 --solver ik_bat --seed 1
 first=$(grep '^joint' .out)
-succeeds solve --position-cm 60 20 30 --solver ik_bat --seed 2
+answers --position-cm 60 20 30 --solver ik_bat --seed 2
 [ "$(grep '^joint' .out)" != "$first" ] || fail "the same answer with another seed"
 
 # Options of the solver and of the stop rule.
-succeeds solve --position-cm 60 20 30 --solver ik_bat --set bounds=clamp --set stop.iterations=7
+answers --position-cm 60 20 30 --solver ik_bat --set bounds=clamp --set stop.iterations=7
 [ "$(value iterations)" = 7 ] || fail "stop.iterations: $out"
 
 # Negative coordinates are numbers, not options.
 succeeds solve --position-cm -50 -10 40
 succeeds solve --position-cm=-50,-10,40 --start-deg=-10,20,-30,40,-50,60,-70
 
-# Out of reach, the answer is what it is, and says so.
-succeeds solve --robot planar_2 --search all_joints --position-cm 200 0 0
+# Out of reach, the answer is what it is, and says so, also by the exit code.
+run_it solve --robot planar_2 --search all_joints --position-cm 200 0 0
+[ "$code" = 6 ] || fail "200 cm with 100 cm of arm: exit code $code, expected 6"
 awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e > 99.9) }' || fail "200 cm with 100 cm of arm: $out"
 [ "$(value status)" = tolerance_missed ] || fail "100 cm off is no answer: $out"
 refused '--position-cm has 1e+300; expected numbers within +-1e6' solve --position-cm 1e300 0 0
