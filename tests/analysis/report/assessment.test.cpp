@@ -193,7 +193,7 @@ TEST_CASE("only a margin on the other side of a difference would change its answ
     return words_of(change_words(evidence(near, {.test = "welch", .margin = margin})));
   };
   CHECK(change_at(0.05) ==
-        "What would change it: a margin below 5 %, because a difference that is shown is smaller; other targets, arms, "
+        "What would change it: a margin below 5 %, because a smaller difference is shown; other targets, arms, "
         "budgets or settings.");
   CHECK(
       change_at(0.01) ==
