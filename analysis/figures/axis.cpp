@@ -19,7 +19,7 @@ namespace {
 
 constexpr double spread_for_logarithmic = 30;
 constexpr std::size_t longest_quantity = 60;  // characters of a label
-constexpr double smallest_range = 1e-290;     // of a linear axis: denormal numbers have no round steps
+constexpr double smallest_range = 1e-303;     // of a linear axis: denormal numbers have no round steps
 
 struct DrawnUnit {
   std::string unit;
@@ -39,6 +39,7 @@ void add_decades(Axis& axis, char letter, double smallest, double largest, doubl
       std::max(low + 1, static_cast<int>(std::ceil(std::log10(std::min(factor * largest, largest_drawable)))));
   if (axis.shows_at_edge) low -= 1;
   const int decades_per_tick = 1 + (high - low - 1) / 7;
+  const int first_tick = static_cast<int>(std::ceil(static_cast<double>(low) / decades_per_tick)) * decades_per_tick;
   const std::string edge = !axis.shows_at_edge
                                ? ""
                                : fmt::format("set {}tics add ('{}' 1e{})\n", letter,
@@ -46,9 +47,10 @@ void add_decades(Axis& axis, char letter, double smallest, double largest, doubl
   axis.low = std::pow(10, low);
   axis.high = std::pow(10, high);
   axis.settings = fmt::format(
-      "set logscale {7}\nset format {7} '10^{{%T}}'\nset {7}range [1e{0}:1e{1}]\nset {7}tics 1e{2}\nset m{7}tics {3}\n"
+      "set logscale {7}\nset format {7} '10^{{%T}}'\nset {7}range [1e{0}:1e{1}]\nset {7}tics 1e{8}, 1e{2}\nset m{7}tics {3}\n"
       "{6}shown({7}) = {7} > {5} ? {7} * {4} : ({7} <= {5} ? 1e{0} : NaN)\n",
-      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(factor), text_of(axis.least), edge, letter);
+      low, high, decades_per_tick, decades_per_tick == 1 ? 10 : 1, text_of(factor), text_of(axis.least), edge, letter,
+      first_tick);  // without it gnuplot 5.4 does not end where a step is 1e11 or more
 }
 
 void add_from_zero(Axis& axis, double smallest, double largest, double factor) {

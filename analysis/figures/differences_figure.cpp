@@ -51,14 +51,16 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
     figure.settings +=
         fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n", none);
   const std::string_view of_equals = words.are_ratios ? "1" : "zero";
-  figure.data = fmt::format("# row, {}, low, high, whether the interval excludes {}\n",
+  figure.data = fmt::format("# row, {}, low, high, whether the interval excludes {}; -1: not known, not drawn\n",
                             words.are_ratios ? "ratio" : "difference", of_equals);
   bool unknown = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Zero zero = zero_of(rows[i], none);
-    figure.data +=
-        fmt::format("# {}\n{} {} {} {} {}\n", one_line(rows[i].label), i + 1, data_number(rows[i].difference),
-                    data_number(rows[i].low), data_number(rows[i].high), zero == Zero::outside ? 1 : 0);
+    figure.data += fmt::format("# {}\n{} {} {} {} {}\n", one_line(rows[i].label), i + 1,
+                               data_number(rows[i].difference), data_number(rows[i].low), data_number(rows[i].high),
+                               zero == Zero::unknown   ? -1
+                               : zero == Zero::outside ? 1
+                                                       : 0);
     if (zero != Zero::unknown) continue;
     unknown = true;
     const bool unbounded = std::isinf(rows[i].low) || std::isinf(rows[i].high);
