@@ -16,7 +16,7 @@ using namespace inference;
 namespace {
 
 constexpr double widest_in_one_column_cm = 2.8;
-constexpr std::size_t longest_row_label = 2 * longest_label;  // two names in a row of a comparison
+constexpr std::size_t longest_row_label = 2 * longest_label + 3;  // two names in a row of a comparison
 }  // namespace
 
 double label_cm(std::string_view label) {
@@ -28,7 +28,7 @@ double label_cm(std::string_view label) {
     if ((byte & 0xC0) == 0x80) continue;
     const bool capital = c >= 'A' && c <= 'Z';
     cm += narrow.find(c) != std::string_view::npos ? 0.09
-          : wide.find(c) != std::string_view::npos ? 0.21
+          : wide.find(c) != std::string_view::npos ? 0.25
           : byte >= 0xE3                           ? 0.25
           : capital                                ? 0.17
                                                    : 0.14;
@@ -48,8 +48,8 @@ void add_rows(Figure& figure, std::span<const std::string> labels, double height
   figure.height_cm = 1.4 + height_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced font ',7' ({})\nset border 1\nset ytics scale 0\n"
-      "set grid noytics\nset xtics enhanced\n",
-      std::max<std::size_t>(labels.size(), 1), ticks);
+      "set grid noytics\nset xtics enhanced\nset lmargin at screen {}\n",
+      std::max<std::size_t>(labels.size(), 1), ticks, text_of(std::min(0.65, (widest_cm + 0.35) / figure.width_cm)));
   if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/differences_figure.hpp"
+#include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
@@ -37,12 +38,13 @@ constexpr std::size_t most_rows = 45;
 void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
   std::vector<DifferenceRow> rows;
   const bool of_logarithms = evidence.scale == ValueScale::log10;
+  const auto name_of = [&](std::size_t group) { return row_label(evidence.groups[group].name, longest_label); };
   for (const Contrast& contrast : evidence.contrasts) {
-    rows.push_back({.label = fmt::format("{} {} {}", evidence.groups[contrast.first].name, of_logarithms ? "/" : "-",
-                                         evidence.groups[contrast.second].name),
-                    .difference = contrast.difference.value,
-                    .low = contrast.difference.low,
-                    .high = contrast.difference.high});
+    rows.push_back(
+        {.label = fmt::format("{} {} {}", name_of(contrast.first), of_logarithms ? "/" : "-", name_of(contrast.second)),
+         .difference = contrast.difference.value,
+         .low = contrast.difference.low,
+         .high = contrast.difference.high});
   }
   if (rows.empty() || rows.size() > most_rows) return;
   figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
