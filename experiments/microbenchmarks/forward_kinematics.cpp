@@ -1,15 +1,22 @@
-// Measures position errors of 50 candidates by our code and by what one would write instead, and how ours grows with
-// joints and population.
+// Measures position errors of 50 candidates by our code, by the limit (a kernel for this arm alone) and by what one
+// would write instead, and how ours grows with joints and population.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "experiments/microbenchmarks/closed_form.hpp"
 #include "experiments/microbenchmarks/harness.hpp"
+#include "experiments/microbenchmarks/kernels.hpp"
+#include "numerics/instruction_set.hpp"
 #include "solvers/objective.hpp"
 
 namespace ikbench::microbenchmarks {
 
+using namespace numerics;
 using namespace robots;
 using namespace solvers;
+
+IKBENCH_DEFINE_KERNELS
 
 namespace {
 
@@ -27,6 +34,21 @@ void measure(benchmark::State& state, const Reach& reach, int candidates) {
 }
 
 void ours(benchmark::State& state) { measure(state, flange_reach(), batch); }
+
+void limit(benchmark::State& state, InstructionSet set) {
+  const Reach reach = flange_reach();
+  const Candidates q = drawn_candidates(reach.problem, batch);
+  const Kernels iiwa = microbenchmarks::kernels(set);
+  Eigen::VectorXd errors(batch), ours(batch);
+  reach.chain.position_errors(q, reach.target, ours);
+  for (auto _ : state) {
+    iiwa.iiwa_errors(reach.target.data(), q.data(), q.outerStride(), q.cols(), errors.data());
+    benchmark::DoNotOptimize(errors.data());
+    benchmark::ClobberMemory();
+  }
+  if (!((errors - ours).cwiseAbs().maxCoeff() <= 1e-12)) state.SkipWithError("the errors differ from ours");
+  count_candidates(state, batch, reach.chain.joints());
+}
 
 void ours_pose(benchmark::State& state) {
   const Reach reach = flange_reach();
@@ -92,10 +114,13 @@ void eigen_products(benchmark::State& state) {
 }
 
 // A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
-// away.
-Reach snake_reach(int joints) {
+// away. If `slides`, every third joint slides.
+Reach snake_reach(int joints, bool slides = false) {
   std::vector<DhLink> links;
-  for (int j = 0; j < joints; ++j) links.push_back({.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5});
+  for (int j = 0; j < joints; ++j) {
+    links.push_back(
+        {.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5, .joint = slides && j % 3 == 1 ? Joint::slides : Joint::turns});
+  }
   return {Chain(links),
           {0.05 * joints, 0.02 * joints, 0.01},
           {.start = Eigen::VectorXd::Zero(joints),
@@ -107,20 +132,33 @@ void growth_with_joints(benchmark::State& state) {
   measure(state, snake_reach(static_cast<int>(state.range(0))), batch);
 }
 
+void sliding(benchmark::State& state) { measure(state, snake_reach(7, true), batch); }
+
 void growth_with_population(benchmark::State& state) {
   measure(state, flange_reach(), static_cast<int>(state.range(0)));
 }
 
 BENCHMARK(ours)->Name("forward_kinematics/ours");
+BENCHMARK(sliding)->Name("forward_kinematics/sliding");
 BENCHMARK(ours_pose)->Name("forward_kinematics/ours_pose");
 BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");
 BENCHMARK(closed_form)->Name("forward_kinematics/closed_form");
 BENCHMARK(eigen_products)->Name("forward_kinematics/eigen_products");
 BENCHMARK(growth_with_joints)->Name("forward_kinematics/joints")->Arg(4)->Arg(7)->Arg(8)->Arg(16)->Arg(32);
-BENCHMARK(growth_with_population)->Name("forward_kinematics/population")->Arg(50)->Arg(500)->Arg(5000);
+BENCHMARK(growth_with_population)->Name("forward_kinematics/population")->Arg(50)->Arg(500)->Arg(5000)->Arg(50000);
+
+void register_limits() {
+  benchmark::RegisterBenchmark("forward_kinematics/limit", limit, instruction_set());
+  for (const InstructionSet set : instruction_sets()) {
+    benchmark::RegisterBenchmark(fmt::format("forward_kinematics/limit/{}", name_of(set)).c_str(), limit, set);
+  }
+}
 
 }  // namespace
 
 }  // namespace ikbench::microbenchmarks
 
-int main(int argc, char** argv) { return ikbench::microbenchmarks::run(argc, argv); }
+int main(int argc, char** argv) {
+  ikbench::microbenchmarks::register_limits();
+  return ikbench::microbenchmarks::run(argc, argv);
+}

@@ -8,7 +8,9 @@ A row of goals.csv is a goal. `measure` says what is held against its bound:
   largest    the largest of the counters `under` of all benchmarks `over`
   different  how many values the text `under` has in all benchmarks `over`
   growth     the time of `over` by its counter `under`: the largest / the smallest of all these benchmarks
-Times, ratios and counters are taken repetition by repetition, and their median counts.
+Times, ratios, counters and growth are taken repetition by repetition, and their median counts. What is timed gets a
+verdict only if there are enough repetitions, their range is no wider than the distance of the median to the bound, and
+the processors that a benchmark needs (its counter `needed_cores`) were free (`free_cores`).
 """
 import argparse
 import csv
@@ -19,6 +21,7 @@ from pathlib import Path
 from statistics import median
 
 NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+ENOUGH = 7  # repetitions
 MANNERS = ("/min_time:", "/iterations:", "/repeats:", "/process_time", "/real_time", "/manual_time")
 
 
@@ -88,9 +91,8 @@ def measured(goal, runs):
         case "different":
             return [len({runs.values(name, under)[0] for name in names})] if len(names) > 1 else []
         case "growth":
-            ratios = [quotients(runs.nanoseconds(name), runs.values(name, under)) for name in names]
-            costs = [median(each) for each in ratios if each]
-            return [max(costs) / min(costs)] if len(costs) > 1 else []
+            costs = [quotients(runs.nanoseconds(name), runs.values(name, under)) for name in names]
+            return [max(each) / min(each) for each in zip(*costs)] if len(costs) > 1 else []
     raise ValueError(f"goals.csv: unknown measure {goal['measure']}")
 
 
@@ -102,6 +104,19 @@ def why_not(goal, runs):
     if goal["peer"] and "instruction_set" in runs.context and goal["peer"] not in runs.context.get("peers", ""):
         return goal["peer"] + " is not installed"
     return next((f"no run of {name}" for name in needs if not runs.nanoseconds(name)), "no run of it")
+
+
+def why_not_measurable(goal, values, bound, runs):
+    """Why times say nothing about the goal; nothing if they do."""
+    if goal["measure"] not in ("time", "ratio", "growth"):
+        return ""
+    if len(values) < ENOUGH:
+        return "too few repetitions"
+    for name in (goal["over"], goal["under"]):
+        for needed, free in zip(runs.values(name, "needed_cores"), runs.values(name, "free_cores")):
+            if free < 0.97 * needed:
+                return f"not measurable now: {number_text(free)} of {number_text(needed)} processors were free"
+    return "not measurable now" if max(values) - min(values) > abs(median(values) - bound) else ""
 
 
 def number_text(value):
@@ -121,19 +136,22 @@ def time_text(nanoseconds):
 
 
 def row(goal, runs):
-    """The cells of a goal: number, goal, required, measured, verdict."""
+    """The cells of a goal: name, goal, required, measured, verdict."""
     unit = f" {goal['unit']}" if goal["unit"] else ""
     bound = goal.get(runs.context.get("instruction_set"), goal["x86-64"])
     required = f"{goal['bound']} {number_text(float(bound))}{unit}" if bound else "no goal"
     values = measured(goal, runs)
     if not values:
-        return [goal["number"], goal["goal"], required, "", "not measured: " + why_not(goal, runs)]
+        return [goal["name"], goal["goal"], required, "", "not measured: " + why_not(goal, runs)]
     middle = median(values)
     text = number_text(middle) + unit
     if min(values) < max(values):
         text += f" ({number_text(min(values))} to {number_text(max(values))})"
-    is_met = not bound or (middle >= float(bound) if goal["bound"] == ">=" else middle <= float(bound))
-    return [goal["number"], goal["goal"], required, text, ("met" if is_met else "NOT MET") if bound else ""]
+    if not bound:
+        return [goal["name"], goal["goal"], required, text, ""]
+    is_met = middle >= float(bound) if goal["bound"] == ">=" else middle <= float(bound)
+    verdict = why_not_measurable(goal, values, float(bound), runs) or ("met" if is_met else "NOT MET")
+    return [goal["name"], goal["goal"], required, text, verdict]
 
 
 def machine(runs):

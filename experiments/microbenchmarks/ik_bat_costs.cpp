@@ -1,5 +1,5 @@
-// Compares an IK-BA solve of seven joints (population 50, 200 iterations) with its evaluations alone, with a variant
-// that updates once per iteration, and with a textbook program.
+// Compares an IK-BA solve of seven joints (population 50, 200 iterations) with a variant that updates once per
+// iteration and with a textbook program.
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/microbenchmarks/textbook_ik_bat.hpp"
 #include "numerics/functions.hpp"
@@ -94,21 +94,6 @@ void synchronous(benchmark::State& state) {
   measure(state, solver);
 }
 
-// Makes the evaluations of a solve in the same batches: the first candidates, and those of each iteration.
-void kinematics_only(benchmark::State& state) {
-  const Reach reach = flange_reach();
-  const Candidates q = drawn_candidates(reach.problem, reach.problem.population);
-  Eigen::VectorXd errors(q.cols());
-  for (auto _ : state) {
-    Objective objective(reach.chain, reach.target);
-    for (int batch = 0; batch <= iterations; ++batch) {
-      objective.errors(q, errors);
-      benchmark::DoNotOptimize(errors.data());
-      benchmark::ClobberMemory();
-    }
-  }
-}
-
 void textbook_solve(benchmark::State& state) {
   const Reach reach = flange_reach();
   std::vector<textbook::Link> links;
@@ -130,7 +115,6 @@ void textbook_solve(benchmark::State& state) {
 }
 
 BENCHMARK(ours)->Name("ik_bat/ours")->Unit(benchmark::kMicrosecond);
-BENCHMARK(kinematics_only)->Name("ik_bat/kinematics_only")->Unit(benchmark::kMicrosecond);
 BENCHMARK(synchronous)->Name("ik_bat/synchronous")->Unit(benchmark::kMicrosecond);
 BENCHMARK(textbook_solve)->Name("ik_bat/textbook")->Unit(benchmark::kMicrosecond);
 
