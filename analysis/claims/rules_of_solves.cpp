@@ -67,8 +67,8 @@ Claims inside_limits(const Case& of) {
   claim.number = fmt::format("{} of {} outside", count.outside_limits, count.solves);
   claim.evidence = {count.outside_limits == 0
                         ? fmt::format("All {} are.", count.solves)
-                        : fmt::format("{} of {} are not; the worst joint is outside by {} deg.", count.outside_limits,
-                                      count.solves, short_number(count.worst_outside_deg))};
+                        : fmt::format("{} of {} are not; the worst joint is outside by {}.", count.outside_limits,
+                                      count.solves, degrees_words(count.worst_outside_deg))};
   return {claim};
 }
 

@@ -170,6 +170,10 @@ std::string rounded_number(double value, int significant_digits) {
   return has_exponent && size >= 1 && size < 1e7 ? fmt::format("{:.0f}", value) : text;
 }
 
+std::string degrees_words(double degrees) {
+  return std::isfinite(degrees) ? rounded_number(degrees, 3) + " deg" : "more than 1e308 deg";
+}
+
 std::string short_number(double value) { return std::isfinite(value) ? rounded_number(value, 3) : "not defined"; }
 
 std::string capitalised(std::string_view text) {

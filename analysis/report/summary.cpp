@@ -98,7 +98,7 @@ std::string limits_sentence(const StudyResults& study) {
   }
   if (outside == 0) return std::string(words::inside_limits);
   return fmt::format(words::outside_limits, "outside"_a = outside, "answers"_a = study.solves.size(), "list"_a = list,
-                     "worst"_a = rounded_number(worst, 3));
+                     "worst"_a = degrees_words(worst));
 }
 
 std::string times_sentence(const StudyResults& study) {

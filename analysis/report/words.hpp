@@ -220,8 +220,7 @@ inline constexpr Template as_measured =
     "tolerance, and the cost of a solve without status ok as {penalty} times the limit.";
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
-    "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst} "
-    "deg.";
+    "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";
 inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
 inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -243,6 +244,12 @@ TEST_CASE("an incomplete study, parallel times and answers outside the limits ar
     return std::ranges::any_of(sentences, [&](const std::string& sentence) { return contains(sentence, words); });
   };
   CHECK(says("1 of 359 answers are outside the joint limits ("));
+  CHECK(says("; the worst joint is outside by 7.5 deg."));
+  solves[1].limit_violation_deg = std::numeric_limits<double>::infinity();  // 1e308 rad
+  const auto beyond = summary({JudgedStudy(make_study("s", solves))}, {});
+  CHECK(std::ranges::any_of(beyond, [](const std::string& sentence) {
+    return contains(sentence, "; the worst joint is outside by more than 1e308 deg.");
+  }));
   CHECK(says("Solves: 359 of 360 expected"));
   CHECK(says("Computing times are not ranked or tested: times are not comparable (see the warnings)."));
 }
