@@ -9,8 +9,9 @@ A row of goals.csv is a goal. `measure` says what is held against its bound:
   different  how many values the text `under` has in all benchmarks `over`
   growth     the time of `over` by its counter `under`: the largest / the smallest of all these benchmarks
 Times, ratios, counters and growth are taken repetition by repetition, and their median counts. What is timed gets a
-verdict only if there are enough repetitions, their range is no wider than the distance of the median to the bound, and
-the processors that a benchmark needs (its counter `needed_cores`) were free (`free_cores`).
+verdict only if there are enough repetitions and the processors that a benchmark needs (its counter `needed_cores`) were
+free (`free_cores`). It is met if the range of the repetitions is no wider than the distance of the median to the bound,
+and not met if every repetition misses the bound.
 """
 import argparse
 import csv
@@ -106,17 +107,21 @@ def why_not(goal, runs):
     return next((f"no run of {name}" for name in needs if not runs.nanoseconds(name)), "no run of it")
 
 
-def why_not_measurable(goal, values, bound, runs):
-    """Why times say nothing about the goal; nothing if they do."""
+def verdict(goal, values, bound, runs):
+    """Whether the goal is met, or why the measured times do not say it."""
+    meets = lambda value: value >= bound if goal["bound"] == ">=" else value <= bound
+    middle = median(values)
     if goal["measure"] not in ("time", "ratio", "growth"):
-        return ""
+        return "met" if meets(middle) else "NOT MET"
     if len(values) < ENOUGH:
         return "too few repetitions"
     for name in (goal["over"], goal["under"]):
         for needed, free in zip(runs.values(name, "needed_cores"), runs.values(name, "free_cores")):
             if free < 0.97 * needed:
                 return f"not measurable now: {number_text(free)} of {number_text(needed)} processors were free"
-    return "not measurable now" if max(values) - min(values) > abs(median(values) - bound) else ""
+    if not any(map(meets, values)):
+        return "NOT MET"
+    return "met" if meets(middle) and max(values) - min(values) <= abs(middle - bound) else "not measurable now"
 
 
 def number_text(value):
@@ -147,11 +152,7 @@ def row(goal, runs):
     text = number_text(middle) + unit
     if min(values) < max(values):
         text += f" ({number_text(min(values))} to {number_text(max(values))})"
-    if not bound:
-        return [goal["name"], goal["goal"], required, text, ""]
-    is_met = middle >= float(bound) if goal["bound"] == ">=" else middle <= float(bound)
-    verdict = why_not_measurable(goal, values, float(bound), runs) or ("met" if is_met else "NOT MET")
-    return [goal["name"], goal["goal"], required, text, verdict]
+    return [goal["name"], goal["goal"], required, text, verdict(goal, values, float(bound), runs) if bound else ""]
 
 
 def machine(runs):
