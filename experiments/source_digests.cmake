@@ -35,8 +35,8 @@ string(SHA256 shared "${digests}")
 string(SUBSTRING ${shared} 0 16 shared)
 
 set(solvers "")
-# A peer, "peers/NAME", is its own file and the headers that peers share.
-file(GLOB peer_headers ${ROOT}/solvers/peers/*.hpp)
+# A peer, "peers/NAME", is its own file, the headers that peers share, and the modules.
+file(GLOB peer_headers ${ROOT}/solvers/peers/*.hpp ${ROOT}/solvers/peers/modules/*)
 foreach(solver IN LISTS SOLVERS)
   digest_of(${ROOT}/solvers/${solver}.cpp digest)
   if(solver MATCHES "^peers/")

@@ -1,24 +1,13 @@
 // pagmo (Biscani and Izzo 2020) evolves a population by our objective. One step is one call of the library, for as many
 // generations as iterations are planned, or until the study's budgets and tolerances end it. Its algorithms need finite
 // limits: for a joint without end, a whole turn on both sides of the start contains every direction well inside.
+#include "solvers/peers/modules/pagmo.hpp"
+
+#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <pagmo/algorithm.hpp>
-#include <pagmo/algorithms/bee_colony.hpp>
-#include <pagmo/algorithms/cmaes.hpp>
-#include <pagmo/algorithms/de.hpp>
-#include <pagmo/algorithms/de1220.hpp>
-#include <pagmo/algorithms/gwo.hpp>
-#include <pagmo/algorithms/pso.hpp>
-#include <pagmo/algorithms/pso_gen.hpp>
-#include <pagmo/algorithms/sade.hpp>
-#include <pagmo/algorithms/sga.hpp>
-#include <pagmo/algorithms/xnes.hpp>
 #include <pagmo/config.hpp>
-#include <pagmo/population.hpp>
-#include <pagmo/problem.hpp>
 #include <stdexcept>
-#include <utility>
 
 #include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
@@ -33,21 +22,20 @@ namespace {
 
 constexpr int least_pagmo_population = 7;  // for its self-adaptive differential evolutions
 
-// pagmo copies it; all copies evaluate for one call.
-struct PagmoTarget {
-  Evaluations* evaluations = nullptr;
-  pagmo::vector_double lower = {}, upper = {};
-
-  pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-    if (evaluations->is_over()) throw IsOver();
-    return {evaluations->error(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())))};
+// Loads the object that calls pagmo. Throws std::runtime_error if it is missing.
+modules::PagmoEvolve loaded_evolve() {
+  constexpr const char* file = "ikbench_pagmo.so";
+  void* const object = dlopen(file, RTLD_NOW | RTLD_LOCAL);  // stays loaded
+  void* const function = object != nullptr ? dlsym(object, "pagmo_evolve") : nullptr;
+  if (function == nullptr) {
+    throw std::runtime_error(fmt::format("solver pagmo: cannot load {}: {}; install ikbench again", file, dlerror()));
   }
-  std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const { return {lower, upper}; }
-};
+  return reinterpret_cast<modules::PagmoEvolve>(function);
+}
 
 class PagmoSolver final : public Solver {
  public:
-  enum class Algorithm { cmaes, xnes, de, sade, de1220, pso, pso_gen, bee_colony, gwo, sga };
+  using Algorithm = modules::PagmoAlgorithm;
   struct Options {
     Algorithm algorithm = Algorithm::cmaes;
     double small_difference = 1e-12;
@@ -70,7 +58,10 @@ class PagmoSolver final : public Solver {
     }
   };
 
-  explicit PagmoSolver(Options options) : options_(options) {}
+  explicit PagmoSolver(Options options) : options_(options) {
+    static const modules::PagmoEvolve loaded = loaded_evolve();
+    evolve_ = loaded;
+  }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     if (problem.population < least_pagmo_population) {
@@ -87,12 +78,23 @@ class PagmoSolver final : public Solver {
     Evaluations evaluations(solve_, objective);
     const JointLimits limits = finite_limits(solve_.problem);
     const Configuration start = solve_.problem.start.cwiseMax(limits.lower).cwiseMin(limits.upper);
+    const std::function<double(std::span<const double>)> error = [&](std::span<const double> x) {
+      if (evaluations.is_over()) throw IsOver();
+      return evaluations.error(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size())));
+    };
+    const auto values = [](const Eigen::VectorXd& of) {
+      return std::span(of.data(), static_cast<std::size_t>(of.size()));
+    };
     try {
-      const pagmo::problem target{PagmoTarget{
-          &evaluations, {limits.lower.begin(), limits.lower.end()}, {limits.upper.begin(), limits.upper.end()}}};
-      pagmo::population population(target, static_cast<unsigned>(solve_.problem.population - 1), seed);
-      population.push_back({start.begin(), start.end()});
-      algorithm(seed).evolve(population);
+      evolve_({.algorithm = options_.algorithm,
+               .small_difference = options_.small_difference,
+               .generations = static_cast<unsigned>(solve_.problem.iterations),
+               .population = static_cast<unsigned>(solve_.problem.population),
+               .seed = seed,
+               .lower = values(limits.lower),
+               .upper = values(limits.upper),
+               .start = values(start),
+               .error = error});
     } catch (const IsOver&) {  // the best evaluated candidate is kept
     }
   }
@@ -101,37 +103,8 @@ class PagmoSolver final : public Solver {
   bool finished() const override { return solve_.has_ended; }
 
  private:
-  pagmo::algorithm algorithm(unsigned seed) const {
-    const auto generations = static_cast<unsigned>(solve_.problem.iterations);
-    const double least = options_.small_difference;
-    switch (options_.algorithm) {
-      case Algorithm::cmaes:
-        return pagmo::algorithm(pagmo::cmaes(generations, -1, -1, -1, -1, 0.5, least, least, false, true, seed));
-      case Algorithm::xnes:
-        return pagmo::algorithm(pagmo::xnes(generations, -1, -1, -1, -1, least, least, false, true, seed));
-      case Algorithm::de:
-        return pagmo::algorithm(pagmo::de(generations, 0.8, 0.9, 2, least, least, seed));
-      case Algorithm::sade:
-        return pagmo::algorithm(pagmo::sade(generations, 2, 1, least, least, false, seed));
-      case Algorithm::de1220:
-        return pagmo::algorithm(
-            pagmo::de1220(generations, pagmo::de1220_statics<void>::allowed_variants, 1, least, least, false, seed));
-      case Algorithm::pso:
-        return pagmo::algorithm(pagmo::pso(generations, 0.7298, 2.05, 2.05, 0.5, 5, 2, 4, false, seed));
-      case Algorithm::pso_gen:
-        return pagmo::algorithm(pagmo::pso_gen(generations, 0.7298, 2.05, 2.05, 0.5, 5, 2, 4, false, seed));
-      case Algorithm::bee_colony:
-        return pagmo::algorithm(pagmo::bee_colony(generations, 20, seed));
-      case Algorithm::gwo:
-        return pagmo::algorithm(pagmo::gwo(generations, seed));
-      case Algorithm::sga:
-        break;
-    }
-    return pagmo::algorithm(
-        pagmo::sga(generations, 0.9, 1, 0.02, 1, 2, "exponential", "polynomial", "tournament", seed));
-  }
-
   Options options_;
+  modules::PagmoEvolve evolve_;
   LibrarySolve solve_;
 };
 
