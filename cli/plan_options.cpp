@@ -33,8 +33,8 @@ CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range) {
           const std::int64_t value = std::stoll(text);
           if (value >= range.first && value <= range.second) return std::string();
         }
-        return fmt::format("{} is not a whole number from {} to {}{}", text.substr(0, 100), range.first, range.second,
-                           has_zeros ? " without leading zeros" : "");
+        if (has_zeros) return fmt::format("{} has a leading zero; expected a whole number", text.substr(0, 100));
+        return fmt::format("{} is not a whole number from {} to {}", text.substr(0, 100), range.first, range.second);
       },
       range.second < largest_whole ? fmt::format("{} to {}", range.first, range.second) : "");
 }

@@ -16,8 +16,9 @@ void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 // Accepts a number in the range, with digits and point only: CLI11 accepts more texts as numbers.
 CLI::Validator number_in(std::pair<double, double> range);
 
-// Accepts decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large for the largest.
 constexpr std::int64_t largest_whole = 999'999'999'999'999'999;
+// Accepts numbers in the range, written in decimal digits only: CLI11 alone reads 010 as 8 and takes what is too large
+// for the largest.
 CLI::Validator whole_number(std::pair<std::int64_t, std::int64_t> range = {0, largest_whole});
 
 // --margin takes "5%" or "0.05".

@@ -42,6 +42,7 @@ std::string no_study(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     return fmt::format("{} is a folder; expected a TOML file, or a name of: ikbench list studies", file.string());
+  if (std::filesystem::exists(file, error)) return fmt::format("{} is not a regular file", file.string());
   std::vector<std::string> names, files;
   for (const EmbeddedFile& embedded : study_files) names.emplace_back(embedded.stem());
   std::ranges::sort(names);

@@ -63,7 +63,8 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
     largest_error =
         std::isfinite(solve->position_error_cm) ? std::max(largest_error, solve->position_error_cm) : not_defined;
   }
-  if (study.facts.path == "circle") figure.data += first;  // closes it
+  const bool is_whole = static_cast<int>(solves.size()) == study.points;
+  if (study.facts.path == "circle" && is_whole) figure.data += first;  // closes it
   figure.caption += std::isfinite(largest_error)
                         ? fmt::format(" The largest error is {} cm.", rounded_number(largest_error, 2))
                         : " Some of its answers are not finite.";

@@ -13,7 +13,7 @@
 namespace ikbench::figures {
 
 // The targets of the first run, joined in their order unless they are drawn at random, and what its first solver
-// reached; with the arm at the first target, or at three of them.
+// reached; with the arm at the first target, or at up to three of them.
 enum class View { with_arm, with_three_arms, from_above };
 Figure path_figure(const inference::StudyResults& study, const std::string& name, View view = View::with_arm);
 // `printed` is drawn in grey, by point.

@@ -34,7 +34,7 @@ endif()
 if(pagmo_FOUND)
   add_library(ikbench_peer_pagmo INTERFACE)
   get_target_property(includes Pagmo::pagmo INTERFACE_INCLUDE_DIRECTORIES)
-  target_include_directories(ikbench_peer_pagmo SYSTEM INTERFACE ${includes})  # its version
+  target_include_directories(ikbench_peer_pagmo SYSTEM INTERFACE ${includes})  # has the version; a module links the library
   add_library(ikbench_linked_pagmo INTERFACE)  # for the module and the benchmark, which call it
   target_link_libraries(ikbench_linked_pagmo INTERFACE Pagmo::pagmo)
 endif()

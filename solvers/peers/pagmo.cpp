@@ -6,8 +6,10 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <limits>
 #include <pagmo/config.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
@@ -22,15 +24,19 @@ namespace {
 
 constexpr int least_pagmo_population = 7;  // for its self-adaptive differential evolutions
 
-// Loads the object that calls pagmo. Throws std::runtime_error if it is missing.
+// Loads the object that calls pagmo. Throws std::runtime_error if it is missing, or compiled with another pagmo.
 modules::PagmoEvolve loaded_evolve() {
   constexpr const char* file = "ikbench_pagmo.so";
   void* const object = dlopen(file, RTLD_NOW | RTLD_LOCAL);  // stays loaded
-  void* const function = object != nullptr ? dlsym(object, "pagmo_evolve") : nullptr;
-  if (function == nullptr) {
-    throw std::runtime_error(fmt::format("solver pagmo: cannot load {}: {}; install ikbench again", file, dlerror()));
+  void* const evolve = object != nullptr ? dlsym(object, "pagmo_evolve") : nullptr;
+  void* const version = evolve != nullptr ? dlsym(object, "pagmo_version") : nullptr;
+  if (version == nullptr) throw std::runtime_error(fmt::format("solver pagmo: cannot load {}: {}", file, dlerror()));
+  const std::string_view found = reinterpret_cast<modules::PagmoVersion>(version)();
+  if (found != PAGMO_VERSION) {
+    throw std::runtime_error(
+        fmt::format("solver pagmo: {} is of pagmo {}; expected {}; install ikbench again", file, found, PAGMO_VERSION));
   }
-  return reinterpret_cast<modules::PagmoEvolve>(function);
+  return reinterpret_cast<modules::PagmoEvolve>(evolve);
 }
 
 class PagmoSolver final : public Solver {

@@ -11,6 +11,7 @@
 #include <pagmo/algorithms/sade.hpp>
 #include <pagmo/algorithms/sga.hpp>
 #include <pagmo/algorithms/xnes.hpp>
+#include <pagmo/config.hpp>
 #include <pagmo/population.hpp>
 #include <pagmo/problem.hpp>
 #include <utility>
@@ -59,6 +60,8 @@ pagmo::algorithm algorithm_of(const PagmoEvolution& evolution) {
 }
 
 }  // namespace
+
+extern "C" const char* pagmo_version() { return PAGMO_VERSION; }
 
 extern "C" void pagmo_evolve(const PagmoEvolution& evolution) {
   pagmo::population population(pagmo::problem{Target{&evolution}}, evolution.population - 1, evolution.seed);

@@ -1,5 +1,5 @@
-// The interface of the object that calls pagmo. It is loaded when a solver of pagmo is made, because pagmo's own
-// library takes 17 ms to load.
+// The interface of the object that calls pagmo. It is loaded when a solver of pagmo is made, because pagmo's own library
+// takes longer to load than the rest of the program.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,8 @@ struct PagmoEvolution {
   const std::function<double(std::span<const double>)>& error;  // of a candidate
 };
 
-// The object's function pagmo_evolve.
+// The object's functions: pagmo_evolve, and pagmo_version, the version that it was compiled with.
 using PagmoEvolve = void (*)(const PagmoEvolution& evolution);
+using PagmoVersion = const char* (*)();
 
 }  // namespace ikbench::modules
