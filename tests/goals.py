@@ -34,10 +34,11 @@ def row(start, *benchmarks, **context):
 
 
 class Goals(unittest.TestCase):
-    def test_a_ratio_is_taken_repetition_by_repetition_and_its_median_counts(self):
-        # 60, 70 and 62 times; the medians of the times alone would give 310 / 5.
-        benchmarks = repeated(KDL, 300, 350, 31)[::-1] + repeated(OURS, 5, 5, 0.5)
-        self.assertEqual(row("KDL", *benchmarks), (">= 45", "62 (60 to 70)", "met"))
+    def test_a_ratio_is_that_of_the_medians_with_an_interval_of_resamples(self):
+        # One of three repetitions was disturbed; the order of a benchmark's repetitions does not count.
+        benchmarks = repeated(KDL, 300, 310, 900)[::-1] + repeated(OURS, 5)
+        required, measured, verdict = row("KDL", *benchmarks)
+        self.assertEqual((required, measured[:9], verdict), (">= 45", "62 (60 to", "met"))
 
     def test_the_bound_depends_on_the_instruction_set(self):
         for name, required, verdict in (("x86-64-v4", ">= 45", "NOT MET"), ("x86-64-v3", ">= 25", "met"),
@@ -45,9 +46,9 @@ class Goals(unittest.TestCase):
             found = row("KDL", *repeated(KDL, 44), *repeated(OURS, 1), instruction_set=name)
             self.assertEqual(found, (required, "44", verdict))
 
-    def test_a_range_wider_than_the_distance_to_the_goal_is_not_met_only_if_all_miss_it(self):
-        for times, verdict in (((50, 55, 60), "met"), ((50, 55, 61), "not measurable now"), ((20, 35, 44), "NOT MET"),
-                               ((20, 35, 45), "not measurable now")):
+    def test_an_interval_with_the_goal_in_it_has_no_verdict(self):
+        for times, verdict in (((46, 55, 99), "met"), ((44, 55, 60), "not measurable now"), ((20, 35, 44), "NOT MET"),
+                               ((20, 35, 46), "not measurable now")):
             self.assertEqual(row("KDL", *repeated(KDL, *times), *repeated(OURS, 1))[2], verdict)
 
     def test_few_repetitions_give_no_verdict_about_times(self):
@@ -60,7 +61,7 @@ class Goals(unittest.TestCase):
             return [*repeated("study/threads/1", 2, free_cores=1.5, needed_cores=1),
                     *repeated("study/threads/2", 1, free_cores=free, needed_cores=2)]
         self.assertEqual(row("threads", *study(1.95))[1:], ("2", "met"))
-        self.assertEqual(row("threads", *study(1.9))[2], "not measurable now: 1.90 of 2 processors were free")
+        self.assertEqual(row("threads", *study(1.9))[2], "not measurable now: processors needed 2, free 1.90")
 
     def test_a_time_is_shown_in_its_unit_whatever_the_files(self):
         self.assertEqual(row("round trip", repetition("round_trips/c", 0, 0.04, "ms")), ("no goal", "40 us", ""))
@@ -102,8 +103,8 @@ class Goals(unittest.TestCase):
     def test_growth_is_the_dearest_joint_of_a_candidate_over_the_cheapest(self):
         def size(joints, *times):
             return repeated(f"forward_kinematics/joints/{joints}", *times, candidate_joints=50 * joints)
-        grown = row("joints", *size(4, 400), *size(32, 3400, 3200))
-        self.assertEqual(grown[1:], ("1.06 (1 to 1.06)", "not measurable now"))
+        grown = row("joints", *size(4, 400), *size(32, 3400))
+        self.assertEqual(grown[1:], ("1.06", "met"))
         self.assertEqual(row("joints", *size(4, 400), *size(32, 4000))[1:], ("1.25", "NOT MET"))
 
     def test_a_file_that_no_benchmark_wrote_is_refused(self):

@@ -8,10 +8,10 @@ A row of goals.csv is a goal. `measure` says what is held against its bound:
   largest    the largest of the counters `under` of all benchmarks `over`
   different  how many values the text `under` has in all benchmarks `over`
   growth     the time of `over` by its counter `under`: the largest / the smallest of all these benchmarks
-Times, ratios, counters and growth are taken repetition by repetition, and their median counts. What is timed gets a
-verdict only if there are enough repetitions and the processors that a benchmark needs (its counter `needed_cores`) were
-free (`free_cores`). It is met if the range of the repetitions is no wider than the distance of the median to the bound,
-and not met if every repetition misses the bound.
+Times and counters are medians over the repetitions, ratios and growth those of the medians. What is timed has the 95 %
+bootstrap interval beside it. It gets a verdict only if there are enough repetitions and the processors that a benchmark
+needs (its counter `needed_cores`) were free (`free_cores`): met if the whole interval meets the bound, NOT MET if the
+whole interval misses it.
 """
 import argparse
 import csv
@@ -19,6 +19,7 @@ import json
 import sys
 from fnmatch import fnmatchcase
 from pathlib import Path
+from random import Random
 from statistics import median
 
 NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
@@ -62,38 +63,55 @@ class Measurements:
                 times.append(time * NANOSECONDS[entry.get("time_unit", "ns")])
         return times
 
+    def repetitions(self, name):
+        return len(self._repetitions.get(name, []))
+
     def values(self, name, key):
         return [entry[key] for entry in self._repetitions.get(name, []) if key in entry]
 
 
-def quotients(a, b):
-    return [x / y for x, y in zip(a, b)]
+def estimate(statistic, *samples):
+    """A statistic of the medians of samples, and its 95 % interval over resamples; the same in every call."""
+    random = Random(1)
+    drawn = sorted(statistic(*(median(random.choices(each, k=len(each))) for each in samples)) for _ in range(1999))
+    return statistic(*map(median, samples)), drawn[49], drawn[-50]
+
+
+def quotient(a, b):
+    return a / b
+
+
+def growth(*costs):
+    return max(costs) / min(costs)
 
 
 def measured(goal, runs):
-    """One number a repetition, or one; none where it was not measured."""
+    """A number and its interval; None where it was not measured."""
     over, under, unit = goal["over"], goal["under"], goal["unit"]
     names = runs.names(over)
     match goal["measure"]:
         case "time":
-            return [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)]
+            times = [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)]
+            return estimate(float, times) if times else None
         case "ratio":
             before, _, after = over.partition("*")
             ratios = []
             for name in names:
                 other = under.replace("*", name[len(before):len(name) - len(after)])
-                ratios.append(quotients(runs.nanoseconds(name), runs.nanoseconds(other)))
-            return max(filter(None, ratios), key=median, default=[])
+                if runs.nanoseconds(other):
+                    ratios.append(estimate(quotient, runs.nanoseconds(name), runs.nanoseconds(other)))
+            return max(ratios, default=None)
         case "counter":
-            return [value * (100 if unit == "%" else 1) for value in runs.values(over, under)]
+            values = [value * (100 if unit == "%" else 1) for value in runs.values(over, under)]
+            return estimate(float, values) if values else None
         case "largest":
             values = [value for name in names for key in under.split() for value in runs.values(name, key)]
-            return [max(values)] if values else []
+            return (max(values),) * 3 if values else None
         case "different":
-            return [len({runs.values(name, under)[0] for name in names})] if len(names) > 1 else []
+            return (len({runs.values(name, under)[0] for name in names}),) * 3 if len(names) > 1 else None
         case "growth":
-            costs = [quotients(runs.nanoseconds(name), runs.values(name, under)) for name in names]
-            return [max(each) / min(each) for each in zip(*costs)] if len(costs) > 1 else []
+            costs = [[time / runs.values(name, under)[0] for time in runs.nanoseconds(name)] for name in names]
+            return estimate(growth, *costs) if len(costs) > 1 else None
     raise ValueError(f"goals.csv: unknown measure {goal['measure']}")
 
 
@@ -107,21 +125,16 @@ def why_not(goal, runs):
     return next((f"no run of {name}" for name in needs if not runs.nanoseconds(name)), "no run of it")
 
 
-def verdict(goal, values, bound, runs):
+def verdict(goal, low, high, bound, runs):
     """Whether the goal is met, or why the measured times do not say it."""
-    meets = lambda value: value >= bound if goal["bound"] == ">=" else value <= bound
-    middle = median(values)
-    if goal["measure"] not in ("time", "ratio", "growth"):
-        return "met" if meets(middle) else "NOT MET"
-    if len(values) < ENOUGH:
+    meets = [value >= bound if goal["bound"] == ">=" else value <= bound for value in (low, high)]
+    if goal["measure"] in ("time", "ratio", "growth") and min(map(runs.repetitions, runs.names(goal["over"]))) < ENOUGH:
         return "too few repetitions"
     for name in (goal["over"], goal["under"]):
         for needed, free in zip(runs.values(name, "needed_cores"), runs.values(name, "free_cores")):
             if free < 0.97 * needed:
-                return f"not measurable now: {number_text(free)} of {number_text(needed)} processors were free"
-    if not any(map(meets, values)):
-        return "NOT MET"
-    return "met" if meets(middle) and max(values) - min(values) <= abs(middle - bound) else "not measurable now"
+                return f"not measurable now: processors needed {number_text(needed)}, free {number_text(free)}"
+    return "met" if all(meets) else "not measurable now" if any(meets) else "NOT MET"
 
 
 def number_text(value):
@@ -145,14 +158,14 @@ def row(goal, runs):
     unit = f" {goal['unit']}" if goal["unit"] else ""
     bound = goal.get(runs.context.get("instruction_set"), goal["x86-64"])
     required = f"{goal['bound']} {number_text(float(bound))}{unit}" if bound else "no goal"
-    values = measured(goal, runs)
-    if not values:
+    found = measured(goal, runs)
+    if found is None:
         return [goal["name"], goal["goal"], required, "", "not measured: " + why_not(goal, runs)]
-    middle = median(values)
-    text = number_text(middle) + unit
-    if min(values) < max(values):
-        text += f" ({number_text(min(values))} to {number_text(max(values))})"
-    return [goal["name"], goal["goal"], required, text, verdict(goal, values, float(bound), runs) if bound else ""]
+    value, low, high = found
+    text = number_text(value) + unit
+    if low < high:
+        text += f" ({number_text(low)} to {number_text(high)})"
+    return [goal["name"], goal["goal"], required, text, verdict(goal, low, high, float(bound), runs) if bound else ""]
 
 
 def machine(runs):
