@@ -24,7 +24,7 @@ std::string latex_text(std::string_view text);
 std::string gnuplot_string(std::string_view text);
 
 std::string rounded_number(double value, int significant_digits);  // 2430, not 2.4e+03: all digits before the point
-std::string short_number(double value);  // three digits, or "not defined"
+std::string short_number(double value);                            // three digits, or "not defined"
 // "7.5 deg"; radians too large for a double in degrees are "more than 1e308 deg".
 std::string degrees_words(double degrees);
 // "31 to 122", "31"; "at least 31" if the range has no end or spans more than a factor of 100.

@@ -1,5 +1,5 @@
-// The interface of the object that calls pagmo. It is loaded when a solver of pagmo is made, because pagmo's own library
-// takes longer to load than the rest of the program.
+// The interface of the object that calls pagmo. It is loaded when a solver of pagmo is made, because pagmo's own
+// library takes longer to load than the rest of the program.
 #pragma once
 
 #include <functional>
