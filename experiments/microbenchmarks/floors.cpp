@@ -2,6 +2,7 @@
 // solves, in the same batches, and as many random numbers, but nothing else; and for the study the six floors together.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -81,15 +82,19 @@ class Run {
         stream_(Key(study.seed).with(entry.label).with(1)),
         targets_(targets(study, arm, 1)),
         draws_(draws(entry.solver, task_.arm().joints())),
-        candidates_(drawn_candidates(task_.problem(study.initial, population_), most_ahead)),
-        errors_(most_ahead),
         numbers_(population_ * most_joints) {
+    Eigen::Index largest = 0;
     solve<RecordingObjective>([&](const RecordingObjective& objective, const Random& random, const Clocked& solved) {
       const auto steps = static_cast<int>(solved.solution.iterations);
       made_.push_back({objective.batches(), steps, single_draws(stream(made_.size()), steps, random)});
-      for (const Eigen::Index batch : objective.batches()) evaluated_ += static_cast<double>(batch);
+      for (const Eigen::Index batch : objective.batches()) {
+        evaluated_ += static_cast<double>(batch);
+        largest = std::max(largest, batch);
+      }
       counted_ += static_cast<double>(objective.evaluations());
     });
+    candidates_ = drawn_candidates(task_.problem(study.initial, population_), static_cast<int>(largest));
+    errors_.resize(largest);
   }
 
   // Solves target after target, each from where the previous answer left the arm, and shows each solve to `take`.
@@ -122,7 +127,6 @@ class Run {
   double evaluated_per_counted() const { return evaluated_ / counted_; }
 
  private:
-  static constexpr Eigen::Index most_ahead = 64;  // candidates in a batch
   struct Made {
     std::vector<Eigen::Index> batches;
     int steps;
