@@ -7,11 +7,14 @@
 
 namespace ikbench::inference {
 
+Estimate reversed(const Estimate& estimate, bool is_ratio) {
+  const auto turned = [&](double value) { return is_ratio ? 1 / value : 0 - value; };  // no -0
+  return {.value = turned(estimate.value), .low = turned(estimate.high), .high = turned(estimate.low)};
+}
+
 Finding reversed(Finding finding) {
   std::swap(finding.first, finding.second);
-  const auto turned = [&](double value) { return finding.is_ratio ? 1 / value : -value; };
-  const Estimate before = finding.estimate;
-  finding.estimate = {.value = turned(before.value), .low = turned(before.high), .high = turned(before.low)};
+  finding.estimate = reversed(finding.estimate, finding.is_ratio);
   finding.relation = reversed(finding.relation);
   return finding;
 }

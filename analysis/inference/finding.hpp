@@ -34,6 +34,8 @@ struct Finding {
   std::string why = {};  // the reason for the relation, or why there is no test; else empty
 };
 
+// Returns second - first from first - second, or second / first from first / second.
+Estimate reversed(const Estimate& estimate, bool is_ratio);
 // Returns the same finding with first and second swapped.
 Finding reversed(Finding finding);
 

@@ -100,11 +100,14 @@ std::string size_words(const Evidence& evidence, const Contrast& pair) {
                                                            : "");
 }
 
-std::string interval_words(const Evidence& evidence, const Contrast& pair) {
+// The interval of `first` less the other of the pair, or of their ratio.
+std::string interval_words(const Evidence& evidence, const Contrast& pair, std::size_t first) {
   const double unit = evidence.of_outcomes ? 0.01 : 1;
-  return fmt::format(words::interval, "what"_a = evidence.scale == ValueScale::log10 ? "ratio" : "difference",
-                     "low"_a = rounded_number(pair.difference.low / unit, 3),
-                     "high"_a = rounded_number(pair.difference.high / unit, 3),
+  const bool is_ratio = evidence.scale == ValueScale::log10;
+  const Estimate difference = first == pair.first ? pair.difference : reversed(pair.difference, is_ratio);
+  return fmt::format(words::interval, "what"_a = is_ratio ? "ratio" : "difference",
+                     "low"_a = rounded_number(difference.low / unit, 3),
+                     "high"_a = rounded_number(difference.high / unit, 3),
                      "unit"_a = evidence.of_outcomes ? " percentage points" : "");
 }
 
@@ -259,7 +262,7 @@ class Answer {
     Clause text{fmt::format(words::same, "all"_a = listed(all),
                             "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
     if (is_one && !is_short_ && front.difference.low != front.difference.high) {
-      text.remarks = {interval_words(evidence_, front)};
+      text.remarks = {interval_words(evidence_, front, best_)};
     }
     say(text);
   }
@@ -270,7 +273,7 @@ class Answer {
     if (pairs.size() == 1) {
       const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
       text.remarks.emplace_back(is_equal ? words::all_equal : p_words(front.p));
-      if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front));
+      if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
     }
     const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
     if (!runs.empty()) text.remarks.push_back(runs);

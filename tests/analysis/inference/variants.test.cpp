@@ -424,6 +424,25 @@ TEST_CASE("in a study with a tolerance, a variant that solves nothing is not che
   CHECK(metric_of(comparison, Metric::evaluations).mean_b == Approx(10 * 120));  // of the dearest solve, which took 120
 }
 
+TEST_CASE("equal solves are the same only where they are judged alike", "[variants]") {
+  const auto study = [](const char* stop) {
+    return Solved{.runs = 20,
+                  .definition = fmt::format(R"({{"points": 1, "runs": 20, "path": {{"kind": "helix"}},
+                                                "start": "previous", "stop": {{{}}}}})",
+                                            stop)};
+  };
+  const auto spent = [](SolveRecord& solve) { solve.evaluations = 100 + solve.run; };
+  const auto missed = [&](SolveRecord& solve) {
+    spent(solve);
+    solve.status = Status::tolerance_missed;
+  };
+  const auto error = [](int, int) { return 0.2; };
+  const VariantComparison comparison = compared(variant(study(R"("tolerance_cm": 0.1)"), error, missed),
+                                                variant(study(""), error, spent), {"evaluations"});
+  CHECK(metric_of(comparison, Metric::evaluations).remark != "equal bit for bit");
+  CHECK(metric_of(comparison, Metric::evaluations).mean_a > metric_of(comparison, Metric::evaluations).mean_b);
+}
+
 TEST_CASE("a store's labels become variants, each with its own solves and sessions", "[variants]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.sqlite", Store::Mode::write);

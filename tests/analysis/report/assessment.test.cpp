@@ -183,6 +183,16 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
   CHECK(verdict_at(0) == "A is better");
 }
 
+TEST_CASE("an interval is of the first that is named less the second, in any order of the groups", "[assessment]") {
+  // Welch's interval of A - B: 0.1167 -+ 2.2789 * 0.1292 (8.58 degrees of freedom).
+  const Group a{"A", {1.1, 1.3, 1.2, 1.25, 1.7, 0.9}}, b{"B", {1.0, 1.2, 1.1, 1.15, 1.4, 0.9}};
+  for (const std::vector<Group>& groups : {std::vector{a, b}, std::vector{b, a}}) {
+    const Evidence found = evidence({.name = "x", .quantity = "x", .groups = groups}, {.test = "welch"});
+    CHECK(says(found, "In short: B against A is undecided (p = "));
+    CHECK(says(found, "; difference between -0.411 and 0.178;"));
+  }
+}
+
 TEST_CASE("only a margin on the other side of a difference would change its answer", "[assessment]") {
   // Welch's interval of the difference is 0.885 to 1.115, of 100.
   const Observations near{
