@@ -85,13 +85,14 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double stolen_seconds() {
+ProcessorSeconds processor_seconds() {
   std::ifstream stat("/proc/stat");
   std::string cpu;
   double user = 0, nice = 0, system = 0, idle = 0, waiting = 0, interrupts = 0, soft_interrupts = 0, stolen = 0;
   stat >> cpu >> user >> nice >> system >> idle >> waiting >> interrupts >> soft_interrupts >> stolen;
-  return stat && cpu == "cpu" ? stolen / static_cast<double>(sysconf(_SC_CLK_TCK))
-                              : std::numeric_limits<double>::quiet_NaN();
+  if (!stat || cpu != "cpu") return {};
+  const auto ticks = static_cast<double>(sysconf(_SC_CLK_TCK));
+  return {.idle = (idle + waiting) / ticks, .stolen = stolen / ticks};
 }
 
 double waited_seconds(const std::filesystem::path& task) {

@@ -4,15 +4,19 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 
 namespace ikbench::experiments {
 
 std::map<std::string, std::string> environment();
-// Processor time [s] that the host of a virtual machine took from all its processors since it started (steal,
-// /proc/stat); NaN if unknown.
-double stolen_seconds();
+// Time [s] of all the machine's processors together since it started (/proc/stat): in which they had nothing to do, and
+// which the host of a virtual machine took from them (steal). NaN if unknown.
+struct ProcessorSeconds {
+  double idle = std::numeric_limits<double>::quiet_NaN(), stolen = std::numeric_limits<double>::quiet_NaN();
+};
+ProcessorSeconds processor_seconds();
 double thread_seconds();  // processor time [s] of this thread
 // Time [s] for which all threads of a process, or one task (/proc/thread-self), were ready to run without a processor;
 // NaN if unknown.

@@ -235,7 +235,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["runs"] = std::to_string(plan.study.runs);
   session["solvers"] = labels_of(plan.study);
   const std::int64_t session_id = store.begin_session(session);
-  const double stolen_before = stolen_seconds();
+  const double stolen_before = processor_seconds().stolen;
   std::vector<SolveRecord> waiting;
   auto stored_last = std::chrono::steady_clock::now();
   const auto store_them = [&] {
@@ -257,7 +257,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   });
   store_them();
   progress.notes = tell_of_programs(plan, store, session_id);
-  if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
+  if (const double stolen = processor_seconds().stolen - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
   }
 }

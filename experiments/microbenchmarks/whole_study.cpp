@@ -1,11 +1,9 @@
 // Measures the whole helix study, slim2023: six solvers, 2400 solves, with timing and verifier, without store and
 // report; by one thread and by two.
-#include <unistd.h>
-
 #include <chrono>
 #include <ctime>
-#include <fstream>
 
+#include "experiments/environment.hpp"
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
@@ -19,21 +17,12 @@ namespace {
 
 constexpr double solves_of_study = 2400;  // as the goal says
 
-// Time in which the machine's processors had nothing to do, all of them together; 0 where the system does not say.
-double idle_seconds() {
-  std::ifstream file("/proc/stat");
-  std::string name;
-  double user = 0, nice = 0, system = 0, idle = 0, waiting = 0;
-  file >> name >> user >> nice >> system >> idle >> waiting;
-  return (idle + waiting) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
 double own_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void whole_study(benchmark::State& state) {
   const Study study = load_study("slim2023");
   double solves = 0;
-  const double not_of_others = idle_seconds() + own_seconds();
+  const double not_of_others = processor_seconds().idle + own_seconds();
   const auto started = std::chrono::steady_clock::now();
   for (auto _ : state) {
     solve_study(study, static_cast<int>(state.range(0)), [&](const SolveRecord& record) {
@@ -43,7 +32,7 @@ void whole_study(benchmark::State& state) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
   state.counters["needed_cores"] = static_cast<double>(state.range(0));
-  state.counters["free_cores"] = (idle_seconds() + own_seconds() - not_of_others) / seconds.count();
+  state.counters["free_cores"] = (processor_seconds().idle + own_seconds() - not_of_others) / seconds.count();
   if (solves != static_cast<double>(state.iterations()) * solves_of_study) {
     state.SkipWithError("slim2023 has another number of solves");
     return;
