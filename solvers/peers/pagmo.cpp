@@ -24,7 +24,8 @@ namespace {
 
 constexpr int least_pagmo_population = 7;  // for its self-adaptive differential evolutions
 
-// Loads the object that calls pagmo. Throws std::runtime_error if it is missing, or compiled with another pagmo.
+// Loads the object that calls pagmo, or finds it loaded. Throws std::runtime_error if it is missing, or compiled with
+// another pagmo.
 modules::PagmoEvolve loaded_evolve() {
   constexpr const char* file = "ikbench_pagmo.so";
   void* const object = dlopen(file, RTLD_NOW | RTLD_LOCAL);  // stays loaded
@@ -64,10 +65,7 @@ class PagmoSolver final : public Solver {
     }
   };
 
-  explicit PagmoSolver(Options options) : options_(options) {
-    static const modules::PagmoEvolve loaded = loaded_evolve();
-    evolve_ = loaded;
-  }
+  explicit PagmoSolver(Options options) : options_(options), evolve_(loaded_evolve()) {}
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     if (problem.population < least_pagmo_population) {
