@@ -149,6 +149,13 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   }
 }
 
+// Returns whether the default of an option is a number.
+bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
+  const Settings defaults = options_with(entry, {});
+  const auto by_default = defaults.find(option);
+  return by_default != defaults.end() && number_from(by_default->second);
+}
+
 SolverEntry read_solver(TomlReader reader) {
   SolverEntry entry;
   read_kind(reader, entry);
@@ -164,10 +171,7 @@ SolverEntry read_solver(TomlReader reader) {
       const std::string option(key.str());
       if (const auto text = node.value<std::string>()) {
         if (!TomlReader::is_plain(*text)) option_reader.fail(option, node, TomlReader::plain);
-        const Settings defaults = options_with(entry, {});
-        const auto by_default = defaults.find(option);
-        const bool is_of_numbers = by_default != defaults.end() && number_from(by_default->second);
-        if (const auto number = number_from(*text); number && is_of_numbers)
+        if (const auto number = number_from(*text); number && is_of_numbers(entry, option))
           option_reader.fail(option, node, fmt::format("a number, without quotes: {}", *number));
         entry.options[option] = *text;
       } else if (node.is_integer()) {
