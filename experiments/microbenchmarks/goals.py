@@ -71,7 +71,10 @@ class Measurements:
 
 
 def estimate(statistic, *samples):
-    """A statistic of the medians of samples, and its 95 % interval over resamples; the same in every call."""
+    """A statistic of the medians of samples, and its 95 % interval over resamples, the same in every call; None if a
+    sample is empty."""
+    if not all(samples):
+        return None
     random = Random(1)
     drawn = sorted(statistic(*(median(random.choices(each, k=len(each))) for each in samples)) for _ in range(1999))
     return statistic(*map(median, samples)), drawn[49], drawn[-50]
@@ -91,19 +94,16 @@ def measured(goal, runs):
     names = runs.names(over)
     match goal["measure"]:
         case "time":
-            times = [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)]
-            return estimate(float, times) if times else None
+            return estimate(float, [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)])
         case "ratio":
             before, _, after = over.partition("*")
             ratios = []
             for name in names:
                 other = under.replace("*", name[len(before):len(name) - len(after)])
-                if runs.nanoseconds(other):
-                    ratios.append(estimate(quotient, runs.nanoseconds(name), runs.nanoseconds(other)))
-            return max(ratios, default=None)
+                ratios.append(estimate(quotient, runs.nanoseconds(name), runs.nanoseconds(other)))
+            return max(filter(None, ratios), default=None)
         case "counter":
-            values = [value * (100 if unit == "%" else 1) for value in runs.values(over, under)]
-            return estimate(float, values) if values else None
+            return estimate(float, [value * (100 if unit == "%" else 1) for value in runs.values(over, under)])
         case "largest":
             values = [value for name in names for key in under.split() for value in runs.values(name, key)]
             return (max(values),) * 3 if values else None
