@@ -220,8 +220,7 @@ std::vector<BestRival> best_rivals(const Multiverse& multiverse, std::size_t sol
   return all;
 }
 
-// The rows of the choices, by dimension and alternative; the rivals that are drawn are rows of a separate
-// group.
+// The rows of the choices, by dimension and alternative; the rivals that are drawn are rows of a separate group.
 struct CurveRows {
   std::vector<SpecificationCurve::Group> groups;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> of_choice;
