@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
     std::vector<SolveRecord> records;
     solve_study(study, threads, [&](SolveRecord record) { records.push_back(std::move(record)); });
     solves += records.size();
-    hash += (hash.empty() ? "" : " ") + fingerprint(std::move(records));
+    if (!hash.empty()) hash += ' ';
+    hash += fingerprint(std::move(records));
   }
 
   const auto context = environment();
