@@ -2,15 +2,15 @@
 # Disturbs a working program: kill -9, SIGTERM and SIGHUP at random moments, a full disk, a locked store. No stored
 # solve is lost, none is there twice, and at the end all is as if nothing had happened.
 #
-#   tests/kills.sh PROGRAM                  a few of each, as ./check does
+#   tests/kills.sh PROGRAM                  one of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
 #   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run program shard merge multiverse
-#                                           migration report files disk locked
+#                                           report files disk locked
 #
 # IKBENCH_KILLS_SEED=N repeats the moments of another time.
 source "$(dirname "$0")/cli/common.sh"
 command -v sqlite3 >/dev/null || fail "no sqlite3, which ./setup installs"
-rounds=${2:-2}
+rounds=${2:-1}
 parts=("${@:3}")
 [ ${#parts[@]} -gt 0 ] || parts=(run program shard merge multiverse report files disk locked)
 seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}

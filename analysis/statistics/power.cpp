@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "analysis/statistics/tails.hpp"
@@ -66,14 +68,13 @@ bool can_be_seen(double difference, double spread) {
 // The difference at which power reaches the goal; power rises with the difference.
 template <class Power>
 double least(double goal, Power power_at) {
+  const auto excess = [&](double apart) { return power_at(apart) - goal; };
   double enough = 1;
-  while (power_at(enough) < goal) enough *= 2;
-  double too_little = 0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (too_little + enough) / 2;
-    (power_at(middle) >= goal ? enough : too_little) = middle;
-  }
-  return enough;
+  while (excess(enough) < 0) enough *= 2;
+  std::uintmax_t evaluations = 200;
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      excess, 0.0, enough, boost::math::tools::eps_tolerance<double>(40), evaluations);
+  return (below + above) / 2;
 }
 
 }  // namespace

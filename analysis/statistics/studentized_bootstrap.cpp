@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -184,7 +185,8 @@ double reaching(const std::vector<double>& ascending, double square) {
 std::vector<double> sorted_and_ranked(const std::vector<double>& squares, std::vector<double>& least_shares) {
   std::vector<std::pair<double, std::size_t>> order(squares.size());
   for (std::size_t i = 0; i < squares.size(); ++i) order[i] = {squares[i], i};
-  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
+  boost::sort::pdqsort_branchless(order.begin(), order.end(),
+                                  [](const auto& one, const auto& other) { return one.first < other.first; });
   std::vector<double> sorted;
   sorted.reserve(order.size());
   std::size_t below = 0;
@@ -217,7 +219,7 @@ FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFa
     }
     if (is_of(each.pair, family.only_with)) result.squares.push_back(std::move(sorted));
   }
-  std::ranges::sort(result.least_shares);
+  boost::sort::pdqsort_branchless(result.least_shares.begin(), result.least_shares.end());
   return result;
 }
 

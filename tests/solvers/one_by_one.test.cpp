@@ -356,7 +356,7 @@ TEST_CASE("BA is its pseudo-code bit for bit, one bat after another", "[one_by_o
 TEST_CASE("BA of many bats is its pseudo-code bit for bit: the mean loudness is added up in order",
           "[one_by_one][bat]") {
   const SolverInfo info = solver("bat");
-  for (const int bats : {256, 257, 1500}) {
+  for (const int bats : {256, 257, 513}) {
     for (const char* alpha : {"0", "0.5", "0.99"}) {
       CAPTURE(bats, alpha);
       const Settings variant{{"alpha", alpha}, {"step_factor", "1"}, {"pulse_rate", "0.5"}};
