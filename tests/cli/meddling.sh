@@ -2,7 +2,7 @@
 # The program never reports success over what others do to a store while it writes it.
 source "$(dirname "$0")/common.sh"
 
-study=(run slim2023 --set runs=10 --set path.points=10 --set stop.iterations=200 --set population=20 --no-figures)
+study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --no-figures)
 
 # begin FOLDER: the study runs into it, in the background, as $process; its store has solves.
 begin() {
@@ -48,7 +48,7 @@ succeeds run slim2023 "${small[@]}" --set seed=2 --no-report --out shared
 has "$err" "has a different study named slim2023"
 ended 1 "saved a different study named 'slim2023' in this store"
 succeeds "${study[@]}" --out shared
-has "$out" "(600 were already stored)"
+has "$out" "(360 were already stored)"
 has "$out" "Report: shared/report.html"
 
 # The same study runs twice.
@@ -80,7 +80,7 @@ run_it report changed/store.sqlite --no-figures
 has "$err" "the store is damaged"
 has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
 warnings=$(sed -n '/^## Warnings/,/^## [^W]/p' changed/report.md)
-has "$warnings" "Damaged: position_error_cm of 100 solves (first: BA, run 1, point 1, session 1: -1 is stored"
+has "$warnings" "Damaged: position_error_cm of 60 solves (first: BA, run 1, point 1, session 1: -1 is stored"
 refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
 
 # Every other change is reported too, even if nothing can compute it again: by digests, by the definition, by the
@@ -185,7 +185,7 @@ has "$(<.first-err)" "read/store.sqlite-wal; copy both files together"
 wait $reader
 mkdir copied
 cp read/store.sqlite read/store.sqlite-wal copied/
-[ "$(solves copied/store.sqlite)" = 600 ] || fail "the files that were named are not the whole store"
+[ "$(solves copied/store.sqlite)" = 360 ] || fail "the files that were named are not the whole store"
 succeeds "${study[@]}" --out read
 [ ! -e read/store.sqlite-wal ] || fail "running again did not make one file of them"
 exit 0
