@@ -224,7 +224,8 @@ TEST_CASE("the better one is better by the statistic that decides", "[assessment
   const bool by_bootstrap = test == "bootstrap", by_ranks = test == "kruskal_wallis" || test == "friedman";
   const int sets = by_bootstrap ? 200 : by_ranks ? 1000 : 500;
   for (int set = 0; set < sets; ++set) {
-    const bool is_many = set % (by_ranks ? 100 : 50) == 0 && !by_bootstrap, has_control = set % (by_bootstrap ? 3 : 10) == 1;
+    const bool is_many = set % (by_ranks ? 100 : 50) == 0 && !by_bootstrap,
+               has_control = set % (by_bootstrap ? 3 : 10) == 1;
     const Design design = is_many ? Design::many : has_control ? Design::control : Design::all_pairs;
     const Made made = make(design, random);
     if (test == "friedman" && !made.blocked) continue;
