@@ -156,7 +156,6 @@ class Bat final : public Solver {
 
  private:
   void fly(Eigen::Index first, Eigen::Index count) {
-    const auto bats = Eigen::seqN(first, count);
     const double step = options_.step_factor * (loudness_sum_.of(loudness_) / static_cast<double>(loudness_.size()));
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       // Eq. 6: V <- V + (X - X_best) f;  Eq. 7: X <- X + V
@@ -167,9 +166,13 @@ class Bat final : public Solver {
                     .x_next = &candidates_(j, first),
                     .v_next = &v_next_(j, first),
                     .count = count});
-      const auto searches_locally = local_(bats).array() > pulse_rate_(bats).array();
-      auto candidates = candidates_(j, bats).array();
-      candidates = searches_locally.select(best_.q[j] + step * epsilon_(j, bats).array(), candidates);  // Eq. 8
+      kernels_.search_locally({.best = best_.q[j],  // Eq. 8
+                               .step = step,
+                               .draws = &epsilon_(j, first),
+                               .chance = &local_[first],
+                               .pulse_rate = &pulse_rate_[first],
+                               .q = &candidates_(j, first),
+                               .count = count});
     }
     keep_inside(options_.bounds, problem_, candidates_.middleCols(first, count));
   }

@@ -33,6 +33,14 @@ void swarm(const Swarm& swarm) {
   });
 }
 
+void search_locally(const LocalSearch& search) {
+  for_lanes(search.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Bits local = where_less(some.load(search.pulse_rate + i), some.load(search.chance + i));
+    some.store(search.q + i,
+               chosen(local, search.best + search.step * some.load(search.draws + i), some.load(search.q + i)));
+  });
+}
+
 void choose(const double* chance, double limit, const double* other, double* q, ptrdiff_t count) {
   for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Bits stays = where_less(some.load(chance + i), all(limit));
@@ -50,7 +58,7 @@ void clamp(double lower, double upper, double* q, ptrdiff_t count) {
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-Kernels kernels() { return {&fly, &swarm, &scatter, &choose, &clamp}; }
+Kernels kernels() { return {&fly, &swarm, &search_locally, &scatter, &choose, &clamp}; }
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench::solvers

@@ -28,9 +28,18 @@ struct Swarm {
   ptrdiff_t count;
 };
 
+// One joint of `count` bats, some of which search around the best: q = best + step draws where chance > pulse_rate.
+struct LocalSearch {
+  double best, step;
+  const double *draws, *chance, *pulse_rate;
+  double* q;
+  ptrdiff_t count;
+};
+
 struct Kernels {
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
   void (*swarm)(const Swarm& swarm);
+  void (*search_locally)(const LocalSearch& search);
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
   // Keeps q where its chance is below `limit`, else takes `other`.
   void (*choose)(const double* chance, double limit, const double* other, double* q, ptrdiff_t count);
