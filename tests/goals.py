@@ -107,6 +107,20 @@ class Goals(unittest.TestCase):
         self.assertEqual(grown[1:], ("1.06", "met"))
         self.assertEqual(row("joints", *size(4, 400), *size(32, 4000))[1:], ("1.25", "NOT MET"))
 
+    def test_the_picture_has_its_points_in_order_with_their_range(self):
+        def batch(size, *seconds):
+            name = f"forward_kinematics/population/{size}"
+            return [repetition(name, i, 1, per_candidate=each) for i, each in enumerate(seconds)]
+        def joints(number):
+            return [repetition(f"forward_kinematics/joints/{number}", 0, 1, per_candidate=2e-9)]
+        runs = goals.Measurements()
+        self.assertIsNone(goals.picture(runs))
+        runs.add({"benchmarks": [*batch(5000, 7e-9, 8e-9, 9e-9), *batch(50, 9e-9), *joints(16), *joints(4)]})
+        lines = goals.picture(runs).splitlines()
+        for points in (["4 2.0 2.0 2.0", "16 2.0 2.0 2.0", "END"], ["50 9.0 9.0 9.0", "5000 8.0 7.0 9.0", "END"]):
+            self.assertEqual(lines[lines.index(points[0]):][:3], points)
+        self.assertNotIn("KDL", goals.picture(runs))
+
     def test_a_file_that_no_benchmark_wrote_is_refused(self):
         for document in ([], {"context": "none"}):
             self.assertRaises(ValueError, goals.Measurements().add, document)

@@ -79,8 +79,7 @@ void one_at_a_time(benchmark::State& state) {
 
 // A peer computes the position of one candidate. Its candidates lie one after the other, which suits it best.
 template <class Position>
-void measure_peer(benchmark::State& state, const Position& position) {
-  const Reach reach = flange_reach();
+void measure_peer(benchmark::State& state, const Reach& reach, const Position& position) {
   const Eigen::MatrixXd q = drawn_candidates(reach.problem, batch);
   Eigen::VectorXd errors(batch);
   for (int i = 0; i < batch; ++i) {
@@ -95,12 +94,12 @@ void measure_peer(benchmark::State& state, const Position& position) {
 }
 
 void closed_form(benchmark::State& state) {
-  measure_peer(state, [](const Chain&, const double* q) { return iiwa_flange(q); });
+  measure_peer(state, flange_reach(), [](const Chain&, const double* q) { return iiwa_flange(q); });
 }
 
 // Eqs. 18 and 26, letter by letter.
-void eigen_products(benchmark::State& state) {
-  measure_peer(state, [](const Chain& chain, const double* q) -> Eigen::Vector3d {
+void eigen_products(benchmark::State& state, const Reach& reach) {
+  measure_peer(state, reach, [](const Chain& chain, const double* q) -> Eigen::Vector3d {
     Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
     for (int j = 0; j < chain.joints(); ++j) {
       const DhLink& link = chain.links()[static_cast<std::size_t>(j)];
@@ -117,19 +116,10 @@ void eigen_products(benchmark::State& state) {
   });
 }
 
-// A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
-// away. If `slides`, every third joint slides.
-Reach snake_reach(int joints, bool slides = false) {
-  std::vector<DhLink> links;
-  for (int j = 0; j < joints; ++j) {
-    links.push_back(
-        {.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5, .joint = slides && j % 3 == 1 ? Joint::slides : Joint::turns});
-  }
-  return {Chain(links),
-          {0.05 * joints, 0.02 * joints, 0.01},
-          {.start = Eigen::VectorXd::Zero(joints),
-           .lower = Eigen::VectorXd::Constant(joints, -2),
-           .upper = Eigen::VectorXd::Constant(joints, 2)}};
+void eigen_products_of_iiwa(benchmark::State& state) { eigen_products(state, flange_reach()); }
+
+void eigen_products_of_joints(benchmark::State& state) {
+  eigen_products(state, snake_reach(static_cast<int>(state.range(0))));
 }
 
 void growth_with_joints(benchmark::State& state) {
@@ -147,8 +137,9 @@ BENCHMARK(sliding)->Name("forward_kinematics/sliding");
 BENCHMARK(ours_pose)->Name("forward_kinematics/ours_pose");
 BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");
 BENCHMARK(closed_form)->Name("forward_kinematics/closed_form");
-BENCHMARK(eigen_products)->Name("forward_kinematics/eigen_products");
-BENCHMARK(growth_with_joints)->Name("forward_kinematics/joints")->Arg(4)->Arg(7)->Arg(8)->Arg(16)->Arg(32);
+BENCHMARK(eigen_products_of_iiwa)->Name("forward_kinematics/eigen_products");
+BENCHMARK(eigen_products_of_joints)->Name("forward_kinematics/eigen_joints")->Apply(numbers_of_joints);
+BENCHMARK(growth_with_joints)->Name("forward_kinematics/joints")->Apply(numbers_of_joints);
 BENCHMARK(growth_with_population)->Name("forward_kinematics/population")->Arg(50)->Arg(500)->Arg(5000)->Arg(50000);
 
 void register_limits() {

@@ -16,6 +16,7 @@ whole interval misses it.
 import argparse
 import csv
 import json
+import subprocess
 import sys
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -201,6 +202,47 @@ def times_as_markdown(runs):
     return text
 
 
+def curve(runs, pattern, first=()):
+    """Points of a curve: the last part of a benchmark's name, its time per candidate [ns] and that time's range."""
+    points = []
+    for x, name in [*first, *((name.rpartition("/")[2], name) for name in runs.names(pattern))]:
+        each = [1e9 * value for value in runs.values(name, "per_candidate")]
+        if each:
+            points.append((int(x), median(each), min(each), max(each)))
+    return "".join("{} {} {} {}\n".format(*point) for point in sorted(points))
+
+
+def picture(runs):
+    """A gnuplot script: the time of forward kinematics per candidate by joints and by candidates in a batch; None where it
+    was not measured."""
+    fk = "forward_kinematics/"
+    batches = [(1, fk + "one_at_a_time")]
+    panels = [
+        ("joints (a general chain, 50 candidates)", "4,8,16,32", "3:42",
+         [("ours", curve(runs, fk + "joints/*")), ("KDL", curve(runs, fk + "kdl_joints/*")),
+          ("4x4 products, Eigen", curve(runs, fk + "eigen_joints/*"))]),
+        ("candidates in a batch (iiwa, 7 joints)", "1,50,500,5000,50000", "0.6:110000",
+         [("ours", curve(runs, fk + "population/*", batches)), ("KDL", curve(runs, "", [(1, fk + "kdl")])),
+          ("4x4 products, Eigen", curve(runs, "", [(1, fk + "eigen_products")])),
+          ("limit: a kernel for this arm", curve(runs, "", [(50, fk + "limit")]))])]
+    if not panels[0][-1][0][1]:
+        return None
+    colours = ["#0072b2", "#d55e00", "#7f7f7f", "#009e73"]
+    script = ('set terminal svg size 900,420 font "Liberation Sans,15" background "#ffffff"\nset encoding utf8\n'
+              "set multiplot layout 1,2\nset logscale xy\nset grid ytics lc rgb '#dddddd' lt 1\nset border 3\nset tics nomirror\n"
+              "set yrange [4:30000]\nset key top left reverse Left samplen 2\n")
+    for k, (label, ticks, span, series) in enumerate(panels):
+        script += f'set xlabel "{label}"\nset xtics ({ticks})\nset xrange [{span}]\n'
+        script += 'set ylabel "time per candidate [ns]"\n' if k == 0 else "unset ylabel\n"
+        plots = []
+        for i, (title, points) in enumerate(series):
+            if points:
+                script += f"$data{k}{i} << END\n{points}END\n"
+                plots.append(f"$data{k}{i} using 1:2:3:4 with yerrorlines pt 7 ps 0.5 lw 1.5 lc rgb '{colours[i]}' title \"{title}\"")
+        script += "plot " + ", ".join(plots) + "\n"
+    return script
+
+
 def replace_run(path, instruction_set, tables):
     """What stands between the markers of a run of this instruction set gives way to the tables."""
     text = path.read_text()
@@ -232,7 +274,12 @@ def main():
     rows = rows_of(runs)
     tables = f"{machine(runs)}\n\n{as_markdown(rows)}\n{times_as_markdown(runs)}"
     if arguments.docs:
-        replace_run(arguments.docs, runs.context.get("instruction_set"), tables)
+        instruction_set = runs.context.get("instruction_set")
+        script, drawn = picture(runs), arguments.docs.with_name(f"performance-{instruction_set}.svg")
+        if script:
+            drawn.write_bytes(subprocess.run(["gnuplot"], input=script.encode(), capture_output=True, check=True).stdout)
+            tables = f"![Time of forward kinematics per candidate, by joints and by batch]({drawn.name})\n\n" + tables
+        replace_run(arguments.docs, instruction_set, tables)
     print(tables if arguments.markdown else f"{machine(runs)}\n\n{as_text(rows)}", end="")
 
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 #include "experiments/environment.hpp"
 #include "experiments/study.hpp"
@@ -77,6 +78,23 @@ Reach flange_reach(int population) {
            .lower = iiwa.limits.lower,
            .upper = iiwa.limits.upper,
            .population = population}};
+}
+
+Reach snake_reach(int joints, bool slides) {
+  std::vector<DhLink> links;
+  for (int j = 0; j < joints; ++j) {
+    links.push_back(
+        {.a = 0.1, .alpha = j % 2 == 0 ? 1.5 : -1.5, .joint = slides && j % 3 == 1 ? Joint::slides : Joint::turns});
+  }
+  return {Chain(links),
+          {0.05 * joints, 0.02 * joints, 0.01},
+          {.start = Eigen::VectorXd::Zero(joints),
+           .lower = Eigen::VectorXd::Constant(joints, -2),
+           .upper = Eigen::VectorXd::Constant(joints, 2)}};
+}
+
+void numbers_of_joints(benchmark::internal::Benchmark* of) {
+  for (const int joints : {4, 7, 8, 16, 32}) of->Arg(joints);
 }
 
 Candidates drawn_candidates(const Problem& problem, int count) {

@@ -23,6 +23,13 @@ struct Reach {
 Reach wrist_reach(int population = 50);
 Reach flange_reach(int population = 50);
 
+// A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
+// away. If `slides`, every third joint slides.
+Reach snake_reach(int joints, bool slides = false);
+
+// The numbers of joints with which a benchmark of snakes runs.
+void numbers_of_joints(benchmark::internal::Benchmark* of);
+
 // Draws candidates within the limits, always the same ones.
 robots::Candidates drawn_candidates(const solvers::Problem& problem, int count);
 
