@@ -30,16 +30,16 @@ std::size_t group_column(const CsvFile& file, const CsvRequest& request) {
   file.refuse(fmt::format("no column of groups; name one with --group: {}", file.columns()));
 }
 
-std::vector<std::size_t> written_rows(const CsvFile& file) {
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; row < file.table.rows(); ++row) {
+std::vector<Index> written_rows(const CsvFile& file) {
+  std::vector<Index> rows;
+  for (Index row = 0; row < file.table.rows(); ++row) {
     if (!file.is_blank(row)) rows.push_back(row);
   }
   return rows;
 }
 
 // Returns whether a column holds row numbers, as pandas and R write them, or is empty, as spreadsheets leave it.
-bool is_index(const CsvFile& file, std::size_t column, const std::vector<std::size_t>& rows) {
+bool is_index(const CsvFile& file, std::size_t column, const std::vector<Index>& rows) {
   const std::string& title = file.table.header[column];
   if (column == 0 && (title.empty() || title == "Unnamed: 0")) return true;
   const auto is_empty = [&](std::size_t row) { return file.table.cell(row, column).empty(); };
@@ -56,7 +56,7 @@ Contents read_long(const CsvFile& file, const CsvRequest& request) {
   const std::size_t group = group_column(file, request);
   Contents contents;
   contents.observations.reserve(file.table.rows());
-  for (std::size_t row = 0; row < file.table.rows(); ++row) {
+  for (Index row = 0; row < file.table.rows(); ++row) {
     if (file.is_blank(row)) continue;
     contents.observations.push_back(
         {.group = contents.groups.index_of(file.group_name(row, group)), .row = row, .value = file.number(row, value)});
@@ -71,7 +71,7 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
         fmt::format("--group {}: with --wide every column is a group; leave out --group", in_quotes(request.group)));
   }
   Contents contents;
-  const std::vector<std::size_t> rows = written_rows(file);  // once, not for every column
+  const std::vector<Index> rows = written_rows(file);  // once, not for every column
   for (std::size_t column = 0; column < file.table.header.size(); ++column) {
     const std::string& title = file.table.header[column];
     const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
@@ -85,12 +85,12 @@ Contents read_wide(const CsvFile& file, const CsvRequest& request) {
       file.refuse(fmt::format("column {} has a name of {} bytes; expected at most {}", in_quotes(title), title.size(),
                               longest_name));
     }
-    const std::size_t group = contents.groups.index_of(title.empty() ? "(empty)" : title);
+    const Index group = contents.groups.index_of(title.empty() ? "(empty)" : title);
     if (group < groups_before) file.refuse(fmt::format("two columns {}; expected one", in_quotes(title)));
     expect_few(file, contents.groups);
     if (group == 0)
       contents.observations.reserve(rows.size() * std::min(file.table.header.size() - column, max_groups));
-    for (const std::size_t row : rows) {
+    for (const Index row : rows) {
       contents.observations.push_back({.group = group, .row = row, .value = file.number(row, column)});
     }
   }
@@ -162,7 +162,7 @@ bool tells_rows_apart(const CsvFile& file, const Contents& contents, std::size_t
   if (keys.empty() || rows_of(keys, keys.front()) == keys.size()) return false;  // only one run
   const std::optional<Labels> names = labels_of(file, column, most);
   if (!names || names->names.all().size() != most) return false;
-  std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> seen;  // group, run and name
+  std::vector<std::tuple<Index, Index, Index>> seen;  // group, run and name
   for (const Observation& o : contents.observations) {
     if (run_of(o) == no_label) continue;
     if (names->of_row[o.row] == no_label) return false;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,27 +18,31 @@
 
 namespace ikbench::inference {
 
-constexpr std::size_t no_label = static_cast<std::size_t>(-1);
+// Number of a row, name or value. 32 bits are enough, since a text has at most max_csv_bytes.
+using Index = std::uint32_t;
+static_assert(results::max_csv_bytes < std::numeric_limits<Index>::max());
+
+constexpr Index no_label = std::numeric_limits<Index>::max();
 
 // Texts numbered in the order of their first appearance.
 class Names {
  public:
-  std::size_t index_of(const std::string& name) {
-    const auto [found, is_new] = indices_.try_emplace(name, all_.size());
+  Index index_of(const std::string& name) {
+    const auto [found, is_new] = indices_.try_emplace(name, static_cast<Index>(all_.size()));
     if (is_new) all_.push_back(name);
     return found->second;
   }
   const std::vector<std::string>& all() const { return all_; }
 
  private:
-  std::unordered_map<std::string, std::size_t> indices_;
+  std::unordered_map<std::string, Index> indices_;
   std::vector<std::string> all_;
 };
 
 // A column's texts as numbers, one per row; `no_label` if the cell is missing.
 struct Labels {
   Names names;
-  std::vector<std::size_t> of_row;
+  std::vector<Index> of_row;
 };
 
 Labels labels_of(const CsvFile& file, std::size_t column);
@@ -46,12 +52,12 @@ std::optional<Labels> labels_of(const CsvFile& file, std::size_t column, std::si
 Labels expect_labels(const CsvFile& file, std::size_t column);
 
 struct Observation {
-  std::size_t group = 0;
-  std::size_t row = 0;    // first row of it, counted below the header
-  std::size_t block = 0;  // 0 if there are no blocks; likewise `run`
-  std::size_t run = 0;
-  std::size_t count = 1;             // number of averaged values
-  std::size_t whole = 1;             // number of values that a whole one has
+  Index group = 0;
+  Index row = 0;    // first row of it, counted below the header
+  Index block = 0;  // 0 if there are no blocks; likewise `run`
+  Index run = 0;
+  Index count = 1;                   // number of averaged values
+  Index whole = 1;                   // number of values that a whole one has
   std::optional<double> value = {};  // nullopt if missing
 };
 
@@ -73,7 +79,7 @@ bool names_replicates(std::string_view title);
 // Returns whether the column numbers repetitions and the request gives it no other role.
 bool numbers_runs(const std::string& title, const CsvRequest& request);
 
-using GroupRun = std::pair<std::size_t, std::size_t>;
+using GroupRun = std::pair<Index, Index>;
 
 // The group and the run of each observation, sorted.
 template <typename RunOf>

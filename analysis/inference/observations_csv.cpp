@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -33,16 +34,16 @@ std::vector<Observation> averaged(std::vector<Observation> observations, bool ta
   const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
   std::ranges::stable_sort(observations, {}, key);
   std::vector<Observation> result;
-  std::unordered_map<std::size_t, std::size_t> most;  // by block; counts observations without a value too
+  std::unordered_map<Index, Index> most;  // by block; counts observations without a value too
   for (std::size_t first = 0, end = 0; first < observations.size(); first = end) {
     std::vector<double> values;
     for (end = first; end < observations.size() && key(observations[end]) == key(observations[first]); ++end) {
       if (observations[end].value) values.push_back(*observations[end].value);
     }
     result.push_back(observations[first]);
-    result.back().count = values.size();
+    result.back().count = static_cast<Index>(values.size());
     result.back().value = mean_of(values);
-    most[observations[first].block] = std::max(most[observations[first].block], end - first);
+    most[observations[first].block] = std::max(most[observations[first].block], static_cast<Index>(end - first));
   }
   for (Observation& observation : result) {
     observation.whole = most[observation.block];
@@ -53,7 +54,7 @@ std::vector<Observation> averaged(std::vector<Observation> observations, bool ta
 
 // Numbers of averaged values: "20", or "18 to 20".
 std::string counts_in_words(const std::vector<Observation>& observations) {
-  std::size_t low = static_cast<std::size_t>(-1), high = 0;
+  Index low = std::numeric_limits<Index>::max(), high = 0;
   for (const Observation& observation : observations) {
     if (!observation.value) continue;
     low = std::min(low, observation.count);
@@ -93,8 +94,9 @@ std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const 
 // Adds absent runs without a value. Groups that share more than half of the smaller one's runs were given the same
 // runs; other groups have their own seeds, of which none is absent.
 void add_absent_runs(Contents& contents) {
-  const std::size_t groups = contents.groups.all().size(), whole = contents.observations.front().whole;
-  using RunGroup = std::pair<std::size_t, std::size_t>;
+  const std::size_t groups = contents.groups.all().size();
+  const Index whole = contents.observations.front().whole;
+  using RunGroup = std::pair<Index, Index>;
   std::vector<RunGroup> groups_of;  // sorted
   groups_of.reserve(contents.observations.size());
   for (const Observation& o : contents.observations) {
@@ -120,7 +122,7 @@ void add_absent_runs(Contents& contents) {
     }
   });
   for_each_run([&](std::span<const RunGroup> run) {
-    for (std::size_t group = 0; group < groups; ++group) {
+    for (Index group = 0; group < groups; ++group) {
       const auto is_shared = [&](const RunGroup& other) {
         return 2 * shared[group][other.second] > std::min(shared[group][group], shared[other.second][other.second]);
       };
@@ -174,7 +176,7 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
 
 // Refuses several values of a group in one block.
 void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rows;  // by group and block
+  std::map<std::pair<Index, Index>, std::size_t> rows;  // by group and block
   for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
   const auto several = std::ranges::find_if(rows, [](const auto& row) { return row.second > 1; });
   if (several == rows.end()) return;
@@ -203,8 +205,8 @@ std::string lack_in_words(const Observation& cell, std::string_view what, const 
 // Fills one value per group and block; leaves out blocks that lack one. `what`: the averaged items.
 void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view what, Observations& result) {
   std::vector<std::vector<Observation>> blocks(result.blocks.size());
-  for (std::size_t block = 0; block < blocks.size(); ++block) {
-    for (std::size_t group = 0; group < result.groups.size(); ++group) {
+  for (Index block = 0; block < blocks.size(); ++block) {
+    for (Index group = 0; group < result.groups.size(); ++group) {
       blocks[block].push_back({.group = group, .block = block, .count = 0});
     }
   }
@@ -340,7 +342,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
   if (!request.run.empty()) {
     const std::size_t whole = result.blocks.empty() ? rows_of_a_run(file, request, contents, result) : 0;
     contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
-    for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : whole;
+    for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : static_cast<Index>(whole);
     if (result.blocks.empty()) add_absent_runs(contents);
     add_run_notes(file, request, contents, result);
   }
