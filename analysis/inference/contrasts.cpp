@@ -236,11 +236,10 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, cons
     return runs_to_see(first, second, to_see, goal);
   };
   const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
-  const double low = std::fmax(runs(outside), fewest), high = runs(1 - outside);
-  // NaN means more than the search tries: no upper end.
-  return {.value = std::fmax(runs(0.5), fewest),
-          .low = low,
-          .high = std::isnan(high) ? std::numeric_limits<double>::infinity() : std::fmax(high, fewest)};
+  const double value = std::fmax(runs(0.5), fewest), low = std::fmax(runs(outside), fewest);
+  return {.value = std::isinf(value) ? not_defined : value,
+          .low = std::isinf(low) ? most_runs : low,
+          .high = std::fmax(runs(1 - outside), fewest)};
 }
 
 // Lists the pairs to compare, first < second, in order: all, or those with the reference.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -160,12 +161,7 @@ void add_decades(Observations& result, const StudyResults& study, Metric metric,
 }
 
 void add_notes(Observations& result, const StudyResults& study, Metric metric) {
-  for (const Group& group : result.groups) {
-    const std::size_t not_finite = count_not_finite(group);
-    if (not_finite == 0) continue;
-    result.notes.push_back(
-        fmt::format("{}: {} of {} observations are not finite.", group.name, not_finite, group.values.size()));
-  }
+  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
   if (info_of(metric).kind != Kind::time) return;
   if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
 }

@@ -1,5 +1,7 @@
 #include "analysis/inference/not_finite.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -37,6 +39,19 @@ Contrast doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
 
 std::size_t count_not_finite(const Group& group) {
   return group.values.size() - static_cast<std::size_t>(std::ranges::count_if(group.values, is_number));
+}
+
+std::vector<std::string> notes_of_not_finite(const std::vector<Group>& groups) {
+  std::vector<std::string> notes;
+  for (const Group& group : groups) {
+    const std::size_t count = count_not_finite(group);
+    if (count == 0) continue;
+    notes.push_back(fmt::format(
+        "{}: {} of {} observations {} not finite and worse than any number; differences of means are those of "
+        "finite observations.",
+        group.name, count, group.values.size(), count == 1 ? "is" : "are"));
+  }
+  return notes;
 }
 
 Observations of_finite(const Observations& all) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "analysis/inference/evidence.hpp"
 #include "analysis/inference/observations.hpp"
@@ -11,6 +13,9 @@ namespace ikbench::inference {
 
 // Number of values that are not finite.
 std::size_t count_not_finite(const Group& group);
+
+// A note for each group that has such values.
+std::vector<std::string> notes_of_not_finite(const std::vector<Group>& groups);
 
 // Keeps finite values only; with blocks, the blocks in which every group has one.
 Observations of_finite(const Observations& observations);

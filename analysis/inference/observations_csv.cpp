@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 
 #include "analysis/inference/csv_cells.hpp"
 #include "analysis/inference/csv_contents.hpp"
+#include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -357,6 +359,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
       result.flaws.push_back(
           {.kind = request.run.empty() ? DoubtKind::values_missing : DoubtKind::runs_incomplete, .what = words});
     join_equal(result, what);
+    std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
     return result;
   }
   if (request.run.empty() && !request.takes_any_rows) expect_one_a_block(file, contents, result);
@@ -370,6 +373,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
   result.block = request.block.empty() ? "a row of " + file.name()
                                        : fmt::format("a value of {} in {}", in_quotes(request.block), file.name());
   fill_blocks(file, contents, what, result);
+  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
   return result;
 }
 

@@ -23,6 +23,7 @@ namespace {
 
 // `n` trials find a difference as large as the margin; with fewer than `fewest` no test finds any.
 Estimate takes(double fewest, double n) {
+  if (std::isinf(n)) return {.low = most_runs, .high = n};
   return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
 }
 

@@ -48,8 +48,10 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
   const auto own = std::ranges::find(all, time_reference, &Sample::solver);
   const std::optional<PrintedRow> printed = printed_row(study, time_reference, metric);
   if (own == all.end() || !printed) return "";
-  return fmt::format("{}'s mean error: {} cm (printed {}).", time_reference, short_number(describe(own->values).mean),
-                     short_number(printed->printed.mean));
+  return fmt::format(
+      "{}'s mean error: {} cm (printed {}). Only `ikbench reproduce` shows what depends on chance and on the "
+      "interpretation.",
+      time_reference, short_number(describe(own->values).mean), short_number(printed->printed.mean));
 }
 
 std::map<std::string, std::string> seen(const Reported& reported) {

@@ -66,7 +66,7 @@ Test brown_forsythe(std::span<const std::vector<double>> groups) {
             .p = table.p};
   if (!table.undefined.empty()) {
     test.undefined = table.undefined;
-    test.undefined.insert(0, "of the deviations from the medians: ");
+    test.undefined.insert(0, "one-way ANOVA of the deviations from the medians: ");
   }
   return test;
 }

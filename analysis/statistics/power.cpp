@@ -8,14 +8,13 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
-
-constexpr double most_runs = 1e7;
 
 void check(const PowerGoal& goal) {
   if (goal.alpha > 0 && goal.alpha < goal.power && goal.power < 1) return;
@@ -48,7 +47,7 @@ double smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
     }
   } else {
     do {
-      if (enough >= most_runs) return not_defined;
+      if (enough >= most_runs) return std::numeric_limits<double>::infinity();
       too_few = enough;
       enough = std::min(enough + step, most_runs);
       step *= 2;

@@ -245,7 +245,8 @@ TEST_CASE("what is not finite stays in its place and is counted, and times that 
   const Observations found = observations(study, metric_of_errors);
   CHECK(std::isnan(found.groups[0].values[0]));
   CHECK(found.groups[0].values[1] == 202);
-  CHECK(found.notes == Names{"A: 1 of 2 observations are not finite."});
+  CHECK(found.notes == Names{"A: 1 of 2 observations is not finite and worse than any number; differences of means are "
+                             "those of finite observations."});
   const Observations times = observations(study, Metric::seconds);
   CHECK(times.name == "time");
   CHECK((words_of(times.flaws).starts_with("Times are not comparable: of 12 solves, 1 ran in parallel")));

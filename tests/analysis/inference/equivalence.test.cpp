@@ -173,3 +173,13 @@ TEST_CASE("groups whose means differ by more than the margin are rarely called t
     CHECK(wrong <= 20 + 18);
   }
 }
+
+TEST_CASE("more blocks than are searched for are at least ten million, not the fewest", "[equivalence]") {
+  const std::vector<double> best{0.001, 0.002, 0.0015, 0.0012, 0.0018, 0.0011, 0.0017, 0.0013};
+  const std::vector<double> spread{0.3, 0.1, 1.9, 0.2, 5, 0.1, 0.9, 9};
+  const Contrast found = evidence(in_blocks({best, spread}), {}).contrasts.front();
+  REQUIRE(found.relation == Relation::undecided);
+  CHECK(std::isnan(found.runs_to_decide.value));
+  CHECK(found.runs_to_decide.low == 1e7);
+  CHECK(std::isinf(found.runs_to_decide.high));
+}

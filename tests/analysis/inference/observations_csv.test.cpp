@@ -92,7 +92,10 @@ TEST_CASE("every spelling of a missing value is left out and counted by group, i
   CHECK(seen.groups[0].values == Values{1});
   CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
   CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
-  CHECK(seen.notes == Texts{"Missing and left out: 9 of 10 values of A, 1 of 1 of C." + as_failure});
+  CHECK(seen.notes ==
+        Texts{"B: 2 of 3 observations are not finite and worse than any number; differences of means are those "
+              "of finite observations.",
+              "Missing and left out: 9 of 10 values of A, 1 of 1 of C." + as_failure});
 }
 
 TEST_CASE("a number of another language is refused with what to write", "[csv]") {
@@ -208,7 +211,8 @@ TEST_CASE("a run with a missing row has no mean and is left out", "[csv]") {
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,NA\nA,2,2\nA,2,4\nA,3,Inf\nA,3,1\n",
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values == Values{3, HUGE_VAL});
-  CHECK(seen.notes.back() == "Left out because rows are missing: 1 of 3 runs of A.");
+  CHECK(seen.notes[seen.notes.size() - 2] == "Left out because rows are missing: 1 of 3 runs of A.");
+  CHECK(seen.notes.back().starts_with("A: 1 of 2 observations is not finite and worse than any number"));
   CHECK(words_of(seen.flaws) == "Incomplete: 1 of 3 runs of A; a group that failed there looks better than it is.");
   CHECK(says(refusal("solver,run,error\nA,,1\nA,2,1\n", {.value = "error", .group = "solver", .run = "run"}),
              {"row 1 below the header, column 'run': '', expected a name or a number"}));
