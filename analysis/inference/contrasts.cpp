@@ -144,13 +144,13 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const auto is_in_unit = [](const GroupEvidence& group) {
     return group.described.min >= 0 && group.described.max <= 1;
   };
-  const bool are_shares = evidence.scale == ValueScale::plain && (first.mean == 0 || first.mean == 1) &&
+  const bool are_shares = evidence.scale != ValueScale::log10 && (first.mean == 0 || first.mean == 1) &&
                           std::ranges::all_of(evidence.groups, is_in_unit);
   if (difference == 0 && are_shares) {
     contrast.difference.low = -unseen_failures(evidence, first.n);
     contrast.difference.high = unseen_failures(evidence, second.n);
     contrast.runs_to_decide.value = trials_to_exclude(
-        evidence.plan.margin * first.mean, evidence.plan.significance / static_cast<double>(evidence.family()));
+        margin_of(evidence, contrast), evidence.plan.significance / static_cast<double>(evidence.family()));
   }
   measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);

@@ -115,6 +115,7 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
     result.value = [&study, metric, least](Run run) {
       const double value = value_of(study, run, metric);
       return value < least ? least : value;
+                  .scale = info.kind == Kind::share ? ValueScale::share : ValueScale::plain,
     };
   } else {
     result.value = averaged(counted_value(study, metric));
@@ -172,6 +173,7 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
     result.notes.emplace_back(
         "The study has no tolerance, so an answer counts by its position alone, inside the joint limits or not.");
   }
+                  .scale = ValueScale::share,
   result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
 }

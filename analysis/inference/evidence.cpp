@@ -263,6 +263,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.flaws = observations.flaws;
   result.of_outcomes = are_outcomes(observations) &&
                        std::ranges::all_of(observations.groups, [](const Group& group) { return group.copies == 0; });
+  if (result.of_outcomes) result.scale = ValueScale::share;
   std::vector<GroupSummary> summaries;
   for (const Group& group : observations.groups) {
     GroupEvidence& described = result.groups.emplace_back(describe_group(group, plan));
@@ -313,7 +314,7 @@ Estimate power_of_ten(const Estimate& of) {
 
 // Converts results for logarithms to the unit of the values.
 Evidence in_unit_of_values(Evidence found) {
-  if (found.scale == ValueScale::plain) return found;
+  if (found.scale != ValueScale::log10) return found;
   for (GroupEvidence& group : found.groups) {
     Description& of = group.described;
     for (double* value : {&of.mean, &of.median, &of.min, &of.max, &group.q1, &group.q3}) *value = std::pow(10, *value);

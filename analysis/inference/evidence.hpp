@@ -89,7 +89,7 @@ struct Evidence {
   std::string name, quantity, unit = {};
   Better better = Better::smaller;
   // log10: tests use logarithms. Results are in the quantity's unit: means are geometric, a difference is the ratio
-  // first / second; standard deviations stay those of the logarithms.
+  // first / second; standard deviations stay those of the logarithms. Outcomes are shares.
   ValueScale scale = ValueScale::plain;
   std::string replicate = {}, block = {}, block_noun = "blocks";
   std::size_t blocks = 0;

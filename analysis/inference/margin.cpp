@@ -26,7 +26,7 @@ std::string margin_words(double margin, double absolute_margin, std::string_view
 }
 
 double margin_of(const Evidence& evidence, const Contrast& contrast) {
-  if (evidence.of_outcomes) return evidence.plan.margin;
+  if (evidence.scale == ValueScale::share) return evidence.plan.margin;
   if (evidence.scale == ValueScale::log10) return std::log10(1 + evidence.plan.margin);
   const double first = std::abs(evidence.groups[contrast.first].described.mean),
                second = std::abs(evidence.groups[contrast.second].described.mean);

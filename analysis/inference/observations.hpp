@@ -14,7 +14,8 @@ namespace ikbench::inference {
 enum class Better { smaller, larger };
 
 // log10: values are logarithms; reports show their means as geometric means, and differences of means as ratios.
-enum class ValueScale { plain, log10 };
+// share: values are shares from 0 to 1; a difference and its margin are percentage points.
+enum class ValueScale { plain, log10, share };
 
 struct Group {
   std::string name;

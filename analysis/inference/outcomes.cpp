@@ -69,7 +69,7 @@ bool are_outcomes(const Observations& observations) {
       (value == 0 ? zeros : ones) = true;
     }
   }
-  return zeros && ones;
+  return observations.scale == ValueScale::share || (zeros && ones);
 }
 
 Estimate solve_rate(const StudyResults& study, std::string_view solver, double level) {

@@ -189,6 +189,7 @@ std::string range_words(double low, double high) {
 }
 
 std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }
+std::string points(double share) { return rounded_number(100 * share, 3) + " percentage points"; }
 
 NameWithUnit split_unit(std::string_view name) {
   constexpr std::array<std::string_view, 6> units{"cm", "deg", "rad", "ms", "s", "m"};

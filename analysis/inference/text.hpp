@@ -30,6 +30,7 @@ std::string degrees_words(double degrees);
 // "31 to 122", "31"; "at least 31" if the range has no end or spans more than a factor of 100.
 std::string range_words(double low, double high);
 std::string percent(double share);  // "5 %", three digits
+std::string points(double share);   // "5 percentage points", three digits
 
 struct NameWithUnit {
   std::string name, unit;  // unit is empty if there is none

@@ -70,9 +70,9 @@ std::string doubt_words(const Evidence& evidence, const Contrast& pair) {
   std::vector<std::string> doubts, measures;
   if (is_open ? pair.difference.low > none || pair.difference.high < none : includes_none(evidence, pair)) {
     doubts.push_back(fmt::format(words::interval_against,
-                                 "of"_a = evidence.scale == ValueScale::log10 ? "ratio"
-                                          : evidence.of_outcomes              ? "difference"
-                                                                              : "difference between means",
+                                 "of"_a = evidence.scale == ValueScale::log10   ? "ratio"
+                                          : evidence.scale == ValueScale::share ? "difference"
+                                                                                : "difference between means",
                                  "includes"_a = is_open ? "excludes" : "includes", "none"_a = none_words(evidence)));
   }
   if (!is_open) {
@@ -92,23 +92,23 @@ std::string doubt_words(const Evidence& evidence, const Contrast& pair) {
 // "0.156 to 0.57", "12 to 30 percentage points"
 std::string size_words(const Evidence& evidence, const Contrast& pair) {
   const auto [low, high] = interval_sizes(evidence, pair);
-  const double unit = evidence.of_outcomes ? 0.01 : 1;
+  const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
   const std::string least = rounded_number(low / unit, 3), most = rounded_number(high / unit, 3);
   return fmt::format("{}{}{}", least, least == most ? "" : " to " + most,
-                     evidence.of_outcomes                  ? " percentage points"
+                     evidence.scale == ValueScale::share   ? " percentage points"
                      : evidence.scale == ValueScale::log10 ? " times"
                                                            : "");
 }
 
 // The interval of `first` less the other of the pair, or of their ratio.
 std::string interval_words(const Evidence& evidence, const Contrast& pair, std::size_t first) {
-  const double unit = evidence.of_outcomes ? 0.01 : 1;
+  const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
   const bool is_ratio = evidence.scale == ValueScale::log10;
   const Estimate difference = first == pair.first ? pair.difference : reversed(pair.difference, is_ratio);
   return fmt::format(words::interval, "what"_a = is_ratio ? "ratio" : "difference",
                      "low"_a = rounded_number(difference.low / unit, 3),
                      "high"_a = rounded_number(difference.high / unit, 3),
-                     "unit"_a = evidence.of_outcomes ? " percentage points" : "");
+                     "unit"_a = evidence.scale == ValueScale::share ? " percentage points" : "");
 }
 
 std::string mean_words(const Evidence& evidence, std::size_t group) {
@@ -129,12 +129,13 @@ Clause effect_of(const Evidence& evidence, const Contrast& pair, std::size_t gro
                         : fmt::format(words::ahead, "share"_a = percent(share),
                                       "of"_a = evidence.blocks > 0 ? evidence.block_noun : "pairs of observations");
   if (!std::isfinite(mean + of_other)) return {ahead, {mean_words(evidence, group), mean_words(evidence, other)}};
-  const std::string_view average = evidence.of_outcomes                  ? "share"
+  const std::string_view average = evidence.scale == ValueScale::share   ? "share"
                                    : evidence.scale == ValueScale::log10 ? "geometric mean"
                                                                          : "mean";
-  const std::string means = fmt::format(
-      "{} {}", average,
-      evidence.of_outcomes ? fmt::format("{} vs {}", percent(mean), percent(of_other)) : against(mean, of_other));
+  const std::string means =
+      fmt::format("{} {}", average,
+                  evidence.scale == ValueScale::share ? fmt::format("{} vs {}", percent(mean), percent(of_other))
+                                                      : against(mean, of_other));
   if (evidence.ranks_decide()) return {ahead, {fmt::format(words::not_by_ranks, "means"_a = means)}};
   Clause effect = extent_clause(evidence, pair);
   const bool has_size = !includes_none(evidence, pair) && !is_against(evidence, pair, &Description::mean) &&

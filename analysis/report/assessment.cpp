@@ -95,7 +95,7 @@ Assessment assessment_of(const Evidence& evidence) {
 
 // Converts logarithms to the unit of the values.
 Observations in_unit(Observations observations) {
-  if (observations.scale == ValueScale::plain) return observations;
+  if (observations.scale != ValueScale::log10) return observations;
   for (Group& group : observations.groups) {
     for (double& value : group.values) value = std::pow(10, value);
   }

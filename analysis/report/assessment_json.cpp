@@ -1,5 +1,6 @@
 #include "analysis/report/assessment_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -96,11 +97,12 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
 }  // namespace
 
 std::string json_of(const Evidence& evidence) {
+  constexpr std::array scales{"plain", "log10", "share"};
   const AnalysisPlan& plan = evidence.plan;
   Json object{{"quantity", evidence.quantity},
               {"unit", evidence.unit},
               {"better", evidence.better == Better::smaller ? "smaller" : "larger"},
-              {"scale", evidence.scale == ValueScale::log10 ? "log10" : "plain"},
+              {"scale", scales[static_cast<std::size_t>(evidence.scale)]},
               {"replicate", evidence.replicate},
               {"block", evidence.block},
               {"blocks", evidence.blocks},

@@ -85,12 +85,12 @@ bool is_margin_absolute(const Evidence& evidence, const Contrast& contrast) {
 }  // namespace
 
 std::string margin_words(const Evidence& evidence) {
-  if (evidence.of_outcomes) return rounded_number(100 * evidence.plan.margin, 3) + " percentage points";
+  if (evidence.scale == ValueScale::share) return points(evidence.plan.margin);
   return margins_of(evidence, evidence.plan.margin, has_absolute_margin(evidence) ? evidence.margin : 0);
 }
 
 std::string margin_words(const Evidence& evidence, const Contrast& contrast) {
-  if (evidence.of_outcomes || !has_absolute_margin(evidence)) return margin_words(evidence);
+  if (!has_absolute_margin(evidence)) return margin_words(evidence);
   const bool is_absolute = is_margin_absolute(evidence, contrast);
   return margins_of(evidence, is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.margin : 0);
 }
@@ -116,7 +116,8 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   const double unit = is_ratio ? 1 : std::isfinite(first + second) ? std::min(first, second) : not_defined;
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-  if (evidence.of_outcomes || is_margin_absolute(evidence, contrast) || !(most <= most_in_percent * unit))
+  if (evidence.scale == ValueScale::share || is_margin_absolute(evidence, contrast) ||
+      !(most <= most_in_percent * unit))
     return {fmt::format("less or more than {}", margin)};
   return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }

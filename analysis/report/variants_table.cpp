@@ -52,12 +52,29 @@ Estimate ratio_of(const MetricComparison& metric) {
   return {.value = metric.mean_b / metric.mean_a, .low = ratio(difference.high), .high = ratio(difference.low)};
 }
 
-std::string margin_words(const VariantsReport& of) {
+bool is_of_shares(const MetricComparison& metric) {
+  return metric.estimand == Estimand::reliability || info_of(metric.metric).kind == Kind::share;
+}
+
+// The margin of a metric: "5 % or 0.01 cm", of shares "5 percentage points".
+std::string margin_words(const VariantsReport& of, const MetricComparison& metric) {
+  if (is_of_shares(metric)) return points(of.plan.margin);
   const auto is_in_cm = [](const VariantComparison& comparison) {
     return std::ranges::any_of(comparison.metrics,
-                               [](const MetricComparison& metric) { return info_of(metric.metric).unit == "cm"; });
+                               [](const MetricComparison& each) { return info_of(each.metric).unit == "cm"; });
   };
   return inference::margin_words(of.plan.margin, std::ranges::any_of(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
+}
+
+// The margin of all metrics: of shares only if there is nothing else.
+std::string margin_words(const VariantsReport& of) {
+  const MetricComparison* shown = nullptr;
+  for (const VariantComparison& comparison : of.comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      if (shown == nullptr || is_of_shares(*shown)) shown = &metric;
+    }
+  }
+  return shown == nullptr ? "" : margin_words(of, *shown);
 }
 
 // The verdict on B: "better", "worse by less than 5 %".
@@ -141,11 +158,11 @@ std::string regressions(const VariantsReport& of) {
 }
 
 // "2 better by more than 5 %, 17 undecided", in the order in which they first occur.
-std::string counted(const VariantsReport& of, const std::string& margin) {
+std::string counted(const VariantsReport& of) {
   std::vector<std::pair<std::string, int>> counts;
   for (const VariantComparison& comparison : of.comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      const std::string said = b_is(metric, margin);
+      const std::string said = b_is(metric, margin_words(of, metric));
       const auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
       if (found == counts.end()) {
         counts.emplace_back(said, 1);
@@ -169,7 +186,8 @@ Table variants_table(const VariantsReport& of) {
                           "level", "a12", "a12_low", "a12_high", "remark"},
               .notes = {std::string(words::comparison_columns)}};
   for (const VariantComparison& comparison : of.comparisons) {
-    for (const MetricComparison& metric : comparison.metrics) table.rows.push_back(row_of(comparison, metric, margin));
+    for (const MetricComparison& metric : comparison.metrics)
+      table.rows.push_back(row_of(comparison, metric, margin_words(of, metric)));
   }
   return table;
 }
@@ -198,7 +216,7 @@ std::string variants_verdict(const VariantsReport& of) {
   std::size_t all = 0;
   for (const VariantComparison& comparison : of.comparisons) all += comparison.metrics.size();
   const std::string rest =
-      fmt::format(words::comparisons, "count"_a = all, "s"_a = all == 1 ? "" : "s", "counts"_a = counted(of, margin));
+      fmt::format(words::comparisons, "count"_a = all, "s"_a = all == 1 ? "" : "s", "counts"_a = counted(of));
   if (any_metric(of.comparisons, is_regression))
     return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(of), "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };

@@ -15,6 +15,7 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/catch.hpp"
@@ -278,6 +279,29 @@ TEST_CASE("who claims what the verifier does not find is named", "[estimand]") {
   CHECK(words_of(wrong_claims(with_a_liar(""))) == "Wrong claims: in 40 of 40 solves the error is not what liar said.");
   CHECK(wrong_claims(judged_runs({{"A", {1}}})).empty());
 }
+TEST_CASE("the margin of shares is percentage points, whether they are outcomes or shares of a run", "[estimand]") {
+  Observations shares{.name = "solved",
+                      .quantity = "share of solves",
+                      .better = Better::larger,
+                      .scale = ValueScale::share,
+                      .groups = {{.name = "A"}, {.name = "B"}}};
+  for (int run = 0; run < 20; ++run) {
+    const double chance = 0.01 * (run % 5 - 2);
+    shares.groups[0].values.push_back(0.50 + chance);
+    shares.groups[1].values.push_back(0.53 - chance);
+  }
+  const Evidence judged = tested(shares, {});  // by means: 5 % of 0.5 would be 2.5 points
+  CHECK(judged.contrasts.front().is_within_margin());
+  CHECK(report::verdict_words(judged, judged.contrasts.front()) == "B is better by less than 5 percentage points");
+  for (Group& group : shares.groups) {
+    for (double& value : group.values) value = 1;
+  }
+  const Evidence outcomes = tested(shares, {});
+  CHECK(outcomes.of_outcomes);
+  CHECK(outcomes.contrasts.front().relation == Relation::undecided);
+  CHECK(report::verdict_words(outcomes, outcomes.contrasts.front()) == "undecided");
+}
+
 
 TEST_CASE("a look at other runs than an earlier one had says so, and the level that is left", "[estimand]") {
   const std::vector<Look> looks{{.runs = 5, .when = "2026-11-20T10:00:00Z"},
