@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/study_facts.hpp"
@@ -36,25 +38,40 @@ double least_of(const StudyResults& study, Metric metric) {
 
 namespace {
 
-// The most that a solve may cost: the study's limit, or else the largest cost of its solves.
-double limit_of(const StudyResults& study, Metric metric, const ValueOf& counted) {
+// The most that the study lets a solve cost; not defined if it does not say.
+double limit_of(const StudyResults& study, Metric metric) {
   double limit = not_defined;
   if (metric == Metric::evaluations) limit = study.facts.stop.evaluations;
   if (metric == Metric::seconds) limit = deadline_seconds(study);
-  if (limit > 0) return limit;
-  double most = 0;
-  for (const Solve& solve : study.solves) {
-    const double value = counted(solve);
-    if (std::isfinite(value)) most = std::max(most, value);
+  return limit > 0 ? limit : not_defined;
+}
+
+// What a solve of each solver costs if it is not ok: `penalty` times the study's limit. Without a limit it is `penalty`
+// times the solver's own dearest solve, so that the other solvers of the study do not matter, and infinite for a solver
+// that solved nothing.
+std::vector<double> penalties(const StudyResults& study, Metric metric, const ValueOf& counted) {
+  const double limit = limit_of(study, metric);
+  std::vector<double> most(study.solve_data->labels.size(), limit);
+  if (std::isnan(limit)) {
+    std::vector<bool> solves(most.size(), false);
+    for (const Solve& solve : study.solves) {
+      most[solve.solver] = std::fmax(most[solve.solver], counted(solve));
+      if (is_ok(solve)) solves[solve.solver] = true;
+    }
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      if (!solves[i]) most[i] = std::numeric_limits<double>::infinity();
+    }
   }
+  for (double& each : most) each *= penalty;
   return most;
 }
 
-// The counted cost; of a solve that is not ok `penalty` times the limit.
-ValueOf penalised(ValueOf counted, Metric metric, double limit) {
-  return [counted = std::move(counted), metric, limit](const Solve& solve) {
+// The counted cost, with a penalty for a solve that is not ok.
+ValueOf penalised(const StudyResults& study, Metric metric, ValueOf counted) {
+  std::vector<double> of_failures = penalties(study, metric, counted);
+  return [counted = std::move(counted), of_failures = std::move(of_failures), metric](const Solve& solve) {
     const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(solve) || !is_known ? counted(solve) : penalty * limit;
+    return is_ok(solve) || !is_known ? counted(solve) : of_failures[solve.solver];
   };
 }
 
@@ -68,13 +85,18 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
 }
 
 // Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
-void penalise(Quantity& result, Metric metric, double limit) {
-  result.text = text_of({fmt::format("{} ({})", info_of(metric).name, penalty_words), result.unit});
-  const std::string_view unit = info_of(metric).unit;
-  result.notes.push_back(fmt::format(
-      "For {} a solve without status ok counts as {:g} times the limit of {}{}{} (PAR10), so that no solver gains by "
-      "answers that solve nothing. The limit is the study's, or without one what the dearest solve cost.",
-      info_of(metric).name, penalty, rounded_number(limit, 6), unit.empty() ? "" : " ", unit));
+ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, ValueOf counted) {
+  const MetricInfo& info = info_of(metric);
+  result.text = text_of({fmt::format("{} ({})", info.name, penalty_words(study, metric)), result.unit});
+  const double limit = limit_of(study, metric);
+  result.notes.push_back(
+      fmt::format("For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver "
+                  "gains by answers that solve nothing.",
+                  info.name, penalty,
+                  std::isnan(limit) ? "what the dearest solve of its solver cost, since the study has no limit"
+                                    : fmt::format("the study's limit of {}{}{}", rounded_number(limit, 6),
+                                                  info.unit.empty() ? "" : " ", info.unit)));
+  return penalised(study, metric, std::move(counted));
 }
 
 std::string tolerance_note(double least, std::string_view unit) {
@@ -93,15 +115,13 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
                   .text = quantity(metric),
                   .unit = std::string(info.unit),
                   .better = info.better,
+                  .scale = info.kind == Kind::share ? ValueScale::share : ValueScale::plain,
                   .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
                   .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
   if (is_penalised(study, metric) && is_of_run(metric)) {
     count_solved_runs(result, study, metric);
   } else if (is_penalised(study, metric)) {
-    ValueOf counted = counted_value(study, metric);
-    const double limit = limit_of(study, metric, counted);
-    penalise(result, metric, limit);
-    result.value = averaged(penalised(std::move(counted), metric, limit), average_of(metric));
+    result.value = averaged(penalise(result, study, metric, counted_value(study, metric)), average_of(metric));
   }
   const double least = least_of(study, metric);
   if (!std::isfinite(least)) return result;
@@ -115,7 +135,6 @@ Quantity mean_quantity(const StudyResults& study, Metric metric) {
     result.value = [&study, metric, least](Run run) {
       const double value = value_of(study, run, metric);
       return value < least ? least : value;
-                  .scale = info.kind == Kind::share ? ValueScale::share : ValueScale::plain,
     };
   } else {
     result.value = averaged(counted_value(study, metric));
@@ -133,11 +152,7 @@ Quantity typical_quantity(const StudyResults& study, Metric metric) {
                   .scale = ValueScale::log10,
                   .average = is_average ? std::string(average_name(metric)) : "geometric mean"};
   ValueOf counted = counted_value(study, metric);
-  if (is_penalised(study, metric)) {
-    const double limit = limit_of(study, metric, counted);
-    penalise(result, metric, limit);
-    counted = penalised(std::move(counted), metric, limit);
-  }
+  if (is_penalised(study, metric)) counted = penalise(result, study, metric, std::move(counted));
   result.text = "typical " + result.text;
   result.value = averaged(
       [counted = std::move(counted), least = info.rounding](const Solve& solve) {
@@ -158,6 +173,7 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
   Quantity result{.name = fmt::format("{}-reliability", info.slug),
                   .text = fmt::format("share of solves {}", within_words(study, metric)),
                   .better = Better::larger,
+                  .scale = ValueScale::share,
                   .average = "share"};
   const double most = distance_of(study, metric) + info.rounding;
   const bool is_solved = has_tolerance(study), is_position = metric == Metric::position_error_cm;
@@ -173,7 +189,6 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
     result.notes.emplace_back(
         "The study has no tolerance, so an answer counts by its position alone, inside the joint limits or not.");
   }
-                  .scale = ValueScale::share,
   result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
 }
@@ -195,6 +210,11 @@ ValueOf counted_value(const StudyResults& study, Metric metric) {
 }
 
 bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(metric) && has_tolerance(study); }
+
+std::string penalty_words(const StudyResults& study, Metric metric) {
+  return fmt::format("failures: {:g} times {}", penalty,
+                     std::isnan(limit_of(study, metric)) ? "the solver's dearest" : "the limit");
+}
 
 double distance_of(const StudyResults& study, Metric metric) {
   if (metric == Metric::position_error_cm) {

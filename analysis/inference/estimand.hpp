@@ -13,7 +13,6 @@
 namespace ikbench::inference {
 
 constexpr double penalty = 10;
-constexpr std::string_view penalty_words = "failures: 10 times the limit";
 
 struct Quantity {
   std::string name;  // for files and anchors: "error", "error-typical", "error-reliability"
@@ -46,10 +45,13 @@ double tolerance_of(const StudyResults& study, Metric metric);
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
 // Returns whether a solve that is not ok costs `penalty` times the limit (PAR10): costs in studies with a tolerance.
+// The limit is the study's. Without one it is what the solver's own dearest solve cost, and infinite if it solved
+// nothing, so that a solver's costs do not depend on the other solvers.
 bool is_penalised(const StudyResults& study, Metric metric);
+std::string penalty_words(const StudyResults& study, Metric metric);  // "failures: 10 times the limit"
 // `study` must outlive the result. mean: the average of the counted value (average_of), or the value of the whole run.
-// In a study with a tolerance a solve that is not ok costs `penalty` times the limit (PAR10): the study's, or else the
-// largest cost of its solves; the cost of a whole run is not defined if none of its solves is ok. typical: its
+// In a study with a tolerance a solve that is not ok is penalised (is_penalised); the cost of a whole run is not
+// defined if none of its solves is ok. typical: its
 // logarithm to base 10; values below the metric's rounding count as that, and costs are penalised likewise.
 // reliability: 1 within the distance, else 0; with a tolerance only status ok counts, without one a missing or infinite
 // answer counts 0.

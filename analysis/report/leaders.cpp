@@ -35,7 +35,7 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
   const MetricInfo& info = info_of(metric);
   const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
-  const std::string penalised = is_penalised ? fmt::format(" ({})", penalty_words) : "";
+  const std::string penalised = is_penalised ? fmt::format(" ({})", penalty_words(study, metric)) : "";
   if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, penalised);
   if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), info.slug, penalised);
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);

@@ -270,7 +270,11 @@ TEST_CASE("a solver that solves nothing leads in no cost of a study with a toler
   CHECK(evaluations.groups[0].values[0] == Approx((3 * 1001 + 20000) / 4.0));
   CHECK(evaluations.groups[1].values[0] == 20000);  // 10 times 2000
   const Observations variation = observations(study, Metric::variation_deg);
-  CHECK(variation.groups[1].values[0] == Approx(910));  // 10 times the largest
+  CHECK(variation.quantity == "angles variation (failures: 10 times the solver's dearest) [deg]");
+  CHECK(variation.groups[0].values[0] == Approx((3 * 90.1 + 910) / 4));  // 10 times its largest, of run 10
+  CHECK(std::isinf(variation.groups[1].values[0]));                      // it solved nothing
+  const StudyResults alone = of_solvers(study, [](std::string_view solver) { return solver == "A"; });
+  CHECK(observations(alone, Metric::variation_deg).groups[0].values == variation.groups[0].values);
   CHECK(contains(leader_words(study, Metric::evaluations, Estimand::mean),
                  "Fewest evaluations (failures: 10 times the limit): A ("));
 }
