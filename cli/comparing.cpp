@@ -82,7 +82,8 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
-// Notes earlier looks at the store with fewer runs of these solvers, and remembers this look.
+// Takes the level of this look if there were earlier ones with other numbers of runs of these solvers, says so, and
+// remembers it.
 void look(Request& asked, const std::set<std::string>& solvers, const std::string& study,
           const std::filesystem::path& store) {
   int runs = 0;
@@ -91,8 +92,10 @@ void look(Request& asked, const std::set<std::string>& solvers, const std::strin
       if (solvers.contains(count.solver)) runs = std::max(runs, count.complete_runs);
     }
   }
-  const Doubts doubts = look_doubts(looks_at(study, store), runs, asked.plan.significance);
-  std::ranges::move(list_of(doubts), std::back_inserter(asked.notes));
+  const std::vector<Look> looks = looks_at(study, store);
+  std::ranges::move(list_of(look_doubts(looks, runs, asked.plan.significance)), std::back_inserter(asked.notes));
+  asked.plan.significance = level_of_look(looks, runs, asked.plan.significance);
+  for (VariantStudy& each : asked.studies) each.study.plan.significance = asked.plan.significance;
   remember_look(study, runs, store);
 }
 

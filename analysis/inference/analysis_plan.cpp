@@ -264,6 +264,11 @@ int runs_looked_at(const StudyResults& study) {
   return runs;
 }
 
+double level_of_look(const std::vector<Look>& looks, int runs, double significance) {
+  const auto earlier = std::ranges::count_if(looks, [runs](const Look& look) { return look.runs != runs; });
+  return earlier == 0 ? significance : significance / static_cast<double>((earlier + 1) * earlier);
+}
+
 Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance) {
   std::vector<std::string> earlier;
   for (const Look& look : looks) {
@@ -273,13 +278,11 @@ Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance
   constexpr std::size_t most_named = 5;
   const std::size_t number_of_earlier = earlier.size();
   if (number_of_earlier > most_named) earlier.erase(earlier.begin(), earlier.end() - most_named);
-  const std::size_t number = number_of_earlier + 1;
-  const double level = significance / static_cast<double>(number * (number - 1));
   return {{.kind = DoubtKind::looked_before,
            .who = earlier,
-           .count = static_cast<double>(number),
+           .count = static_cast<double>(number_of_earlier + 1),
            .of = static_cast<double>(runs),
-           .value = level,
+           .value = level_of_look(looks, runs, significance),
            .limit = 100 * significance,
            .what = number_of_earlier > most_named ? "the latest before it" : "earlier ones"}};
 }

@@ -96,10 +96,9 @@ constexpr std::array all_words{
     Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
     Words{
         K::looked_before, "The study was looked at before",
-        "This is look {count} at this study: {what} were after {who} runs, and now there are {of}. Whoever adds runs until "
-        "p is small finds differences that are none. So take for a difference only p below {value:.3g} here: then all "
-        "looks after the first together find one that is none in at most {limit:.3g} % of studies. Or plan the looks: "
-        "ikbench compare --sequential."},
+        "This is look {count} at this study: {what} were after {who} runs, and now there are {of}. So a difference counts "
+        "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies. "
+        "ikbench compare --sequential plans its looks."},
     Words{
         K::no_tolerance, "The study has no tolerance",
         "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "

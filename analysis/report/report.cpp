@@ -283,6 +283,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const std::vector<Session>& sessions = checked.sessions();
   StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
+  const AnalysisPlan planned = stored.plan;
+  const std::vector<Look> looks = looks_at(entry.name, store.name());
+  const int runs = runs_looked_at(stored);
+  stored.plan.significance = level_of_look(looks, runs, planned.significance);
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
@@ -291,7 +295,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const Reported reported{.study = study, .companions = companions, .repetitions = request.repetitions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
+                            plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
@@ -316,12 +320,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .path = pieces.path,
                         .seen = pieces.seen};
   join(content.claims, request.shares);
-  const int runs = runs_looked_at(study);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
   content.warnings =
       said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
-      look_doubts(looks_at(entry.name, store.name()), runs, study.plan.significance) +
-      paper_doubts(study, request.collections) + missing_doubts(study) +
+      look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
+      missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
                       reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);

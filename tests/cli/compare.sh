@@ -48,7 +48,7 @@ has_no "$out" "This is look"
 make grown
 succeeds compare $base grown/store.sqlite --metric position_error_cm
 has "$out" "This is look 2 at this study: earlier ones were after 4 ("
-has "$out" "take for a difference only p below 0.025 here"
+has "$out" "a difference counts only if p is below 0.025"
 cmp $base base-before || fail "a comparison changed its baseline"
 
 # A regression, in the label and metric that has it; the other way round it is none.

@@ -62,7 +62,7 @@ succeeds run "${grown[@]}"
 has_no "$err" "look"
 succeeds run "${grown[@]}" --set runs=4
 has "$err" "warning: This is look 2 at this study: earlier ones were after 2 ("
-has "$err" "only p below 0.025 here"
+has "$err" "only if p is below 0.025"
 has "$(head -n 20 grown/report.md)" "This is look 2 at this study"
 before=$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)
 succeeds report grown/store.sqlite --no-figures

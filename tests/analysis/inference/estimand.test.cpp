@@ -279,10 +279,6 @@ TEST_CASE("a solver that solves nothing leads in no cost of a study with a toler
                  "Fewest evaluations (failures: 10 times the limit): A ("));
 }
 
-TEST_CASE("who claims what the verifier does not find is named", "[estimand]") {
-  CHECK(words_of(wrong_claims(with_a_liar(""))) == "Wrong claims: in 40 of 40 solves the error is not what liar said.");
-  CHECK(wrong_claims(judged_runs({{"A", {1}}})).empty());
-}
 TEST_CASE("the margin of shares is percentage points, whether they are outcomes or shares of a run", "[estimand]") {
   Observations shares{.name = "solved",
                       .quantity = "share of solves",
@@ -306,6 +302,10 @@ TEST_CASE("the margin of shares is percentage points, whether they are outcomes 
   CHECK(report::verdict_words(outcomes, outcomes.contrasts.front()) == "undecided");
 }
 
+TEST_CASE("who claims what the verifier does not find is named", "[estimand]") {
+  CHECK(words_of(wrong_claims(with_a_liar(""))) == "Wrong claims: in 40 of 40 solves the error is not what liar said.");
+  CHECK(wrong_claims(judged_runs({{"A", {1}}})).empty());
+}
 
 TEST_CASE("a look at other runs than an earlier one had says so, and the level that is left", "[estimand]") {
   const std::vector<Look> looks{{.runs = 5, .when = "2026-11-20T10:00:00Z"},
@@ -314,9 +314,11 @@ TEST_CASE("a look at other runs than an earlier one had says so, and the level t
                  "look 2 at this study: earlier ones were after 10 (2026-11-21) runs"));
   CHECK(contains(words_of(look_doubts(looks, 10, 0.05)),
                  "look 2 at this study: earlier ones were after 5 (2026-11-20) runs, and"));
-  CHECK(contains(
-      words_of(look_doubts(looks, 20, 0.05)),
-      "only p below 0.00833 here: then all looks after the first together find one that is none in at most 5 % of studies"));
+  CHECK(contains(words_of(look_doubts(looks, 20, 0.05)),
+                 "only if p is below 0.00833. Then all looks after the first are wrong in at most 5 % of studies."));
+  CHECK(level_of_look(looks, 20, 0.05) == Approx(0.05 / 6));
+  CHECK(level_of_look(looks, 10, 0.05) == Approx(0.05 / 2));
+  CHECK(level_of_look({}, 10, 0.05) == 0.05);
   CHECK(look_doubts({}, 20, 0.05).empty());
 }
 
