@@ -11,6 +11,7 @@
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/words.hpp"
 #include "numerics/names.hpp"
 #include "results/looks.hpp"
 
@@ -116,6 +117,7 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
   Request asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
                 .plan = plan_for(arguments, study)};
   asked.studies.push_back(study_of_both(a, b, asked.plan));
+  if (all.size() > 2) asked.notes.push_back(fmt::format(report::words::families, fmt::arg("solvers", all.size())));
   if (!arguments.sequential) look(asked, {"A", "B"}, study.name, file);
   return asked;
 }

@@ -89,7 +89,7 @@ void describe_shares(Evidence& evidence, std::span<const std::vector<double>> va
 }
 
 std::string rare_failures_words(int observations, std::string_view of_what, double significance) {
-  return fmt::format("{} {} do not exclude a failure in up to {} % of them", observations, of_what,
+  return fmt::format("{} {} can miss what happens in up to {} % of them", observations, of_what,
                      rounded_number(100 * statistics::most_without_success(observations, significance), 2));
 }
 

@@ -31,7 +31,7 @@ void describe_shares(Evidence& evidence, std::span<const std::vector<double>> va
 Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
                                std::span<const std::vector<double>> values);
 
-// "20 runs do not exclude a failure in up to 14 % of them"
+// "20 runs can miss what happens in up to 14 % of them", such as a failure
 std::string rare_failures_words(int observations, std::string_view of_what, double significance);
 
 }  // namespace ikbench::inference

@@ -273,12 +273,18 @@ class Answer {
     const bool has_interval = std::isfinite(front.difference.low);
     if (pairs.size() == 1) {
       const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
-      text.remarks.emplace_back(is_equal ? words::all_equal : p_words(front.p));
+      text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
       if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
     }
     const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
     if (!runs.empty()) text.remarks.push_back(runs);
     say(text, doubts(pairs));
+  }
+  // Says p before its correction too, if this alone would decide.
+  std::string p_of_open(const Contrast& pair) const {
+    if (!(pair.p_alone < evidence_.plan.significance)) return p_words(pair.p);
+    return fmt::format(words::p_in_family, "p"_a = p_words(pair.p), "pairs"_a = corrected_for(evidence_),
+                       "alone"_a = rounded_number(pair.p_alone, 3));
   }
   void say_undefined(const Pairs& pairs) {
     ByReason reasons;

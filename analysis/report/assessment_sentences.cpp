@@ -85,7 +85,7 @@ Sentence methods(const Evidence& evidence) {
                                           : method + sensitivity(evidence)};
 }
 
-// "Shares of solved: IK-BA 18 of 20 (90 %, 70 to 97 %); BA ..."
+// "Shares: IK-BA 18 of 20 (90 %, 70 to 97 %); BA ..."
 Sentence shares(const Evidence& evidence) {
   std::vector<std::string> shares;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
@@ -94,7 +94,7 @@ Sentence shares(const Evidence& evidence) {
                                  "n"_a = group.described.n, "share"_a = percent(group.mean.value),
                                  "low"_a = 100 * group.mean.low, "high"_a = 100 * group.mean.high));
   }
-  return {"Shares of " + evidence.quantity, clauses(shares) + '.'};
+  return {"Shares", clauses(shares) + '.'};
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"

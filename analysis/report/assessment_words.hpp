@@ -43,7 +43,7 @@ std::string_view replicates_words(
 std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
 // Observations needed by these pairs: the least and the most.
 inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);
-// For pairs that are the same or better by means: "20 observations per group do not exclude a failure in up to 14 % of
+// For pairs that are the same or better by means: "20 observations per group can miss what happens in up to 14 % of
 // them". Empty without such pairs.
 std::string rare_failures_words(const inference::Evidence& evidence);
 std::string_view adjustment_words(const inference::Evidence& evidence);  // "Holm"

@@ -94,6 +94,8 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
       return sized("better");
     case Relation::same:
       return "the same within " + margin;
+    case Relation::undefined:
+      return "cannot be judged";
     default:
       return "undecided";
   }

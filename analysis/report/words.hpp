@@ -29,8 +29,7 @@ inline constexpr Template decided_by = "Decided by: {tests}";
 inline constexpr Template corrected = "{test}, corrected for {pairs} pairs";
 inline constexpr Template by_sign_of_known = "the sign test against solvers whose runs are all equal";
 inline constexpr Template by_fact = "no test between solvers whose runs are all equal, where the difference is a fact";
-inline constexpr Template by_order =
-    "{test} for groups that do not overlap, where one has a single value or both have too few different ones";
+inline constexpr Template by_order = "{test} where groups do not overlap and the bootstrap has no spread";
 inline constexpr Template by_constants = "{test} for groups of one value each";
 
 // Size of a difference.
@@ -38,6 +37,7 @@ inline constexpr Template has_mean = "{name} has the mean {mean}";
 inline constexpr Template has_no_mean = "{name} has no mean: {lost} of {n} values not finite";
 inline constexpr Template not_by_ranks = "{means}, which ranks do not compare";
 inline constexpr Template ahead = "ahead in {share} of {of}";
+inline constexpr Template p_in_family = "{p} for all {pairs} pairs, {alone} for this pair alone";
 inline constexpr Template interval = "{what} between {low} and {high}{unit}";
 inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
 inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
@@ -45,7 +45,7 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
 inline constexpr Template exploratory =
-    "the study is judged by the quantity above. The {count} below are not corrected for being several.";
+    "the study is judged by the quantity above. The {count} below are not corrected for one another.";
 
 // Numbers that contradict the test, and what would change the answer.
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
@@ -149,6 +149,9 @@ inline constexpr Template by_less = "{word} by less than {margin}";
 inline constexpr Template by_more = "{word} by more than {margin}";
 inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
 inline constexpr Template by_unknown = "{word}, by how much is not known";
+inline constexpr Template families =
+    "Judged together here: the metrics of A and B. A report judges each metric over the pairs of all {solvers} solvers, so "
+    "one of the two may decide what the other leaves undecided.";
 
 // Tables of a study.
 inline constexpr Template points =

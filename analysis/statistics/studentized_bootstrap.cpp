@@ -148,21 +148,18 @@ int enough_values(double tolerated_share, int groups) {
 }
 
 Reason too_little_spread(const ResampledPair& of, std::size_t pairs, double tolerated_share) {
-  const std::string for_all = fmt::format("for the bootstrap of {} pair{}", pairs, pairs == 1 ? "" : "s");
+  const std::string needs =
+      fmt::format("the bootstrap{} needs", pairs == 1 ? std::string() : fmt::format(" of {} pairs", pairs));
   if (of.within_blocks) {
-    return fmt::format(
-        "too few differences within blocks, or too few that are not equal, {}; {} different ones are enough", for_all,
-        enough_values(tolerated_share, 1));
+    return fmt::format("too few different differences within blocks: {} {}", needs, enough_values(tolerated_share, 1));
   }
   const bool first_varies = of.first->spread > 0, second_varies = of.second->spread > 0;
   if (first_varies && second_varies) {
-    return fmt::format("too few values, or too few that are not equal, {}; {} different values a group are enough",
-                       for_all, enough_values(tolerated_share, 2));
+    return fmt::format("too few different values: {} {} in each group", needs, enough_values(tolerated_share, 2));
   }
   return {first_varies ? of.pair.second : of.pair.first,
-          fmt::format("the values of {{}} are all equal, and the other group has too few different values {}; {} would "
-                      "be enough",
-                      for_all, enough_values(tolerated_share, 1))};
+          fmt::format("the values of {{}} are all equal, and the other group has too few different ones: {} {}", needs,
+                      enough_values(tolerated_share, 1))};
 }
 
 // The tolerated share of resamples without spread, per pair: half of what may be beyond the critical value, for all

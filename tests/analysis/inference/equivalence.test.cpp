@@ -139,7 +139,7 @@ TEST_CASE("what n observations cannot exclude stands beside the finding", "[asse
     far[i] = 2 * near[i];
   }
   // 1 - 0.05^(1 / 20) = 0.139
-  const std::string limit = "20 observations per group do not exclude a failure in up to 14 % of them";
+  const std::string limit = "20 observations per group can miss what happens in up to 14 % of them";
   const Evidence same = evidence(with({near, other}), {.test = "welch"});
   REQUIRE(is_same(same));
   CAPTURE(text_of(same));

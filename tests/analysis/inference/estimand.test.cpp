@@ -230,7 +230,7 @@ TEST_CASE("the verdict of a study without a paper is by one quantity, and the ot
   CHECK(lines[2].starts_with("Exploratory: the study is judged by the quantity above. The "));
   CHECK(lines[3].starts_with("Smallest typical error: B ("));
   CHECK(lines[lines.size() - 2].starts_with("Fewest evaluations: "));
-  CHECK(lines.back() == "20 observations per group do not exclude a failure in up to 14 % of them.");
+  CHECK(lines.back() == "20 observations per group can miss what happens in up to 14 % of them.");
   const std::vector<std::string> typical =
       own_words(judged_runs(three_winners(), R"(, "analysis": {"estimands": ["typical", "reliability"]})"));
   CHECK(typical[0].starts_with("Smallest typical error: B ("));

@@ -296,7 +296,7 @@ TEST_CASE("a program's times and claims are held against no numbers of ours", "[
   for (const MetricComparison& metric : comparison.metrics) CHECK(!metric.is_compared);
   const std::string notes = fmt::format("{}", fmt::join(comparison.notes, "\n"));
   CHECK_THAT(notes, ContainsSubstring("have messages and another process in them"));
-  CHECK_THAT(notes, ContainsSubstring("Evaluations of B are not compared: they are its own word"));
+  CHECK_THAT(notes, ContainsSubstring("Evaluations of B are not compared: these were counted by the solver itself"));
 }
 
 TEST_CASE("evaluations that nobody counted are no regression, and solves without an answer are told", "[variants]") {
@@ -425,6 +425,13 @@ TEST_CASE("in a study with a tolerance, a variant that solves nothing is not che
     CHECK(metric.contrast.relation == Relation::better);
     CHECK(contains(metric.remark, "not finite: 20 of 20 runs of B"));
   }
+}
+
+TEST_CASE("a pair without a test cannot be judged, as a report says", "[variants]") {
+  const Solved shape{.runs = 2};
+  const auto error = [](double of_first) { return [=](int run, int) { return of_first + 0.1 * run; }; };
+  CHECK(verdict_of(compared(variant(shape, error(1)), variant(shape, error(2)), {"position_error_cm"})) ==
+        "No regression beyond 5 % was found. Of 1 comparison: 1 cannot be judged.");
 }
 
 TEST_CASE("equal solves are the same only where they are judged alike", "[variants]") {

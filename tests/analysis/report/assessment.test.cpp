@@ -429,15 +429,41 @@ TEST_CASE("the short answer names and counts the pairs that cannot be judged, an
              "A cannot be judged against D (D has fewer than 3 values, of which the bootstrap learns too little). "
              "Other pairs that differ (1 of 3; the better first): B vs C. Other pairs that cannot be judged: 2 of 3."));
   const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
-  CHECK(says(
-      three,
-      "In short: A cannot be judged against B and C (too few values, or too few that are not equal, for the "
-      "bootstrap of 3 pairs; 4 different values a group are enough). In a new study another test could judge (ikbench run: "
-      "--set analysis.test=tamhane; ikbench stats: --test tamhane). Other pairs that cannot be judged: 1 of 1."));
+  CHECK(
+      says(three,
+           "In short: A cannot be judged against B and C (too few different values: the bootstrap of 3 pairs "
+           "needs 4 in each group). In a new study another test could judge (ikbench run: "
+           "--set analysis.test=tamhane; ikbench stats: --test tamhane). Other pairs that cannot be judged: 1 of 1."));
   // Neither differs here.
   const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
   CHECK(says(alike, "No other pair is shown to differ."));
   CHECK_FALSE(says(alike, "does not differ"));
+}
+
+TEST_CASE("a pair that is undecided only among all pairs has its own p beside the corrected one", "[assessment]") {
+  const std::vector<double> values{3, 1, 4, 1.5, 9, 2.6, 5, 3.5, 8, 9.7};
+  const auto shifted = [&](double by) {
+    std::vector<double> result = values;
+    for (double& value : result) value += by;
+    return result;
+  };
+  for (double by = 0.5;; by += 0.1) {
+    REQUIRE(by < 10);
+    const Evidence found =
+        evidence(Observations{.name = "x",
+                              .quantity = "x",
+                              .groups = {{"A", values}, {"B", shifted(by)}, {"C", shifted(50)}, {"D", shifted(50)}}},
+                 {});
+    const Contrast& pair = found.contrasts.front();
+    if (pair.p_alone >= 0.05) {
+      CHECK(!says(found, "for this pair alone"));
+      continue;
+    }
+    REQUIRE(pair.relation == Relation::undecided);
+    CHECK(says(found, "for all 6 pairs, 0.0"));
+    CHECK(says(found, " for this pair alone"));
+    break;
+  }
 }
 
 TEST_CASE("it is said which test decided on groups of one value each", "[assessment]") {
@@ -451,8 +477,8 @@ TEST_CASE("it is said which test decided on groups of one value each", "[assessm
              "Decided by: studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value "
              "each."));
   CHECK(says(of({3, 4, 5, 3.5, 4.5, 5.5}),
-             "Decided by: the exact test of ranks for groups that do not overlap, where one has a single value or both "
-             "have too few different ones; Fisher's exact test for groups of one value each."));
+             "Decided by: the exact test of ranks where groups do not overlap and the bootstrap has no spread; "
+             "Fisher's exact test for groups of one value each."));
   CHECK_FALSE(says(of({3, 3, 3, 3, 3, 3}), "bootstrap"));
 }
 
@@ -471,15 +497,15 @@ TEST_CASE("what the bootstrap cannot judge is decided where all values of one gr
   CHECK(extremes.relation == Relation::better);
   CHECK(extremes.p == Approx(3 * 2 / 2704156.0));  // of C(24, 12) orders two, for three pairs
   CHECK(says(found,
-             "Decided by: studentized bootstrap, corrected for 3 pairs; the exact test of ranks for groups that do "
-             "not overlap"));
+             "Decided by: studentized bootstrap, corrected for 3 pairs; the exact test of ranks where groups do not "
+             "overlap"));
   CHECK(found.contrasts[0].p == extremes.p);  // beside a single value, too, however far the third group varies
   // One value of the dear group among those of the cheap one: nothing tells, and it is said what could.
   dear[3] = 6;
   CHECK(of(dear).contrasts[1].relation == Relation::undefined);
   CHECK(says(of(dear),
-             "the values of cheap are all equal, and the other group has too few different values for the "
-             "bootstrap of 3 pairs; 5 would be enough"));
+             "the values of cheap are all equal, and the other group has too few different ones: the bootstrap of 3 "
+             "pairs needs 5"));
 }
 
 TEST_CASE("a method that finds the other one better disagrees, and so does a test of all groups", "[assessment]") {
