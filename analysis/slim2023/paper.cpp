@@ -49,7 +49,7 @@ std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreeme
   const std::optional<PrintedRow> printed = printed_row(study, time_reference, metric);
   if (own == all.end() || !printed) return "";
   return fmt::format(
-      "{}'s mean error: {} cm (printed {}). Only `ikbench reproduce` shows what depends on chance and on the "
+      "{}'s mean error: {} cm (printed {}). ikbench reproduce, without --quick, shows what depends on chance and on the "
       "interpretation.",
       time_reference, short_number(describe(own->values).mean), short_number(printed->printed.mean));
 }
