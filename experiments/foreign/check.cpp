@@ -229,13 +229,13 @@ class Checker {
     };
     line("the same seed gives the same answer in the same process", same(first, again), first.trouble);
     line("the same seed gives the same answer in a fresh process", same(first, fresh), fresh.trouble);
-    const bool differs = !same(first, other);
-    line("another seed gives another answer, or it says that it is deterministic",
-         other.trouble.empty() && differs != program_->hello.is_deterministic,
-         !other.trouble.empty()                        ? other.trouble
-         : differs == program_->hello.is_deterministic ? (differs ? "it says so, but another seed changes its answer"
-                                                                  : "the answer is the same, and it does not say so")
-                                                       : "");
+    const bool is_deterministic = program_->hello.is_deterministic, differs = !same(first, other);
+    line("a seed changes its answer only if it does not say that it is deterministic",
+         other.trouble.empty() && !(differs && is_deterministic),
+         !other.trouble.empty()        ? other.trouble
+         : differs && is_deterministic ? "another seed changes its answer"
+         : differs || is_deterministic ? ""
+                                       : "here another seed changed nothing; if none ever does, say deterministic");
   }
 
   void claims() {

@@ -46,7 +46,7 @@ def solve(problem):
 
 leak, solves = [], 0
 if "silent" == FAULT: sys.exit(3)
-say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], options=[
+say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], deterministic="pretends" == FAULT, options=[
     {"name": "w", "type": "number", "default": 3 if "option" == FAULT else 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
 for line in sys.stdin:
     told = json.loads(line)
@@ -90,7 +90,7 @@ long 1 an arm of 64 joints, or declines: crashed
 outside 1 inside the joint limits: 0.858 rad outside
 remembers 1 the same seed gives the same answer in the same process
 of-process 1 the same seed gives the same answer in a fresh process
-one-seed 1 another seed gives another answer.*: the answer is the same, and it does not say so
+one-seed 0
 endless 1 an arm whose joints turn without end, or declines: crashed
 lies 2 or declines: it says\|the error that it claims is true: it says
 hangs 1 a target that nothing reaches ends too: timed_out
@@ -100,11 +100,14 @@ leaks 1 its memory does not grow over 1000 solves: +'
 finds "$alike
 nan 1 its answer is finite
 slides 1 an arm with a joint that slides, or declines: it says
+pretends 1 it does not say that it is deterministic: another seed changes its answer
 id 3 joints*, or declines: broke_protocol: its solved does not have the id
 deaf 1 it ends when it is told bye: it still runs
 stays 1 it ends with its standard input: it had to be ended: signal 9
 noise 1 it writes nothing but messages: .* the first: solving" -- python3 planted.py
 refused "COMMAND" check-solver
+FAULT=one-seed succeeds check-solver -- python3 planted.py
+has "$out" "here another seed changed nothing; if none ever does, say deterministic"
 
 # The faults of a shared object.
 command -v c++ >/dev/null || { echo "left out: no C++ compiler"; echo "check-solver: programs are all right"; exit; }
