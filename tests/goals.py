@@ -62,6 +62,7 @@ class Goals(unittest.TestCase):
                     *repeated("study/threads/2", 1, free_cores=free, needed_cores=2)]
         self.assertEqual(row("threads", *study(1.95))[1:], ("2", "met"))
         self.assertEqual(row("threads", *study(1.9))[2], "not measurable now: processors needed 2, free 1.90")
+        self.assertTrue(row("threads", *study(float("nan")))[2].startswith("not measurable now: processors needed 2"))
 
     def test_a_time_is_shown_in_its_unit_whatever_the_files(self):
         self.assertEqual(row("round trip", repetition("round_trips/c", 0, 0.04, "ms")), ("no goal", "40 us", ""))

@@ -14,8 +14,8 @@ struct PowerGoal {
 };
 
 // The smallest equal n per group with which Welch's test shows a true difference of means if the groups spread as
-// these: a whole number of at least 2; infinity beyond `most_runs`; NaN without a difference or a
-// spread. Throws std::invalid_argument unless 0 < alpha < power < 1.
+// these: a whole number of at least 2; infinity beyond `most_runs`; NaN without a difference or a spread. Throws
+// std::invalid_argument unless 0 < alpha < power < 1.
 double runs_to_see(const GroupSummary& a, const GroupSummary& b, double difference, const PowerGoal& goal);
 // The smallest number of pairs with which the paired test shows it if differences within pairs spread by `std`.
 double pairs_to_see(double std, double difference, const PowerGoal& goal);

@@ -184,8 +184,8 @@
     tell(index, move) {
       const digits = (value, count) => value === null ? 'not finite' : Number(value.toPrecision(count)).toString();
       const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.by, 2)}${each.unit}`);
-      const way = time > 0 ? '' : 'At the start. Next: point ';
-      const words = `${way || 'Point '}${move.point}: joints move ${digits(move.variation_deg, 3)}\u00b0, error ${digits(move.error_cm, 2)} cm.`;
+      const lead = time > 0 ? 'Point' : 'At the start. Next: point';
+      const words = `${lead} ${move.point}: joints move ${digits(move.variation_deg, 3)}\u00b0, error ${digits(move.error_cm, 2)} cm.`;
       if (this.told === index + words) return;
       this.told = index + words;
       this.text.textContent = words;
