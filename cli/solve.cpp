@@ -17,6 +17,8 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "numerics/units.hpp"
 #include "results/orientation.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -172,10 +174,18 @@ std::string shown(const SolveRecord& record, const Study& study) {
 void add_solve(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Solve one target and print the answer with its errors");
+  const CLI::Validator number(
+      [](const std::string& text) {
+        return numerics::number_from(text) ? std::string()
+                                           : fmt::format("'{}' is not a number", numerics::front(text, 100));
+      },
+      "");
   command->add_option("--position-cm", arguments->position_cm, "target position x y z [cm]")
       ->required()
+      ->check(number)
       ->delimiter(',');
   command->add_option("--rpy-deg", arguments->rpy_deg, "roll, pitch and yaw of the tool [deg]; default: see --tool")
+      ->check(number)
       ->delimiter(',');
   command->add_option("--tool", arguments->tool, "orientation of the tool: down, or as in the paper's Eq. 27")
       ->check(CLI::IsMember({"down", "eq27"}))
@@ -195,6 +205,7 @@ void add_solve(CLI::App& app, Invocation& invocation) {
           "--start-deg", arguments->start_deg,
           "start values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the "
           "limits")
+      ->check(number)
       ->delimiter(',');
   command
       ->add_option("--set", arguments->overrides,
@@ -203,11 +214,13 @@ void add_solve(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--tolerance-cm", arguments->tolerance_cm,
                    "stop at this position error [cm]; a larger error has status tolerance_missed; 0: no tolerance")
+      ->check(number)
       ->capture_default_str();
-  command->add_option(
-      "--tolerance-deg", arguments->tolerance_deg,
-      "with --search pose: the tool is also turned no further than this from the target [deg]; default: "
-      "0.01");
+  command
+      ->add_option("--tolerance-deg", arguments->tolerance_deg,
+                   "with --search pose: the tool is also turned no further than this from the target [deg]; default: "
+                   "0.01")
+      ->check(number);
   command->add_option("--seed", arguments->seed, "seed of the random numbers")
       ->check(whole_number())
       ->capture_default_str();

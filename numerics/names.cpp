@@ -52,10 +52,13 @@ std::string_view front(std::string_view text, std::size_t most) {
   return text.substr(0, most);
 }
 
-std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
-  return fmt::format("unknown {} \"{}\"{} (there are: {})", kind, front(name, 100),
-                     nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest),
+  return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
+  return fmt::format("unknown {} \"{}\"{} (there are: {})", kind, front(name, 100), did_you_mean(name, candidates),
                      fmt::join(candidates, ", "));
 }
 

@@ -17,6 +17,9 @@ using Choices = std::vector<std::pair<std::string, Enum>>;
 // The candidate with the smallest edit distance, or else one that contains the name; empty if none is near.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
+// `; did you mean "ik_bat"?`; empty if no candidate is near.
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
+
 // The first bytes, at most `most`, without a cut character of UTF-8 at the end.
 std::string_view front(std::string_view text, std::size_t most);
 

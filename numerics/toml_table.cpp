@@ -7,6 +7,7 @@
 
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 
 namespace ikbench::numerics {
 
@@ -111,7 +112,7 @@ void TomlReader::number(std::string_view key, double& field, double unit, std::p
   if (node == nullptr) return;
   const std::optional<double> value = as_number(*node);
   if (!value || !(*value >= range.first && *value <= range.second)) {
-    fail(key, *node, fmt::format("a number from {} to {}", range.first, range.second));
+    fail_number(key, *node, fmt::format("a number from {} to {}", range.first, range.second));
   }
   field = *value * unit;
 }
@@ -138,6 +139,11 @@ void TomlReader::refuse_unknown_keys() const {
 void TomlReader::fail(std::string_view key, const toml::node& node, std::string_view expected) const {
   throw std::invalid_argument(
       fmt::format("{}{}{} is {}; expected {}", where(node.source(), key), prefix_, key, shown(node), expected));
+}
+
+void TomlReader::fail_number(std::string_view key, const toml::node& node, std::string_view expected) const {
+  const bool is_in_quotes = number_from(node.value<std::string>().value_or("")).has_value();
+  fail(key, node, fmt::format("{}{}", expected, is_in_quotes ? ", without quotes" : ""));
 }
 
 std::string TomlReader::where(const toml::source_region& region, std::string_view key) const {

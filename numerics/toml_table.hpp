@@ -63,7 +63,8 @@ class TomlReader {
       }
       names.push_back(name);
     }
-    fail(key, *node, fmt::format("one of \"{}\"", fmt::join(names, "\", \"")));
+    fail(key, *node,
+         fmt::format("one of \"{}\"{}", fmt::join(names, "\", \""), did_you_mean(wanted.value_or(""), names)));
   }
 
   // Reads some of the choices, at least one and none twice, in the order of the choices.
@@ -90,7 +91,7 @@ class TomlReader {
     if (node == nullptr) return;
     const toml::value<std::int64_t>* value = node->as_integer();
     if (value == nullptr || value->get() < range.first || value->get() > range.second) {
-      fail(key, *node, fmt::format("a whole number from {} to {}", range.first, range.second));
+      fail_number(key, *node, fmt::format("a whole number from {} to {}", range.first, range.second));
     }
     field = static_cast<Whole>(value->get());
   }
@@ -122,6 +123,8 @@ class TomlReader {
   void refuse_unknown_keys() const;
 
   [[noreturn]] void fail(std::string_view key, const toml::node& node, std::string_view expected) const;
+  // Adds ", without quotes" for a number in quotes.
+  [[noreturn]] void fail_number(std::string_view key, const toml::node& node, std::string_view expected) const;
   // "study.toml:3:8: ", or "--set path.tool: " if the value is from no file.
   std::string where(const toml::source_region& region, std::string_view key) const;
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/inference/text.hpp"
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::inference {
@@ -69,7 +70,9 @@ void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view 
 
 std::size_t CsvFile::column(std::string_view name) const {
   const auto found = std::ranges::find(table.header, name);
-  if (found == table.header.end()) refuse(fmt::format("no column {}; expected one of: {}", in_quotes(name), columns()));
+  if (found == table.header.end())
+    refuse(fmt::format("no column {}; expected one of: {}{}", in_quotes(name), columns(),
+                       numerics::did_you_mean(name, table.header)));
   if (std::find(found + 1, table.header.end(), name) != table.header.end()) {
     refuse(fmt::format("two columns {}; expected one", in_quotes(name)));
   }

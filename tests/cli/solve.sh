@@ -71,4 +71,6 @@ run_it solve --robot planar_2 --search all_joints --position-cm 200 0 0
 [ "$code" = 6 ] || fail "200 cm with 100 cm of arm: exit code $code, expected 6"
 awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e > 99.9) }' || fail "200 cm with 100 cm of arm: $out"
 [ "$(value status)" = tolerance_missed ] || fail "100 cm off is no answer: $out"
+refused "--position-cm: '' is not a number" solve --position-cm '' 0 0
+refused "--position-cm: '0x10' is not a number" solve --position-cm 0x10 0 0
 refused '--position-cm has 1e+300; expected numbers within +-1e6' solve --position-cm 1e300 0 0

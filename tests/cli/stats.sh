@@ -233,7 +233,7 @@ refused 'made is a folder' stats made --value error
 : >empty.csv
 refused 'empty.csv:1: the file is empty' stats empty.csv --value error
 refused 'standard input:1: the file is empty' stats - --value error
-refused "no column 'eror'; expected one of: (empty), solver, error" stats pandas.csv --value eror
+refused "no column 'eror'; expected one of: (empty), solver, error; did you mean \"error\"?" stats pandas.csv --value eror
 refused "no column 'slover'; expected one of:" stats pandas.csv --value error --group slover
 refused "no column 'problem'; expected one of:" stats pandas.csv --value error --block problem
 refused 'no column of groups; name one with --group: problem, error' stats <(printf 'problem,error\n1,2\n') --value error
