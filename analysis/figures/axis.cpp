@@ -18,8 +18,7 @@ using namespace inference;
 namespace {
 
 constexpr double spread_for_logarithmic = 30;
-constexpr std::size_t longest_quantity = 60;  // characters of a label
-constexpr double smallest_range = 1e-303;     // of a linear axis: denormal numbers have no round steps
+constexpr double smallest_range = 1e-303;  // of a linear axis: denormal numbers have no round steps
 
 struct DrawnUnit {
   std::string unit;
@@ -77,6 +76,16 @@ void add_around(Axis& axis, double smallest, double largest, double factor) {
                               text_of(round_step(span, digits > 6 ? 3 : 7)), text_of(factor));
 }
 
+// A title of at most two lines, as a gnuplot expression. A line of `most` characters fits beside the axis.
+std::string axis_title(std::string_view quantity, std::size_t most) {
+  const std::string text = shortened(quantity, 2 * most);
+  if (text.size() <= most) return gnuplot_string(text);
+  std::size_t blank = text.rfind(" (", most);
+  if (blank == std::string::npos || text.size() - blank > most + 6) blank = text.rfind(' ', text.size() / 2 + 4);
+  if (blank == std::string::npos) return gnuplot_string(text);
+  return fmt::format("{}.\"\\n\".{}", gnuplot_string(text.substr(0, blank)), gnuplot_string(text.substr(blank + 1)));
+}
+
 Axis axis_of(char letter, std::span<const double> values, const NameWithUnit& quantity, Scale scale, double least) {
   std::vector<double> drawable, positive;
   std::ranges::copy_if(values, std::back_inserter(drawable), is_drawable);
@@ -97,7 +106,7 @@ Axis axis_of(char letter, std::span<const double> values, const NameWithUnit& qu
     (letter == 'y' ? add_from_zero : add_around)(axis, smallest, largest, factor);
   }
   axis.settings +=
-      fmt::format("set {}label {} noenhanced\n", letter, gnuplot_string(shortened(axis.quantity, longest_quantity)));
+      fmt::format("set {}label {} noenhanced\n", letter, axis_title(axis.quantity, letter == 'y' ? 32 : 44));
   if (drawable.empty()) {
     axis.settings += fmt::format("unset {}tics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n", letter);
   }
@@ -165,7 +174,7 @@ Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
       "shown_x(x) = x < {0} ? {0} : (x > {1} ? {1} : x)\n",
       text_of(axis.low), text_of(axis.high),
       ticks.empty() ? "unset xtics\n" : fmt::format("set xtics enhanced ({})\n", fmt::join(ticks, ", ")),
-      gnuplot_string(shortened(quantity, longest_quantity)));
+      axis_title(quantity, 44));
   return axis;
 }
 

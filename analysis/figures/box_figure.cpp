@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "analysis/figures/dark.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_chart.hpp"
 #include "analysis/inference/comparable.hpp"
@@ -77,8 +78,8 @@ std::string marks_block(std::span<const Group> groups, const std::vector<Mark>& 
 }
 
 // The parts of group `row`, whose box is a line of block 0 and whose values are block `row`.
-std::vector<std::string> clauses_of(const std::string& name, std::size_t row) {
-  const std::string colour = fmt::format("lc rgb word(colours, {})", (row - 1) % 7 + 1);
+std::vector<std::string> clauses_of(const std::string& name, std::size_t row, std::size_t place) {
+  const std::string colour = fmt::format("lc rgb word(colours, {})", place % series_colours.size() + 1);
   const std::string box_data = fmt::format("'{}.dat' index 0 every ::{}::{} using", name, row - 1, row - 1);
   std::vector<std::string> clauses;
   clauses.push_back(
@@ -129,9 +130,10 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
     if (lost > 0 || sorted.empty()) {
       const std::string words = group.values.empty() ? "no\\nvalues" : fmt::format("{} not\\ndrawn", lost);
       figure.settings +=
-          fmt::format("set label \"{}\" at graph 1, first {} left offset 0.6, 0 font ',6'\n", words, row);
+          fmt::format("set label \"{}\" at graph 1, first {} left offset 0.6, 0 font remarks\n", words, row);
     }
-    for (std::string& clause : clauses_of(name, row)) clauses.push_back(std::move(clause));
+    for (std::string& clause : clauses_of(name, row, group.place.value_or(row - 1)))
+      clauses.push_back(std::move(clause));
   }
   if (clauses.empty()) clauses.emplace_back("NaN notitle");
   figure.data = boxes + blocks;
@@ -174,7 +176,10 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
 Figure box_figure(const StudyResults& study, Metric metric, const std::string& name, const std::vector<Mark>& marks) {
   const NameWithUnit quantity = with_unit(metric);
   Observations observations{.name = name, .quantity = text_of(quantity), .unit = quantity.unit};
-  for (const Sample& sample : samples(study, metric)) observations.groups.push_back({sample.solver, sample.values});
+  for (const Sample& sample : samples(study, metric)) {
+    observations.groups.push_back(
+        {.name = sample.solver, .values = sample.values, .place = place_of(study, sample.solver)});
+  }
   observations.replicate = study.plan.unit == Unit::point ? "a point"
                            : is_of_run(metric)            ? "that of a run"
                                                           : fmt::format("the {} of a run", average_name(metric));

@@ -62,7 +62,7 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const std::vector<Estimate> bands = error_bands(study, traces[i], positions);
     if (std::ranges::all_of(bands, [](const Estimate& band) { return band.value == censored; })) {
-      labels[i] = add_missing_curve(lines, i, study.solvers[i]);
+      labels[i] = add_missing_curve(lines, place_of(study, study.solvers[i]), study.solvers[i]);
       continue;
     }
     double last = 0;
@@ -83,11 +83,11 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
       fills.push_back(
           fmt::format("'{}.dat' index {} every ::{} using 1:(shown($2)):(shown($4)) with filledcurves ls {} fillstyle "
                       "transparent solid 0.15 noborder notitle",
-                      figure.name, block, rows_before_band, i + 1));
+                      figure.name, block, rows_before_band, place_of(study, study.solvers[i]) + 1));
     }
     add_curve(lines, {.source = fmt::format("'{}.dat' index {} using 1:(shown($3))", figure.name, block),
                       .rows = rows,
-                      .solver = i,
+                      .solver = place_of(study, study.solvers[i]),
                       .label = study.solvers[i]});
     ++block;
   }

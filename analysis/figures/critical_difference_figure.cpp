@@ -94,9 +94,8 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
   Figure figure{.name = ranks.name, .width_cm = 2 * side_cm + plot_cm, .height_cm = above_cm + below_cm};
   figure.settings = fmt::format(
       "unset key\nunset grid\nunset border\nunset tics\nset tmargin at screen 1\nset bmargin at screen 0\n"
-      "set lmargin at screen {}\nset rmargin at screen {}\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-      text_of(side_cm / figure.width_cm), text_of(1 - side_cm / figure.width_cm), text_of(left), text_of(right),
-      text_of(below_cm), text_of(-above_cm));
+      "set lmargin at screen margin({0})\nset rmargin at screen 1 - margin({0})\nset xrange [{1}:{2}]\nset yrange [{3}:{4}]\n",
+      text_of(side_cm), text_of(left), text_of(right), text_of(below_cm), text_of(-above_cm));
   std::string lines;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const bool is_right = i < rows;
@@ -105,7 +104,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
                       y = text_of(labels_top_cm + label_row_cm * static_cast<double>(row)),
                       label = row_label(sorted[i].label, longest_label), rank = fmt::format("{:.2f}", sorted[i].rank);
     lines += fmt::format("# {}\n{} 0\n{} {}\n{} {}\n\n", one_line(sorted[i].label), x, x, y, end, y);
-    figure.settings += fmt::format("set label {} at {}, {} {} noenhanced offset {}, 0 font ',7'\n",
+    figure.settings += fmt::format("set label {} at {}, {} {} noenhanced offset {}, 0 font names\n",
                                    gnuplot_string(is_right ? rank + "  " + label : label + "  " + rank), end, y,
                                    is_right ? "left" : "right", is_right ? "0.5" : "-0.5");
   }
@@ -115,7 +114,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
   const double step = std::max(1.0, std::ceil((last_rank - best_rank) / 12));
   for (double tick = best_rank; tick <= last_rank; tick += step) {
     figure.data += fmt::format("{0} 0 {0} -0.1\n", text_of(tick));
-    figure.settings += fmt::format("set label '{0}' at {0}, -0.26 center font ',7'\n", text_of(tick));
+    figure.settings += fmt::format("set label '{0}' at {0}, -0.26 center font names\n", text_of(tick));
   }
   figure.caption = fmt::format("Average ranks, the best (1) to the right ({}).", ranks.method);
   if (has_bar) {
@@ -124,7 +123,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
     figure.data +=
         fmt::format("{0} -0.66 {0} -0.8\n{0} -0.73 {1} -0.73\n{1} -0.66 {1} -0.8\n", text_of(best_rank), text_of(end));
     figure.settings +=
-        fmt::format("set label 'CD = {}{}' at {}, -1.02 center font ',7'\n", rounded_number(critical_difference, 3),
+        fmt::format("set label 'CD = {}{}' at {}, -1.02 center font names\n", rounded_number(critical_difference, 3),
                     is_cut ? " (longer than the axis)" : "", text_of((best_rank + end) / 2));
     figure.caption += fmt::format(
         " Bars join groups whose difference is undecided by Nemenyi's test at significance {}: their ranks differ by "

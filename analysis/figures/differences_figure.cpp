@@ -65,7 +65,7 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
     unknown = true;
     const bool unbounded = std::isinf(rows[i].low) || std::isinf(rows[i].high);
     figure.settings += fmt::format(
-        "set label '{}' at {}, first {} {} front offset {}, 0 font ',6' textcolor rgb "
+        "set label '{}' at {}, first {} {} front offset {}, 0 font remarks textcolor rgb "
         "'#666666'\n",
         unbounded ? "unbounded" : "not defined", none, i + 1, room_at_right ? "left" : "right", room_at_right ? 1 : -1);
   }

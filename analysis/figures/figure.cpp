@@ -142,13 +142,22 @@ set xtics noenhanced offset 0, 0.3
 set xlabel offset 0, 0.85
 set ylabel offset 0.5, 0
 
-# Three outputs of the same size, 8 pt text and thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a
-# point of text is 1/96 inch.
-svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,8' linewidth 0.8 background '#FFFFFF'", \
-  width_cm / 2.54 * 72, height_cm / 2.54 * 72)
-pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,8' fontscale 0.75 linewidth 1.2 pointscale 1.1", width_cm, height_cm)
-png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,8' fontscale 3.125 linewidth 4 pointscale 3.5", \
-  width_cm / 2.54 * 300, height_cm / 2.54 * 300)
+# The size of text [pt]. Names beside an axis are smaller, remarks smaller still. Heights, margins and legends follow it.
+text = 8
+height_cm = height_cm * text / 8
+names = sprintf(",%g", 0.875 * text)
+remarks = sprintf(",%g", 0.75 * text)
+margin(cm) = cm * text / 8 < 0.65 * width_cm ? cm * text / 8 / width_cm : 0.65
+columns(cm) = cm * text / 8 < width_cm ? int(width_cm / cm / text * 8) : 1
+
+# Three outputs of the same size, with thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a point of
+# text is 1/96 inch.
+svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,%g' linewidth 0.8 background '#FFFFFF'", \
+  width_cm / 2.54 * 72, height_cm / 2.54 * 72, text)
+pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,%g' fontscale 0.75 linewidth 1.2 pointscale 1.1", \
+  width_cm, height_cm, text)
+png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,%g' fontscale 3.125 linewidth 4 pointscale 3.5", \
+  width_cm / 2.54 * 300, height_cm / 2.54 * 300, text)
 )";
   constexpr std::string_view place = "COLOURS";
   return style.replace(style.find(place), place.size(), fmt::format("{}", fmt::join(series_colours, " ")));

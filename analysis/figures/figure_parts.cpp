@@ -54,7 +54,7 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
   const double column_cm = 1.3 + 0.2 * static_cast<double>(longest);
   const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>(figure.width_cm / column_cm));
   const std::size_t rows = (labels.size() + columns - 1) / columns;
-  figure.settings += fmt::format("set key maxcols {}\n", columns);
+  figure.settings += fmt::format("set key maxcols columns({})\n", text_of(column_cm));
   figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);
 }
 

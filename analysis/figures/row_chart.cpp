@@ -15,7 +15,7 @@ using namespace inference;
 
 namespace {
 
-constexpr double widest_in_one_column_cm = 2.8;
+constexpr double widest_in_one_column_cm = 2.8, widest_label_cm = 11;
 constexpr std::size_t longest_row_label = 2 * longest_label + 3;  // two names in a row of a comparison
 }  // namespace
 
@@ -40,16 +40,19 @@ void add_rows(Figure& figure, std::span<const std::string> labels, double height
   std::string ticks;
   double widest_cm = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const std::string label = row_label(labels[i], longest_row_label);
+    std::string label = row_label(labels[i], longest_row_label);
+    for (std::size_t most = longest_row_label; label_cm(label) > widest_label_cm; --most) {
+      label = row_label(labels[i], most);
+    }
     widest_cm = std::max(widest_cm, label_cm(label));
     ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ", tick_label(label), i + 1);
   }
   if (widest_cm > widest_in_one_column_cm) figure.width_cm = two_columns_cm;
   figure.height_cm = 1.4 + height_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
   figure.settings += fmt::format(
-      "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced font ',7' ({})\nset border 1\nset ytics scale 0\n"
-      "set grid noytics\nset xtics enhanced\nset lmargin at screen {}\n",
-      std::max<std::size_t>(labels.size(), 1), ticks, text_of(std::min(0.65, (widest_cm + 0.35) / figure.width_cm)));
+      "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced ({}) font names\nset border 1\nset ytics scale 0\n"
+      "set grid noytics\nset xtics enhanced\nset lmargin at screen margin({})\n",
+      std::max<std::size_t>(labels.size(), 1), ticks, text_of(widest_cm + 0.35));
   if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }
 

@@ -81,8 +81,9 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
   std::vector<std::string> fills{"NaN notitle"}, lines, labels = study.solvers;
   int block = 0;
   for (std::size_t i = 0; i < shares.curves.size(); ++i) {
+    const std::size_t place = place_of(study, study.solvers[i]);
     if (shares.curves[i].empty()) {
-      labels[i] = add_missing_curve(lines, i, study.solvers[i]);
+      labels[i] = add_missing_curve(lines, place, study.solvers[i]);
       continue;
     }
     const Corners corners = corners_of(shares.curves[i], axis);
@@ -92,9 +93,9 @@ void draw_shares(Figure& figure, const StudyResults& study, const ShareCurves& s
     const std::string source = fmt::format("'{}.dat' index {} using (shown_x($1)):", figure.name, block++);
     if (corners.has_band && study.solvers.size() <= most_bands) {
       fills.push_back(fmt::format("{}3:4 with filledcurves ls {} fillstyle transparent solid 0.13 noborder notitle",
-                                  source, i + 1));
+                                  source, place + 1));
     }
-    add_curve(lines, {.source = source + "2", .rows = corners.count, .solver = i, .label = study.solvers[i]});
+    add_curve(lines, {.source = source + "2", .rows = corners.count, .solver = place, .label = study.solvers[i]});
   }
   add_legend(figure, labels);
   fills.insert(fills.end(), lines.begin(), lines.end());

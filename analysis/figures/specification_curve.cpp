@@ -96,12 +96,13 @@ Figure specification_curve(const SpecificationCurve& curve) {
                 .width_cm = two_columns_cm,
                 .height_cm = 1.6 + row_height_cm * (curve_rows - place)};
   figure.settings = fmt::format(
-      "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen {}\nset rmargin at screen 0.97\n"
+      "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen margin({})\nset rmargin at screen 0.97\n"
       "side(low, high) = high < 0 ? -1 : low > 0 ? 1 : 0\nset xrange [0:100]\nset yrange [{}:{}]\n"
-      "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced font ',7' ({})\nset grid noytics noxtics\n"
-      "set label {} at graph 0.01, first {} left font ',7'\n{}",
-      text_of(0.03 + label_width * static_cast<double>(longest)), text_of(place - 0.6), text_of(curve_rows + 0.6),
-      fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2), lines);
+      "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced ({}) font names\nset grid noytics noxtics\n"
+      "set label {} at graph 0.01, first {} left font names\n{}",
+      text_of(two_columns_cm * (0.03 + label_width * static_cast<double>(longest))), text_of(place - 0.6),
+      text_of(curve_rows + 0.6), fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2),
+      lines);
   figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
                                  text_of(axis.at(0)));
   figure.data =

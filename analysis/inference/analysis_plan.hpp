@@ -36,8 +36,8 @@ std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std:
 int runs_looked_at(const StudyResults& study);
 
 // The significance level of this look. Look k, after looks at other numbers of runs, has the level
-// significance / (k (k - 1)): over all k from 2 these sum to significance, so all looks after the first together keep it
-// (Bonferroni).
+// significance / (k (k - 1)): over all k from 2 these sum to significance, so all looks after the first together keep
+// it (Bonferroni).
 double level_of_look(const std::vector<results::Look>& looks, int runs, double significance);
 // Says which level a later look has; empty for the first.
 Doubts look_doubts(const std::vector<results::Look>& looks, int runs, double significance);

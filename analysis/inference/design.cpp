@@ -127,7 +127,7 @@ void fill_blocks(Observations& result, const StudyResults& study, const std::vec
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
     const std::span<const Solve> solves = solves_of(study, solver);
-    Group group{.name = solver};
+    Group group{.name = solver, .place = place_of(study, solver)};
     for (const Block& block : blocks) {
       std::vector<const Solve*> run;
       for (const Place& place : block.places) run.push_back(solve_at(solves, place));
@@ -259,7 +259,9 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
                                          sample.incomplete_runs));
     }
     const int copies = sample.values.size() == 1 ? sample.equal_runs : 0;
-    result.groups.push_back({.name = std::move(sample.solver), .values = std::move(sample.values), .copies = copies});
+    const std::size_t place = place_of(study, sample.solver);
+    result.groups.push_back(
+        {.name = std::move(sample.solver), .values = std::move(sample.values), .copies = copies, .place = place});
   }
   std::erase(result.notes, "");
   add_decades(result, study, metric, estimand);

@@ -44,8 +44,9 @@ constexpr std::array all_words{
         "{whose} have messages and another process in them. analysis.program_times = \"compared\" compares them all the "
         "same."},
     Words{K::evaluations_uncounted, "Evaluations were not counted", "Nobody counted the evaluations of {who}."},
-    Words{K::evaluations_claimed, "Evaluations are claimed",
-          "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench."},
+    Words{
+        K::evaluations_claimed, "Evaluations are claimed",
+        "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench."},
     Words{
         K::two_speeds, "The machine had two speeds",
         "The machine had two speeds: the solves of every solver are in two groups, and an evaluation of the slow ones "

@@ -2,8 +2,8 @@
 //
 // The margin is relative, a share of the smaller mean; for quantities in cm, or if the user says so, it is also
 // absolute. The larger of the two counts: near 0 a share means nothing, and far from 0 a length that an arm cannot
-// resolve is tiny beside the share. For shares the margin is a difference in percentage points. For logarithms it is a ratio up
-// to 1 + margin.
+// resolve is tiny beside the share. For shares the margin is a difference in percentage points. For logarithms it is a
+// ratio up to 1 + margin.
 #pragma once
 
 #include <string>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Group {
   // Number of runs that all gave this one value, because the solver repeats its answers; 0 if values vary. Such a value
   // is known exactly.
   int copies = 0;
+  std::optional<std::size_t> place = {};  // a solver's among all of its study, for its colour; else that of the group
 };
 
 struct Observations {

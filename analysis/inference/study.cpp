@@ -63,8 +63,13 @@ const std::string& solver_of(const StudyResults& study, const Solve& solve) {
   return study.solve_data->labels[solve.solver];
 }
 
+std::size_t place_of(const StudyResults& study, std::string_view solver) {
+  const std::vector<std::string>& all = study.solve_data->labels;
+  return static_cast<std::size_t>(std::ranges::find(all, solver) - all.begin());
+}
+
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver) {
-  const auto number = std::ranges::find(study.solve_data->labels, solver) - study.solve_data->labels.begin();
+  const std::size_t number = place_of(study, solver);
   // Not equal_range, which clang++ 14 cannot compile with this library.
   return {std::ranges::lower_bound(study.solves, number, {}, &Solve::solver),
           std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};

@@ -42,6 +42,8 @@ struct StudyResults {
 
 // The label of its solver.
 const std::string& solver_of(const StudyResults& study, const Solve& solve);
+// Its place among all solvers of the study, from 0, also where some are left out: figures give it one colour by it.
+std::size_t place_of(const StudyResults& study, std::string_view solver);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
 // Returns whether the solver's solves were imported from a file.

@@ -179,6 +179,14 @@ TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") 
   CHECK(contains(data(by_type_7), "1 1 3 5 7 8 9 0"));  // type 7 by hand: 1 + 0.25 * 8 = rank 3, rank 7
 }
 
+TEST_CASE("a solver keeps its colour where another one is left out", "[figure]") {
+  const StudyResults all = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 9, .points = 1}));
+  const StudyResults alone = of_solvers(all, [](std::string_view solver) { return solver == "B"; });
+  const std::string plot = box_figure(alone, Metric::position_error_cm, "boxes").plot;
+  CHECK(contains(plot, "word(colours, 2)"));
+  CHECK(!contains(plot, "word(colours, 1)"));
+}
+
 TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, and no stale picture", "[figure]") {
   const ScratchFolder folder;
   const Figure good{
