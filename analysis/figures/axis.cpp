@@ -80,8 +80,9 @@ void add_around(Axis& axis, double smallest, double largest, double factor) {
 std::string axis_title(std::string_view quantity, std::size_t most) {
   const std::string text = shortened(quantity, 2 * most);
   if (text.size() <= most) return gnuplot_string(text);
-  std::size_t blank = text.rfind(" (", most);
-  if (blank == std::string::npos || text.size() - blank > most + 6) blank = text.rfind(' ', text.size() / 2 + 4);
+  const std::size_t bracket = text.rfind('(', most);  // the best place if the rest fits
+  const bool fits = bracket != std::string::npos && bracket > 0 && text.size() - bracket <= most + 6;
+  const std::size_t blank = text.rfind(' ', fits ? bracket : text.size() / 2 + 4);
   if (blank == std::string::npos) return gnuplot_string(text);
   return fmt::format("{}.\"\\n\".{}", gnuplot_string(text.substr(0, blank)), gnuplot_string(text.substr(blank + 1)));
 }
