@@ -98,10 +98,10 @@ Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estim
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return group_score(evidence, evidence.groups[i]); });
   std::vector<std::string> labels;
   for (const std::size_t group : order) labels.push_back(label(group));
-  const std::string words = order.size() == 1 ? labels.front()
-                            : evidence.flaws.empty() && has_judged(evidence)
+  const std::string words = evidence.flaws.empty() && has_judged(evidence)
                                 ? fmt::format("{}", fmt::join(short_answer(evidence, label), ". "))
-                                : fmt::format(words::none_tested, "values"_a = listed(labels));
+                            : order.size() == 1 ? labels.front()
+                                                : fmt::format(words::none_tested, "values"_a = listed(labels));
   return {first_by_words(study, metric, estimand), words + '.'};
 }
 

@@ -275,6 +275,7 @@ TEST_CASE("a solver that solves nothing leads in no cost of a study with a toler
   CHECK(std::isinf(variation.groups[1].values[0]));                      // it solved nothing
   const StudyResults alone = of_solvers(study, [](std::string_view solver) { return solver == "A"; });
   CHECK(observations(alone, Metric::variation_deg).groups[0].values == variation.groups[0].values);
+  CHECK(contains(leader_words(study, Metric::variation_deg, Estimand::mean), "A (295 deg) is better than liar: p = "));
   const StudyResults other = of_solvers(study, [](std::string_view solver) { return solver == "liar"; });
   CHECK(observations(other, Metric::variation_deg).groups[0].place == 1);  // as in the whole study
   CHECK(contains(leader_words(study, Metric::evaluations, Estimand::mean),

@@ -434,6 +434,25 @@ TEST_CASE("a pair without a test cannot be judged, as a report says", "[variants
         "No regression beyond 5 % was found. Of 1 comparison: 1 cannot be judged.");
 }
 
+TEST_CASE("equal costs of two that solved nothing are the same only for equal errors", "[variants]") {
+  const Solved shape{
+      .runs = 20,
+      .definition =
+          R"({"points": 1, "runs": 20, "path": {"kind": "helix"}, "start": "previous", "stop": {"tolerance_cm": 0.1}})"};
+  const auto missed = [](SolveRecord& solve) {
+    solve.status = Status::tolerance_missed;
+    solve.evaluations = 100;
+  };
+  const auto relation = [&](double error) {
+    const auto of = [](double cm) { return [cm](int, int) { return cm; }; };
+    const VariantComparison comparison =
+        compared(variant(shape, of(5), missed), variant(shape, of(error), missed), {"evaluations"});
+    return metric_of(comparison, Metric::evaluations).contrast.relation;
+  };
+  CHECK(relation(5) == Relation::same);
+  CHECK(relation(6) == Relation::undefined);
+}
+
 TEST_CASE("equal solves are the same only where they are judged alike", "[variants]") {
   const auto study = [](const char* stop) {
     return Solved{.runs = 20,
