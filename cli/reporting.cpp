@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <memory>
 #include <thread>
@@ -239,6 +240,8 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
     say(fmt::format("warning: {} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
   }
+  constexpr std::chrono::milliseconds patience{20};  // a transaction for each solve would cost more than many a solve
+  request.patience = std::max(request.patience, patience);
   Store store(store_in(folder), mode);
   for (const StudyEntry& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
