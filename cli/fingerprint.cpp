@@ -35,8 +35,8 @@ void add_fingerprint(CLI::App& app, Invocation&) {
     const std::vector<StudyEntry> studies =
         arguments->study.empty() ? store.studies() : std::vector<StudyEntry>{store.study(arguments->study)};
     for (const StudyEntry& study : studies) {
-      const std::vector<SolveRecord> solves = store.solves(study.name);
-      fmt::print("{}  {}  {}\n", fingerprint(solves), solves.size(), printable(study.name));
+      const auto [text, solves] = fingerprint(store, study);
+      fmt::print("{}  {}  {}\n", text, solves, printable(study.name));
     }
   });
 }

@@ -35,7 +35,7 @@ namespace {
 
 // One line with the fingerprint of a study, and whether it equals the reference that every machine should give.
 std::string compared_with_reference(const Store& store, const std::string& name) {
-  const std::string ours = fingerprint(store.solves(name));
+  const std::string ours = fingerprint(store, store.study(name)).text;
   const std::string_view reference = reference_fingerprint(name);
   const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
   return fmt::format("Fingerprint of {}: {}, {}", name, ours,

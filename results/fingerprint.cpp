@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "results/hashed_column.hpp"
 
@@ -59,19 +60,49 @@ class Hash {
 
 }  // namespace
 
+namespace {
+
+// For each column of a record, in order, whether it is in a fingerprint.
+const std::vector<bool>& covered() {
+  static const std::vector<bool> of_columns = [] {
+    std::vector<bool> result;
+    for_each_column([&](std::string_view name, auto, std::string_view) {
+      result.push_back(std::ranges::find(in_fingerprint, name) != in_fingerprint.end());
+    });
+    return result;
+  }();
+  return of_columns;
+}
+
+void add_record(Hash& hash, SolveRecord& record) {
+  record.series = configuration_of(record.series);
+  std::size_t column = 0;
+  for_each_column([&](std::string_view, auto member, std::string_view) {
+    if (covered()[column++]) add_column(hash, record.*member);
+  });
+}
+
+}  // namespace
+
 std::string fingerprint(std::vector<SolveRecord> records) {
   const auto place = [](const SolveRecord& record) {
     return std::tie(record.solver, record.series, record.run, record.point);
   };
   std::sort(records.begin(), records.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
   Hash hash;
-  for (SolveRecord& record : records) {
-    record.series = configuration_of(record.series);
-    for_each_column([&](std::string_view name, auto member, std::string_view) {
-      if (std::ranges::find(in_fingerprint, name) != in_fingerprint.end()) add_column(hash, record.*member);
-    });
-  }
+  for (SolveRecord& record : records) add_record(hash, record);
   return hash.text();
+}
+
+Fingerprint fingerprint(const Store& store, StudyEntry study) {
+  std::ranges::sort(study.series, {}, [](const Series& series) { return std::tie(series.label, series.key); });
+  Hash hash;
+  std::int64_t solves = 0;
+  store.each_of_study(study, [&](SolveRecord record) {
+    add_record(hash, record);
+    ++solves;
+  });
+  return {hash.text(), solves};
 }
 
 std::string_view reference_fingerprint(std::string_view study) {

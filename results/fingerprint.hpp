@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "results/record.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::results {
 
@@ -39,6 +41,13 @@ constexpr std::array<std::string_view, 22> in_fingerprint{"study",
 // a store cannot tell them apart: all NaN are the same, and -0.0 outside of lists is 0.0. Of the series only the
 // configuration counts, not the source that gave the bits.
 std::string fingerprint(std::vector<SolveRecord> records);
+
+struct Fingerprint {
+  std::string text;
+  std::int64_t solves = 0;
+};
+// That of a study's solves in a store, read one by one.
+Fingerprint fingerprint(const Store& store, StudyEntry study);
 
 // The committed fingerprint of a built-in study (results/reference.inc); empty if there is none.
 std::string_view reference_fingerprint(std::string_view study);
