@@ -309,6 +309,35 @@ void join_equal(Observations& result, std::string_view what) {
                   what, fmt::join(names, ", ")));
 }
 
+// Takes the observations of independent groups.
+void fill_groups(const CsvRequest& request, const Contents& contents, Observations& result) {
+  for (const Observation& observation : contents.observations) {
+    if (observation.value) result.groups[observation.group].values.push_back(*observation.value);
+  }
+  const bool are_rows = request.run.empty();
+  if (const std::string words = in_words(lacks_of(contents), are_rows ? "values" : "runs", contents.groups);
+      !words.empty()) {
+    result.flaws.push_back({.kind = are_rows ? DoubtKind::values_missing : DoubtKind::runs_incomplete, .what = words});
+  }
+  join_equal(result, are_rows ? "rows" : "runs");
+}
+
+// Takes one observation for each group in each block.
+void fill_paired(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
+  const std::string_view what = request.run.empty() ? "rows" : "runs";
+  if (request.run.empty() && !request.takes_any_rows) expect_one_a_block(file, contents, result);
+  for (Observation& observation : contents.observations) observation.run = 0;
+  contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
+  if (const std::string count = counts_in_words(contents.observations); count != "1") {
+    result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
+    result.notes.push_back(
+        fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
+  }
+  result.block = request.block.empty() ? "a row of " + file.name()
+                                       : fmt::format("a value of {} in {}", in_quotes(request.block), file.name());
+  fill_blocks(file, contents, what, result);
+}
+
 }  // namespace
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
@@ -349,30 +378,11 @@ Observations read_observations(std::string_view text, std::string_view source, c
     add_run_notes(file, request, contents, result);
   }
 
-  const std::string_view what = request.run.empty() ? "rows" : "runs";
   if (result.blocks.empty()) {
-    for (const Observation& observation : contents.observations) {
-      if (observation.value) result.groups[observation.group].values.push_back(*observation.value);
-    }
-    const std::string words = in_words(lacks_of(contents), request.run.empty() ? "values" : "runs", contents.groups);
-    if (!words.empty())
-      result.flaws.push_back(
-          {.kind = request.run.empty() ? DoubtKind::values_missing : DoubtKind::runs_incomplete, .what = words});
-    join_equal(result, what);
-    std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
-    return result;
+    fill_groups(request, contents, result);
+  } else {
+    fill_paired(file, request, contents, result);
   }
-  if (request.run.empty() && !request.takes_any_rows) expect_one_a_block(file, contents, result);
-  for (Observation& observation : contents.observations) observation.run = 0;
-  contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
-  if (const std::string count = counts_in_words(contents.observations); count != "1") {
-    result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
-    result.notes.push_back(
-        fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
-  }
-  result.block = request.block.empty() ? "a row of " + file.name()
-                                       : fmt::format("a value of {} in {}", in_quotes(request.block), file.name());
-  fill_blocks(file, contents, what, result);
   std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
   return result;
 }
