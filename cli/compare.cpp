@@ -119,7 +119,7 @@ void refuse_labels(const CompareArguments& arguments) {
   if (!arguments.labels.empty())
     throw std::invalid_argument("--label needs two stores; with --store or --run, A and B are already labels");
   if (arguments.a == arguments.b)
-    throw std::invalid_argument(fmt::format("A and B are both the label {}", arguments.a));
+    throw std::invalid_argument(fmt::format("A and B are both the label {}; name two labels", arguments.a));
 }
 
 void refuse_unknown_labels(const CompareArguments& arguments, const Study& study) {

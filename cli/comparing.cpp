@@ -100,6 +100,16 @@ void look(Request& asked, const std::set<std::string>& solvers, const std::strin
   remember_look(study, runs, store);
 }
 
+// Planned looks hold their level only if nobody looked before.
+void note_earlier_looks(Request& asked, const std::string& study, const std::filesystem::path& store) {
+  std::vector<int> runs;
+  for (const Look& each : looks_at(study, store)) runs.push_back(each.runs);
+  if (!runs.empty()) {
+    asked.notes.push_back(fmt::format(report::words::looked_before_plan, fmt::arg("runs", fmt::join(runs, ", ")),
+                                      fmt::arg("level", percent(asked.plan.significance))));
+  }
+}
+
 // The rules of the decision, in words.
 std::string rules(const AnalysisPlan& plan) {
   return fmt::format("margin {}; if A and B are alike, the probability of any difference is at most {}",
@@ -118,7 +128,11 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
                 .plan = plan_for(arguments, study)};
   asked.studies.push_back(study_of_both(a, b, asked.plan));
   if (all.size() > 2) asked.notes.push_back(fmt::format(report::words::families, fmt::arg("solvers", all.size())));
-  if (!arguments.sequential) look(asked, {"A", "B"}, study.name, file);
+  if (arguments.sequential) {
+    note_earlier_looks(asked, study.name, file);
+  } else {
+    look(asked, {"A", "B"}, study.name, file);
+  }
   return asked;
 }
 
@@ -135,7 +149,11 @@ Request labels_of_stores(const CompareArguments& arguments) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
     asked.studies.push_back(study_of_both(one, other, asked.plan));
   }
-  if (!arguments.sequential) look(asked, {"B"}, second.name, arguments.b);  // A is the baseline, which does not grow
+  if (arguments.sequential) {
+    note_earlier_looks(asked, second.name, arguments.b);
+  } else {
+    look(asked, {"B"}, second.name, arguments.b);  // A is the baseline, which does not grow
+  }
   return asked;
 }
 

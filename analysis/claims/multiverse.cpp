@@ -293,7 +293,8 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   curve.caption = fmt::format(
       "Specification curve: mean error of {} divided by that of its best rival, with 95 % intervals, in {} of {} "
       "interpretations, sorted by it and drawn evenly by their weight. Dots below: the choices of each, "
-      "without those of the rivals.",
+      "without those of the rivals. A colour follows the interval against that one rival; a claim needs the test against all "
+      "rivals, so its shares differ.",
       label, count, count_words(universes));
   return specification_curve(curve);
 }

@@ -151,6 +151,7 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
                      const std::map<int, std::vector<double>>& printed) {
   Figure figure{.name = name};
   Curves curves = curves_of(study, metric);
+  const bool is_path = !study.facts.draws_targets, has_bands = curves.has_bands && is_path;
   std::vector<std::string> clauses{"NaN notitle"}, labels;
   if (!printed.empty()) {
     for (const auto& [point, values] : printed) curves.all.insert(curves.all.end(), values.begin(), values.end());
@@ -163,11 +164,10 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
   const Axis axis =
       value_axis(curves.all, with_unit(metric),
                  metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread, info_of(metric).rounding);
-  figure.caption =
-      with_notes(fmt::format("{}: {} over the runs at each point.{}{}", capitalised(axis.quantity),
-                             average_name(metric), curves.has_bands ? " Bands: the middle half of the runs." : "",
-                             printed.empty() ? "" : " Grey: as printed."),
-                 study, metric, axis);
+  figure.caption = with_notes(
+      fmt::format("{}: {} over the runs at each point.{}{}", capitalised(axis.quantity), average_name(metric),
+                  has_bands ? " Bands: the middle half of the runs." : "", printed.empty() ? "" : " Grey: as printed."),
+      study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
   add_legend(figure, labels);
 
@@ -179,7 +179,7 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
     const std::size_t column = Curves::column(i), band = curves.band_column(i);
     figure.data += fmt::format("# column {}: {}{}\n", column, one_line(study.solvers[i]),
                                curves.has_bands ? fmt::format("; quartiles in {} and {}", band, band + 1) : "");
-    if (curves.has_bands) {
+    if (has_bands) {
       clauses.push_back(
           fmt::format("'{}.dat' index 0 using 1:(shown(${})):(shown(${})) with filledcurves ls {} fillstyle "
                       "transparent solid 0.13 noborder notitle",
@@ -193,9 +193,9 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
       texts.words.push_back(fmt::format("point {}: {}", point + 1, value_words(metric, average)));
     }
     if (std::ranges::any_of(curves.averages[i], [](double value) { return std::isfinite(value); })) {
-      lines.push_back(
-          fmt::format("'{}.dat' index 0 using 1:(shown(${})) with linespoints ls {} pointinterval {} title {}",
-                      figure.name, column, i + 1, points_per_marker, gnuplot_string(label)));
+      lines.push_back(fmt::format("'{}.dat' index 0 using 1:(shown(${})) with {} ls {} pointinterval {} title {}",
+                                  figure.name, column, is_path ? "linespoints" : "points", i + 1, points_per_marker,
+                                  gnuplot_string(label)));
     } else {  // in the legend all the same
       lines.push_back(
           fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));

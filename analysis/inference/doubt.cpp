@@ -99,7 +99,7 @@ constexpr std::array all_words{
         K::looked_before, "The study was looked at before",
         "This is look {count} at this study: {what} were after {who} runs, and now there are {of}. So a difference counts "
         "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies. "
-        "ikbench compare --sequential plans its looks."},
+        "In a new study ikbench compare --sequential plans the looks."},
     Words{
         K::no_tolerance, "The study has no tolerance",
         "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
@@ -148,7 +148,7 @@ std::string words_of(const Doubt& doubt) {
                            : fmt::format("Times are left out: those of {}, because {}", who, text);
   }
   if (doubt.errors_too) text += " Solves end by their wall time, so that errors depend on that too.";
-  if (!doubt.studies.empty()) text += fmt::format(" So it is in {}.", fmt::join(doubt.studies, ", "));
+  if (!doubt.studies.empty()) text += fmt::format(" The same holds for {}.", fmt::join(doubt.studies, ", "));
   return text;
 }
 

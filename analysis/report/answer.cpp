@@ -382,7 +382,7 @@ std::vector<std::string> short_answer(const Evidence& evidence, const Label& lab
   return Answer(evidence, label, true).sentences();
 }
 
-Sentence change_words(const Evidence& evidence) {
+Sentence change_words(const Evidence& evidence, bool tells_extent) {
   Pairs open;
   bool is_within = false, is_across = false, is_doubted = false;
   for (const Contrast& pair : evidence.contrasts) {
@@ -405,8 +405,8 @@ Sentence change_words(const Evidence& evidence) {
   }
   if (is_doubted) parts.emplace_back(words::another_measure);
   const std::string margin = margin_words(evidence);
-  if (is_within) parts.push_back(fmt::format(words::smaller_margin, "margin"_a = margin));
-  if (is_across) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin));
+  if (is_within && tells_extent) parts.push_back(fmt::format(words::smaller_margin, "margin"_a = margin));
+  if (is_across && tells_extent) parts.push_back(fmt::format(words::larger_margin, "margin"_a = margin));
   parts.emplace_back(words::other_conditions);
   return {"What would change it", fmt::format("{}.", fmt::join(parts, "; "))};
 }

@@ -21,6 +21,7 @@ bool has_judged(const inference::Evidence& evidence);
 
 // "What would change it: a larger new study ...": names the choices or data that could change the answer. Empty if no
 // pair is compared.
-Sentence change_words(const inference::Evidence& evidence);
+// `tells_extent`: the answer also says by how much, which depends on the margin.
+Sentence change_words(const inference::Evidence& evidence, bool tells_extent = true);
 
 }  // namespace ikbench::report

@@ -117,12 +117,15 @@ Cell size_words(const Contrast& contrast) {
   return std::string(statistics::effect_words(2 * contrast.superiority.value - 1));
 }
 
-// Says how many pairs p-values and intervals are corrected for.
+// Says how many pairs p-values and intervals are corrected for, and what follows if that leaves a pair undecided.
 std::string family_note(const Evidence& evidence) {
-  return evidence.pairs == 1
-             ? fmt::format(words::decides, "test"_a = deciding_words(evidence))
-             : fmt::format(words::decides_all, "test"_a = deciding_words(evidence), "pairs"_a = corrected_for(evidence),
-                           "interval"_a = evidence.method->interval);
+  if (evidence.pairs == 1) return fmt::format(words::decides, "test"_a = deciding_words(evidence));
+  const bool costs_one = std::ranges::any_of(evidence.contrasts, [&](const Contrast& pair) {
+    return pair.relation == Relation::undecided && pair.p_alone < evidence.plan.significance;
+  });
+  return fmt::format(words::decides_all, "test"_a = deciding_words(evidence), "pairs"_a = corrected_for(evidence),
+                     "interval"_a = evidence.method->interval) +
+         (costs_one ? fmt::format(words::undecided_in_family, "pairs"_a = corrected_for(evidence)) : "");
 }
 
 Table contrasts_table(const Evidence& evidence) {

@@ -116,9 +116,10 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   const double unit = is_ratio ? 1 : std::isfinite(first + second) ? std::min(first, second) : not_defined;
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
-  if (evidence.scale == ValueScale::share || is_margin_absolute(evidence, contrast) ||
-      !(most <= most_in_percent * unit))
-    return {fmt::format("less or more than {}", margin)};
+  if (evidence.scale == ValueScale::share)
+    return {fmt::format("{} to {}", rounded_number(100 * least, 3), points(most)), {"margin " + margin}};
+  if (is_margin_absolute(evidence, contrast) || !(most <= most_in_percent * unit))
+    return {"perhaps less than " + margin};
   return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }
 

@@ -180,7 +180,7 @@ std::vector<Sentence> own_verdict(const JudgedStudy& study) {
   add(sentences, partial_imports_sentence(study));
   if (has_several) add(sentences, {"", too_few_sentence(study)});
   add(sentences, leader_sentence(study, Metric::position_error_cm, primary_estimand(study)));
-  add(sentences, change_words(judged));
+  add(sentences, change_words(judged, false));
   const std::vector<Sentence> others = exploratory_sentences(study);
   if (has_several && !others.empty()) {
     add(sentences, {"Exploratory", fmt::format(words::exploratory, "count"_a = others.size())});

@@ -60,11 +60,13 @@ std::string ranking_sentence(const StudyResults& study, Metric metric) {
   const StudyResults compared = compared_in(study, metric);
   const auto ours = standings(compared, metric);
   if (ours.empty()) return "";
+  const std::string failures =
+      is_penalised(study, metric) && !is_of_run(metric) ? ", " + penalty_words(study, metric) : "";
   std::string text =
-      fmt::format("{}, smallest first): {}",
+      fmt::format("{}{}, smallest first): {}",
                   metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name)
                                                       : fmt::format("{} ({}", capitalised(name), average_name(metric)),
-                  order_words(ours));
+                  failures, order_words(ours));
   if (ours.size() < compared.solvers.size()) {
     text += fmt::format("; {} without a {}", compared.solvers.size() - ours.size(), average_name(metric));
   }

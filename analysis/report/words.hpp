@@ -113,6 +113,9 @@ inline constexpr Template significance =
 inline constexpr Template decides = "{test} decides.";
 inline constexpr Template decides_all =
     "{test} decides. p: adjusted for {pairs} pairs. Interval of the difference: {interval}, adjusted for {pairs} pairs.";
+inline constexpr Template undecided_in_family =
+    " A pair that is undecided among {pairs} pairs may be decided alone, as ikbench compare judges it: see p alone. With a "
+    "control there are fewer pairs.";
 inline constexpr Template share_of_blocks =
     "Ahead in blocks: the share of blocks in which the first is better; ties count half. Its interval is not adjusted, "
     "and is not defined with ties.";
@@ -149,6 +152,9 @@ inline constexpr Template by_less = "{word} by less than {margin}";
 inline constexpr Template by_more = "{word} by more than {margin}";
 inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
 inline constexpr Template by_unknown = "{word}, by how much is not known";
+inline constexpr Template looked_before_plan =
+    "warning: a report or a comparison looked at this study before, after {runs} runs. Looks that are planned afterwards do not "
+    "keep the {level}. For a decision that does, solve with another seed: --sequential --run STUDY --set seed=2.";
 inline constexpr Template families =
     "Judged together here: the metrics of A and B. A report judges each metric over the pairs of all {solvers} solvers, so "
     "one of the two may decide what the other leaves undecided.";
@@ -220,7 +226,8 @@ inline constexpr Template another_task =
 inline constexpr Template departs = "This study departs from the built-in study of the paper in: {list}.{judged}";
 inline constexpr Template as_measured =
     "The numbers of this table are as measured. The report's answers count an error below the tolerance as the "
-    "tolerance, and the cost of a solve without status ok as {penalty} times the limit.";
+    "tolerance, and the cost of a solve without status ok as {penalty} times the "
+    "study's limit or, without one, of its solver's dearest solve.";
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";

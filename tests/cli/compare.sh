@@ -145,10 +145,13 @@ has "$out" "Looks after every 4 of at most 16 runs: not decided after 8 runs."
 has "$out" "Next: ikbench run STUDY --set runs=12 for A and for B"
 succeeds compare $base $other "${looks[@]}" --max-runs 8
 has_no "$out" "Next: "
+has_no "$out" "Looks that are planned afterwards"
 run_it compare $base $other "${looks[@]}" --max-runs 8 --strict
 [ "$code" = 4 ] || fail "not decided at the limit: exit code $code, expected 4"
 is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
 decided=$(grep -o 'decided after [0-9]* runs' <<<"$out")
+has "$out" "looked at this study before, after "
+has "$out" "Looks that are planned afterwards do not keep the 5 %."
 make base --set runs=12
 make fewer --set runs=12 --set stop.iterations=5
 is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8

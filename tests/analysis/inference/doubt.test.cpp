@@ -29,6 +29,6 @@ TEST_CASE("times that are left out say whose, and other studies in which it is s
   doubt.studies = {"s", "t"};
   CHECK(
       words_of(Doubts{doubt, {.kind = DoubtKind::no_plan}}) ==
-      "Times are not comparable: 3 of 20 solves were imported, so their times were taken elsewhere. So it is in s, t. The "
+      "Times are not comparable: 3 of 20 solves were imported, so their times were taken elsewhere. The same holds for s, t. The "
       "study has no analysis plan; this is the default plan.");
 }

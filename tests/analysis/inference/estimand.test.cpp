@@ -296,6 +296,9 @@ TEST_CASE("the margin of shares is percentage points, whether they are outcomes 
   const Evidence judged = tested(shares, {});  // by means: 5 % of 0.5 would be 2.5 points
   CHECK(judged.contrasts.front().is_within_margin());
   CHECK(report::verdict_words(judged, judged.contrasts.front()) == "B is better by less than 5 percentage points");
+  const Evidence across = tested(shares, {.margin = 0.03});
+  CHECK(contains(report::verdict_words(across, across.contrasts.front()),
+                 " percentage points (margin 3 percentage points)"));
   for (Group& group : shares.groups) {
     for (double& value : group.values) value = 1;
   }

@@ -14,10 +14,12 @@
 #include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/answer.hpp"
 #include "analysis/report/assessment_sentences.hpp"
+#include "analysis/report/assessment_tables.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "results/csv.hpp"
 #include "results/published.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -210,6 +212,8 @@ TEST_CASE("only a margin on the other side of a difference would change its answ
       "What would change it: a margin above 1 %, because a difference may be smaller; other targets, arms, budgets or "
       "settings.");
   CHECK(change_at(0.005) == "What would change it: other targets, arms, budgets or settings.");
+  const Evidence across = evidence(near, {.test = "welch", .margin = 0.01});
+  CHECK(words_of(change_words(across, false)) == "What would change it: other targets, arms, budgets or settings.");
 }
 
 TEST_CASE("a margin in the unit of the values has no percent beside it", "[assessment]") {
@@ -225,7 +229,7 @@ TEST_CASE("a margin in the unit of the values has no percent beside it", "[asses
     return verdict_words(found, found.contrasts[0]);
   };
   CHECK(verdict(2) == "A is better by less than 2");
-  CHECK(verdict(1) == "A is better by less or more than 1");
+  CHECK(verdict(1) == "A is better by perhaps less than 1");
   CHECK(verdict(0.5) == "A is better by more than 0.5");
 }
 
@@ -462,6 +466,7 @@ TEST_CASE("a pair that is undecided only among all pairs has its own p beside th
     REQUIRE(pair.relation == Relation::undecided);
     CHECK(says(found, "for all 6 pairs, 0.0"));
     CHECK(says(found, " for this pair alone"));
+    CHECK(contains(tables_of(found).back().notes.front(), "may be decided alone, as ikbench compare judges it"));
     break;
   }
 }

@@ -199,8 +199,9 @@ TEST_CASE("evaluations that a program claims are not held against those that wer
   const JudgedStudy study(make_study("synthetic", solves));
   const Observations observed = observations(study, Metric::evaluations);
   CHECK(observed.groups.size() == 2);
-  CHECK(has(observed.notes,
-            "Evaluations of one, two are not compared: these were counted by the solver itself, those of the others by ikbench."));
+  CHECK(has(
+      observed.notes,
+      "Evaluations of one, two are not compared: these were counted by the solver itself, those of the others by ikbench."));
   CHECK(samples(study, Metric::evaluations)[2].values.size() == 12);
   CHECK(ranking_sentence(study, Metric::evaluations).find("one") >
         ranking_sentence(study, Metric::evaluations).find("; not compared: "));
