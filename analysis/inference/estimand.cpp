@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "analysis/inference/convergence.hpp"
@@ -46,32 +45,24 @@ double limit_of(const StudyResults& study, Metric metric) {
   return limit > 0 ? limit : not_defined;
 }
 
-// What a solve of each solver costs if it is not ok: `penalty` times the study's limit. Without a limit it is `penalty`
-// times the solver's own dearest solve, so that the other solvers of the study do not matter, and infinite for a solver
-// that solved nothing.
-std::vector<double> penalties(const StudyResults& study, Metric metric, const ValueOf& counted) {
+// The most that a solve may cost: the study's limit, or else what the dearest solve of all solvers cost. That of its
+// own solver would reward who gives up early.
+double most_of(const StudyResults& study, Metric metric, const ValueOf& counted) {
   const double limit = limit_of(study, metric);
-  std::vector<double> most(study.solve_data->labels.size(), limit);
-  if (std::isnan(limit)) {
-    std::vector<bool> solves(most.size(), false);
-    for (const Solve& solve : study.solves) {
-      most[solve.solver] = std::fmax(most[solve.solver], counted(solve));
-      if (is_ok(solve)) solves[solve.solver] = true;
-    }
-    for (std::size_t i = 0; i < most.size(); ++i) {
-      if (!solves[i]) most[i] = std::numeric_limits<double>::infinity();
-    }
+  if (std::isfinite(limit)) return limit;
+  double most = 0;
+  for (const Solve& solve : study.solves) {
+    const double value = counted(solve);
+    if (std::isfinite(value)) most = std::max(most, value);
   }
-  for (double& each : most) each *= penalty;
   return most;
 }
 
-// The counted cost, with a penalty for a solve that is not ok.
-ValueOf penalised(const StudyResults& study, Metric metric, ValueOf counted) {
-  std::vector<double> of_failures = penalties(study, metric, counted);
-  return [counted = std::move(counted), of_failures = std::move(of_failures), metric](const Solve& solve) {
+// The counted cost; of a solve that is not ok `penalty` times the most.
+ValueOf penalised(ValueOf counted, Metric metric, double most) {
+  return [counted = std::move(counted), metric, most](const Solve& solve) {
     const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(solve) || !is_known ? counted(solve) : of_failures[solve.solver];
+    return is_ok(solve) || !is_known ? counted(solve) : penalty * most;
   };
 }
 
@@ -88,15 +79,16 @@ void count_solved_runs(Quantity& result, const StudyResults& study, Metric metri
 ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, ValueOf counted) {
   const MetricInfo& info = info_of(metric);
   result.text = text_of({fmt::format("{} ({})", info.name, penalty_words(study, metric)), result.unit});
-  const double limit = limit_of(study, metric);
-  result.notes.push_back(
-      fmt::format("For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver "
-                  "gains by answers that solve nothing.",
-                  info.name, penalty,
-                  std::isnan(limit) ? "what the dearest solve of its solver cost, since the study has no limit"
-                                    : fmt::format("the study's limit of {}{}{}", rounded_number(limit, 6),
-                                                  info.unit.empty() ? "" : " ", info.unit)));
-  return penalised(study, metric, std::move(counted));
+  const double most = most_of(study, metric, counted);
+  const std::string value = fmt::format("{}{}{}", rounded_number(most, 6), info.unit.empty() ? "" : " ", info.unit);
+  result.notes.push_back(fmt::format(
+      "For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver gains by answers that solve "
+      "nothing.",
+      info.name, penalty,
+      std::isfinite(limit_of(study, metric))
+          ? fmt::format("the study's limit of {}", value)
+          : fmt::format("what the dearest solve of all solvers cost, {}, because the study has no limit", value)));
+  return penalised(std::move(counted), metric, most);
 }
 
 std::string tolerance_note(double least, std::string_view unit) {
@@ -213,7 +205,7 @@ bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(met
 
 std::string penalty_words(const StudyResults& study, Metric metric) {
   return fmt::format("failures: {:g} times {}", penalty,
-                     std::isnan(limit_of(study, metric)) ? "the solver's dearest" : "the limit");
+                     std::isnan(limit_of(study, metric)) ? "the dearest solve" : "the limit");
 }
 
 double distance_of(const StudyResults& study, Metric metric) {

@@ -45,8 +45,7 @@ double tolerance_of(const StudyResults& study, Metric metric);
 ValueOf counted_value(const StudyResults& study, Metric metric);
 
 // Returns whether a solve that is not ok costs `penalty` times the limit (PAR10): costs in studies with a tolerance.
-// The limit is the study's. Without one it is what the solver's own dearest solve cost, and infinite if it solved
-// nothing, so that a solver's costs do not depend on the other solvers.
+// The limit is the study's. Without one it is what the dearest solve of all solvers cost.
 bool is_penalised(const StudyResults& study, Metric metric);
 std::string penalty_words(const StudyResults& study, Metric metric);  // "failures: 10 times the limit"
 // `study` must outlive the result. mean: the average of the counted value (average_of), or the value of the whole run.

@@ -174,11 +174,9 @@ bool has_same_bits(const StudyResults& study, Metric metric) {
 }
 
 // Returns whether A and B are judged by the same values: where their tolerances differ, equal solves are not judged
-// alike. The infinite costs of two that solved nothing are the same only if their errors are, too.
-bool has_same_values(const StudyResults& study, const Observations& observations) {
-  const Group &a = observations.groups.front(), &b = observations.groups.back();
-  return std::ranges::equal(a.values, b.values, is_same_value) &&
-         (count_not_finite(a) < a.values.size() || has_same_bits(study, Metric::position_error_cm));
+// alike.
+bool has_same_values(const Observations& observations) {
+  return std::ranges::equal(observations.groups.front().values, observations.groups.back().values, is_same_value);
 }
 
 // Settles a pair as the same, without a test.
@@ -277,7 +275,7 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     row.remark = not_finite_words(observed, row.observation);
     const AnalysisPlan judged = feasible(study.plan, observed);
     const auto is_known = [](const Group& each) { return each.copies > 0; };
-    if (has_same_bits(study, metric) && has_same_values(study, observed)) {
+    if (has_same_bits(study, metric) && has_same_values(observed)) {
       settle(row, "equal bit for bit");
     } else if (std::ranges::all_of(observed.groups, is_known)) {
       row.contrast = tested(observed, judged).contrasts.front();

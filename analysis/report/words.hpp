@@ -227,7 +227,7 @@ inline constexpr Template departs = "This study departs from the built-in study 
 inline constexpr Template as_measured =
     "The numbers of this table are as measured. The report's answers count an error below the tolerance as the "
     "tolerance, and the cost of a solve without status ok as {penalty} times the "
-    "study's limit or, without one, of its solver's dearest solve.";
+    "study's limit or, without one, the dearest solve.";
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";

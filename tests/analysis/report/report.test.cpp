@@ -277,7 +277,7 @@ TEST_CASE("the table beside answers that count failures says that its numbers ar
         table.notes,
         "The numbers of this table are as measured. The report's answers count an error below the "
         "tolerance as the tolerance, and the cost of a solve without status ok as 10 times the study's limit or, "
-        "without one, of its solver's dearest solve.");
+        "without one, the dearest solve.");
   };
   CHECK(noted() == 0);  // no tolerance: nothing counts as a failure
   study.facts = facts_of(R"({"stop": {"tolerance_cm": 1}})");
