@@ -172,9 +172,9 @@ ComparedLabels judged(const Request& asked, const CompareArguments& arguments) {
                                   looked.state == LookState::settled ? "decided" : "not decided", looked.runs);
   compared.notes.push_back("Each level counts the looks: together they find what is not there as rarely as one look.");
   if (looked.state == LookState::open) {
-    compared.notes.push_back(
-        fmt::format("Next: ikbench run STUDY --set runs={} for A and for B, into the same folders, then compare again.",
-                    looked.runs + arguments.looks.step));
+    compared.notes.push_back(fmt::format(
+        "Next: ikbench run STUDY --set runs={} --no-report for A and for B, into the same folders, then compare again.",
+        looked.runs + arguments.looks.step));
   }
   return compared;
 }

@@ -45,12 +45,12 @@ void add_report(CLI::App& app, Invocation&) {
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
-      "  ikbench report out/slim2023/store.sqlite\n"
+      "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs --quartiles 7");
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
-    refuse_reproduction(folder);
+    refuse_reproduction(folder.empty() ? "." : folder);
     const Store store = open_to_look(arguments->store);
     write_and_announce(store, {.study = chosen_study(store, arguments->study).name,
                                .folder = folder.empty() ? "." : folder,

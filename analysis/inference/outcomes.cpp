@@ -61,6 +61,7 @@ Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contras
 }
 
 bool are_outcomes(const Observations& observations) {
+  if (observations.scale == ValueScale::log10) return false;
   bool zeros = false, ones = false;
   for (const Group& group : observations.groups) {
     if (group.values.empty()) return false;

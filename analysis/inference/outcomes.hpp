@@ -14,7 +14,7 @@
 
 namespace ikbench::inference {
 
-// Returns whether every value is 0 or 1. If they are not known to be shares, both must occur.
+// Returns whether every value is 0 or 1, and no logarithm. If they are not known to be shares, both must occur.
 bool are_outcomes(const Observations& observations);
 
 // Share of a solver's solves with status ok, with Wilson's interval. The interval assumes independent solves, such as

@@ -142,7 +142,7 @@ other=other/store.sqlite looks=(--metric position_error_cm --sequential --step 4
 run_it compare $base $other "${looks[@]}" --max-runs 16 --strict
 [ "$code" = 5 ] || fail "not decided after 8 of 16 runs: exit code $code, expected 5; it said: $out $err"
 has "$out" "Looks after every 4 of at most 16 runs: not decided after 8 runs."
-has "$out" "Next: ikbench run STUDY --set runs=12 for A and for B"
+has "$out" "Next: ikbench run STUDY --set runs=12 --no-report for A and for B"
 succeeds compare $base $other "${looks[@]}" --max-runs 8
 has_no "$out" "Next: "
 has_no "$out" "Looks that are planned afterwards"

@@ -306,6 +306,15 @@ TEST_CASE("the margin of shares is percentage points, whether they are outcomes 
   CHECK(report::verdict_words(outcomes, outcomes.contrasts.front()) == "undecided");
 }
 
+TEST_CASE("logarithms of 1 and 10 are no outcomes", "[estimand]") {
+  const Observations logarithms{
+      .name = "x",
+      .quantity = "typical x",
+      .scale = ValueScale::log10,
+      .groups = {{.name = "A", .values = {0, 1, 0, 1, 1}}, {.name = "B", .values = {1, 0, 1, 1, 1}}}};
+  CHECK(!tested(logarithms, {}).of_outcomes);
+}
+
 TEST_CASE("who gives up on dear targets is not cheaper, also without a limit", "[estimand]") {
   std::vector<GivenRun> runs;
   for (int run = 0; run < 20; ++run) {
