@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::figures {
 
@@ -101,7 +101,7 @@ std::map<int, std::vector<double>> joint_angles_deg(const std::map<int, const So
   for (const auto& [point, solve] : solves) joints = std::max(joints, solve->answer_rad.size());
   std::map<int, std::vector<double>> angles;
   for (const auto& [point, solve] : solves) {
-    for (const double angle : solve->answer_rad) angles[point].push_back(angle * 180 / std::numbers::pi);
+    for (const double angle : solve->answer_rad) angles[point].push_back(angle / degree);
     angles[point].resize(joints, not_defined);
   }
   return angles;

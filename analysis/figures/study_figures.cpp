@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -20,6 +19,7 @@
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "numerics/number.hpp"
+#include "numerics/units.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::figures {
@@ -212,21 +212,6 @@ namespace {
 
 constexpr std::size_t most_panels = 12;
 
-// The limits of an arm, each pair once, with the joints that have it: "-120 to 120 deg (joints 2, 4, 6)". Only those
-// that turn, and only where the definition has an arm of so many joints.
-std::map<std::pair<double, double>, std::vector<std::size_t>> limits_deg(const StudyFacts& facts, std::size_t joints) {
-  std::map<std::pair<double, double>, std::vector<std::size_t>> limits;
-  const std::optional<Robot> arm = stored_arm(facts.json);
-  if (!arm || arm->chain.links().size() != joints) return limits;
-  for (std::size_t joint = 0; joint < joints; ++joint) {
-    const auto j = static_cast<Eigen::Index>(joint);
-    const double lower = arm->limits.lower[j], upper = arm->limits.upper[j];
-    if (arm->chain.links()[joint].joint == Joint::slides || is_endless(lower, upper)) continue;
-    limits[{lower * 180 / std::numbers::pi, upper * 180 / std::numbers::pi}].push_back(joint + 1);
-  }
-  return limits;
-}
-
 // The joints in a solver's first run: angles [deg], or positions [cm] if they slide.
 struct Panel {
   std::string solver;
@@ -242,7 +227,7 @@ std::vector<Panel> panels_of(const StudyResults& study) {
     panels.push_back({solver, solves.begin()->second->run, joint_angles_deg(solves)});
     for (auto& [point, joints] : panels.back().joints) {
       for (const std::size_t joint : study.facts.slides) {
-        if (joint < joints.size()) joints[joint] *= 100 * std::numbers::pi / 180;
+        if (joint < joints.size()) joints[joint] *= degree / centimetre;
       }
     }
     if (panels.back().joints.begin()->second.empty()) panels.pop_back();
@@ -263,6 +248,19 @@ std::string panel_commands(const Panel& panel, const std::string& source, std::s
 }
 
 }  // namespace
+
+std::vector<JointLimits> limits_deg(const StudyFacts& facts, std::size_t joints) {
+  std::vector<JointLimits> limits;
+  const std::optional<Robot> arm = stored_arm(facts.json);
+  if (!arm || arm->chain.links().size() != joints) return limits;
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    const auto j = static_cast<Eigen::Index>(joint);
+    const double lower = arm->limits.lower[j], upper = arm->limits.upper[j];
+    if (arm->chain.links()[joint].joint == Joint::slides || is_endless(lower, upper)) continue;
+    limits.push_back({joint + 1, lower / degree, upper / degree});
+  }
+  return limits;
+}
 
 std::optional<Figure> joints_figure(const StudyResults& study, const std::string& name) {
   std::vector<Panel> panels = panels_of(study);
@@ -291,8 +289,10 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
                                                    "set yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 "
                                                    "bottom center vertical maxrows {3}\n",
                                                    -range, range, range <= 180 ? "set ytics 60\n" : "", legend_rows);
+  std::map<std::pair<double, double>, std::vector<std::size_t>> pairs;  // each once, with the joints that have it
+  for (const auto& [joint, lower, upper] : limits_deg(study.facts, joints)) pairs[{lower, upper}].push_back(joint);
   std::vector<std::string> limits;
-  for (const auto& [pair, of_joints] : limits_deg(study.facts, joints)) {
+  for (const auto& [pair, of_joints] : pairs) {
     limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
                                  rounded_number(pair.second, 4), of_joints.size() == 1 ? "" : "s",
                                  fmt::join(of_joints, ", ")));

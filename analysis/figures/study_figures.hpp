@@ -2,6 +2,7 @@
 // run.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +20,12 @@ Figure path_figure(const inference::StudyResults& study, const std::string& name
 // `printed` is drawn in grey, by point.
 Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed = {});
+struct JointLimits {
+  std::size_t joint;  // from 1
+  double lower, upper;
+};
+// The limits of the joints that turn [deg]; only where the definition has an arm of so many joints.
+std::vector<JointLimits> limits_deg(const inference::StudyFacts& facts, std::size_t joints);
 // One sheet with a panel per solver with answers; none if there is no such solver.
 std::optional<Figure> joints_figure(const inference::StudyResults& study, const std::string& name);
 

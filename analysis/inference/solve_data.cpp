@@ -54,7 +54,7 @@ double norm_deg(std::size_t joints, const std::set<std::size_t>& slides, Element
 }
 
 double angle_deg(const std::vector<double>& answer, std::size_t joint) {
-  return joint < answer.size() ? answer[joint] * 180 / std::numbers::pi : not_defined;
+  return joint < answer.size() ? answer[joint] / numerics::degree : not_defined;
 }
 
 using JointAngles = std::vector<std::vector<double>>;
@@ -192,7 +192,7 @@ void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver)
   for (std::size_t joint = 0; joint < record.answer_rad.size(); ++joint) {
     StraightJoint& straight = own.joints[joint];
     const double off = std::remainder(record.answer_rad[joint], std::numbers::pi);
-    const double distance = std::abs(off * 180 / std::numbers::pi);
+    const double distance = std::abs(off / numerics::degree);
     straight.nearest_deg = std::min(straight.nearest_deg, distance);
     ++straight.answers;
     straight.near += distance < StraightJoint::near_deg ? 1 : 0;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <numbers>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
+#include "numerics/units.hpp"
 #include "results/files.hpp"
 #include "robots/robot.hpp"
 
@@ -36,7 +36,7 @@ Json rounded(const std::vector<double>& values) {
 // Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
 // Computed here because the page has rounded angles.
 Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
-  constexpr double degree = std::numbers::pi / 180, rounding = 1e-9;
+  constexpr double rounding = 1e-9;
   Json list = Json::array();
   if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
   for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
@@ -44,8 +44,9 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
     const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
     if (!(outside > rounding)) continue;
     const bool slides = arm.chain.links()[joint].joint == robots::Joint::slides;
-    list.push_back(
-        {{"joint", joint}, {"by", slides ? outside * 100 : outside / degree}, {"unit", slides ? " cm" : "\u00b0"}});
+    list.push_back({{"joint", joint},
+                    {"by", slides ? outside * 100 : outside / numerics::degree},
+                    {"unit", slides ? " cm" : "\u00b0"}});
   }
   return list;
 }

@@ -7,17 +7,17 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <vector>
 
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/slim2023/published_numbers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
-#include "robots/robot.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::slim2023 {
 
@@ -42,7 +42,7 @@ Angles angles_of(const SolveRecord& solve) {
   Angles result;
   for (std::size_t i = 0; i < angles_of_table; ++i) {
     const double angle = i < solve.answer_rad.size() ? solve.answer_rad[i] : not_defined;
-    result[i] = angle * 180 / std::numbers::pi;
+    result[i] = angle / degree;
   }
   if (solve.answer_rad.size() == 3) result[3] = result[0];
   return result;
@@ -203,14 +203,14 @@ std::optional<Figure> printed_joints_figure(const StudyResults& study, const std
                                   joint == 4 ? "points ls 4 pt 8 ps 0.8" : fmt::format("linespoints ls {}", joint),
                                   labels.back()));
   }
-  const std::optional<robots::Robot> arm = robots::stored_arm(study.facts.json);
-  for (Eigen::Index joint = 0; arm && joint < std::min<Eigen::Index>(arm->joints(), angles_of_table); ++joint) {
-    for (const double limit : {arm->limits.lower[joint], arm->limits.upper[joint]}) {
-      const double deg = limit * 180 / std::numbers::pi;
-      if (!(deg > axis.low && deg < axis.high)) continue;
-      limits.push_back(fmt::format("{} deg (joint {})", rounded_number(deg, 4), joint + 1));
+  const auto angles = joint_angles_deg(first_run(study, study.solvers.front()));
+  const std::size_t joints = angles.empty() ? 0 : angles.begin()->second.size();
+  for (const auto& [joint, lower, upper] : limits_deg(study.facts, joints)) {
+    for (const double limit : {lower, upper}) {
+      if (joint > angles_of_table || !(limit > axis.low && limit < axis.high)) continue;
+      limits.push_back(fmt::format("{} deg (joint {})", rounded_number(limit, 4), joint));
       clauses.push_back(
-          fmt::format("{} with lines lw 0.7 dt 2 lc rgb word(colours, {}) notitle", text_of(deg), joint + 1));
+          fmt::format("{} with lines lw 0.7 dt 2 lc rgb word(colours, {}) notitle", text_of(limit), joint));
     }
   }
   if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits {}.", fmt::join(limits, ", "));
