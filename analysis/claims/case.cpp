@@ -174,19 +174,24 @@ ComparedWithOthers compared_with_others(const Evidence& evidence, const std::str
 
 std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" ({})", p_words(p)) : ""; }
 
-std::string with_unit(double value, std::string_view unit) {
-  return fmt::format("{}{}{}", short_number(value), unit.empty() ? "" : " ", unit);
+std::string number_of(double value, Metric metric) {
+  return short_number(info_of(metric).kind == Kind::time ? 1000 * value : value);
 }
 
-std::string list_of(const Evidence& evidence, const std::string& solver, std::string_view unit) {
+std::string with_unit(double value, Metric metric) {
+  const std::string_view unit = info_of(metric).kind == Kind::time ? "ms" : info_of(metric).unit;
+  return fmt::format("{}{}{}", number_of(value, metric), unit.empty() ? "" : " ", unit);
+}
+
+std::string list_of(const Evidence& evidence, const std::string& solver, Metric metric) {
   std::vector<RankedSolver> others;
   std::string list;
   for (const GroupEvidence& group : evidence.groups) {
-    if (group.name == solver) list = fmt::format("{} {}", solver, with_unit(group.described.mean, unit));
+    if (group.name == solver) list = fmt::format("{} {}", solver, with_unit(group.described.mean, metric));
     if (group.name != solver) others.push_back({group.name, group.described.mean});
   }
   for (const RankedSolver& other : ranked(std::move(others))) {
-    list += fmt::format(", {} {}{}", other.solver, short_number(other.mean),
+    list += fmt::format(", {} {}{}", other.solver, number_of(other.mean, metric),
                         in_brackets(judge(evidence, solver, other.solver).p));
   }
   return list;

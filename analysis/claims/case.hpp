@@ -81,9 +81,11 @@ ComparedWithOthers compared_with_others(const inference::Evidence& evidence, con
                                         Extreme claimed = Extreme::smallest);
 
 std::string in_brackets(double p);  // " (p = 0.01)"
-std::string with_unit(double value, std::string_view unit);
+// A metric's value in a claim; all times are in ms.
+std::string number_of(double value, inference::Metric metric);
+std::string with_unit(double value, inference::Metric metric);  // "0.0017 cm"
 // "IK-BA 0.0017 cm, K-ABC 0.208 (p = 0.001), DE 0.253 (p = 0.002)", the others by their means.
-std::string list_of(const inference::Evidence& evidence, const std::string& solver, std::string_view unit);
+std::string list_of(const inference::Evidence& evidence, const std::string& solver, inference::Metric metric);
 std::string how_tested(const inference::Evidence& here, const inference::Evidence& printed);
 
 }  // namespace ikbench::claims

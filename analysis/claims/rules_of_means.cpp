@@ -33,13 +33,6 @@ namespace {
 
 std::string named(Metric metric) { return inference::capitalised(info_of(metric).name); }
 
-// "0.0017 cm, K-ABC 0.208"; times in ms.
-std::string number_of(const ComparedWithOthers& ours, Metric metric) {
-  const double unit = metric == Metric::seconds ? 1000 : 1;
-  return fmt::format("{}, {} {}", with_unit(unit * ours.own_mean, unit == 1000 ? "ms" : info_of(metric).unit),
-                     ours.nearest, short_number(unit * ours.nearest_mean));
-}
-
 // The answers of the plan's other estimands about a solver that is claimed to be the first.
 struct OtherEstimands {
   std::string against = {};  // "; by typical error PSO is better": those that find others better; empty where none does
@@ -88,9 +81,9 @@ Claims compared(const Case& of, Extreme claimed) {
     here.push_back(verdict_on(ours.found));
     const bool is_judged = !found->contrasts.empty() || metric != Metric::seconds;
     if (is_judged) {
-      claim.evidence.push_back(
-          fmt::format("{}: {}.", named(metric), list_of(*found, entry.solver, info_of(metric).unit)));
-      claim.number = number_of(ours, metric);
+      claim.evidence.push_back(fmt::format("{}: {}.", named(metric), list_of(*found, entry.solver, metric)));
+      claim.number = fmt::format("{}, {} {}", with_unit(ours.own_mean, metric), ours.nearest,
+                                 number_of(ours.nearest_mean, metric));
       test = how_tested(*found, *found);
     } else {
       claim.evidence.push_back(
@@ -100,8 +93,7 @@ Claims compared(const Case& of, Extreme claimed) {
     if (printed.empty()) continue;
     const Evidence of_print = of.printed_evidence(printed);
     in_print.push_back(verdict_on(compared_with_others(of_print, entry.solver, claimed).found));
-    printed_lists +=
-        fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, entry.solver, info_of(metric).unit));
+    printed_lists += fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, entry.solver, metric));
     if (!test.empty()) test = how_tested(*found, of_print);
   }
   claim.verdict = verdict_on(here);
@@ -177,8 +169,7 @@ std::string our_ranking(const std::vector<Pair>& pairs, Metric metric) {
   ours = ranked(std::move(ours));
   printed = ranked(std::move(printed));
   std::vector<std::string> list;
-  for (const RankedSolver& each : ours)
-    list.push_back(fmt::format("{} {}", each.solver, with_unit(each.mean, info_of(metric).unit)));
+  for (const RankedSolver& each : ours) list.push_back(fmt::format("{} {}", each.solver, with_unit(each.mean, metric)));
   return fmt::format("{}. {}; first is {}{}.", fmt::join(list, ", "), printed_order_words(compare_pairs(printed, ours)),
                      first_words(ours), first_of(ours) == first_of(printed) ? ", as printed" : "");
 }
@@ -198,9 +189,10 @@ Claims ranking(const Case& of) {
     const FoundOrder here = found_order(tested, printed);
     claim.verdict = verdict_on(here);
     claim.number = fmt::format("{} of {} pairs by the test", here.pairs.better, here.pairs.all());
-    claim.evidence = {fmt::format("Here: {}", our_ranking(printed, metric)),
-                      fmt::format("Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
-                                  pair_test_words(tested), here.pairs.better, here.pairs.all(), here.pairs.worse)};
+    claim.evidence = {
+        fmt::format("Here, by the {} of the runs: {}", average_name(metric), our_ranking(printed, metric)),
+        fmt::format("Found by {}: {} of {} pairs in the printed order and {} in the reverse.", pair_test_words(tested),
+                    here.pairs.better, here.pairs.all(), here.pairs.worse)};
   } else {
     claim.evidence = {fmt::format("Here: not ranked, because {} (see the warnings).", times_not_judged)};
     claim.number = times_not_judged;
@@ -329,9 +321,9 @@ Verdict verdict_on(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
 }
 
 std::string spread_words(const std::vector<Spread>& spreads, const std::string& solver, Metric metric) {
-  std::string list = fmt::format("{} {}", solver, with_unit(spreads.front().own, info_of(metric).unit));
+  std::string list = fmt::format("{} {}", solver, with_unit(spreads.front().own, metric));
   for (const Spread& spread : spreads) {
-    list += fmt::format(", {} {}{}", spread.other, short_number(spread.others), in_brackets(spread.p));
+    list += fmt::format(", {} {}{}", spread.other, number_of(spread.others, metric), in_brackets(spread.p));
   }
   return list;
 }
@@ -358,8 +350,8 @@ Claims least_spread(const Case& of) {
   claim.verdict = verdict_on(here, study.plan);
   claim.printed = verdict_on(printed, study.plan);
   const Spread& nearest = std::ranges::min(here, {}, &Spread::others);
-  claim.number = fmt::format("{}, {} {}", with_unit(own.ours.std, info_of(metric).unit), nearest.other,
-                             short_number(nearest.others));
+  claim.number =
+      fmt::format("{}, {} {}", with_unit(own.ours.std, metric), nearest.other, number_of(nearest.others, metric));
   claim.evidence = {fmt::format("Standard deviation of the run means: {}.", spread_words(here, own.solver, metric)),
                     fmt::format("Printed: {}.", spread_words(printed, own.solver, metric)),
                     "p-values: Brown-Forsythe test of each pair, printed: Bartlett's; after Holm."};

@@ -102,10 +102,10 @@ Claims has_effect(const Case& of) {
   PairCounts one;
   one.add(found.relation);
   claim.verdict = verdict_on(one);
-  claim.evidence = {fmt::format("{} of {} answers change without it.", changed, shared),
-                    fmt::format("{}: {} {} with, {} without{}.", inference::capitalised(info_of(metric).name),
-                                short_number(means[0].mean), info_of(metric).unit, short_number(means[1].mean),
-                                in_brackets(found.p))};
+  claim.evidence = {
+      fmt::format("{} of {} answers change without it.", changed, shared),
+      fmt::format("{}: {} with, {} without{}.", inference::capitalised(info_of(metric).name),
+                  with_unit(means[0].mean, metric), number_of(means[1].mean, metric), in_brackets(found.p))};
   return {claim};
 }
 

@@ -188,6 +188,8 @@ TEST_CASE("an order that most pairs keep holds in part", "[claims]") {
   CHECK(verdict_of(second, "pso_fastest") == Verdict::fails);  // 2.63 ms against IK-BA's 2.4
   CHECK(verdict_of(second, "faster_than_challengers") == Verdict::holds);
   CHECK(verdict_of(second, "mo_pso_slowest") == Verdict::holds);
+  CHECK(contains(evidence_text(claim_of(second, "time_order")), "Here, by the median of the runs: IK-BA 2.4"));  // ms
+  CHECK(contains(evidence_text(claim_of(second, "pso_fastest")), "Printed: PSO 207 ms, IK-BA 244"));
   for (SolveRecord& solve : solves) solve.seconds = solve.cpu_seconds = 0.02 - solve.seconds;
   const auto reversed = claims_of(study_of(solves));
   CHECK(verdict_of(reversed, "time_order") == Verdict::fails);
