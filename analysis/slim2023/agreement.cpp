@@ -130,7 +130,7 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   const std::vector<Agreement> all = agreements(study, repetitions);
   if (all.empty()) return std::nullopt;
   Table table{.name = "agreement",
-              .caption = "Table 3, our numbers beside the printed ones",
+              .caption = "Table 3, every number rounded and beside the printed one",
               .columns = {"algorithm", "metric"}};
   for (const auto& [name, field] : printed_statistics) table.columns.emplace_back(name);
   for (std::size_t i = 0; i < all.size(); ++i) {

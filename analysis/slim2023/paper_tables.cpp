@@ -121,6 +121,11 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
           : "whether the printed mean lies within the 95 % predictive range of our studies (table agreement).",
       time_reference, time_reference, time_reference);
   table.notes.push_back(std::move(note));
+  if (!repetitions.empty()) {
+    table.notes.emplace_back(
+        "Table agreement has the same numbers, rounded, each beside the printed one. Here they have more digits, times are "
+        "in seconds, and only means are compared.");
+  }
   return table;
 }
 

@@ -118,6 +118,7 @@ TEST_CASE("the table has our numbers beside the printed digits, and a word where
 
   const Table table_3_here = table_3(study_with(0.001), repetitions);
   CHECK(readable(table_3_here.rows[0].back()) == "in our range");
+  CHECK(table_3_here.notes.back().starts_with("Table agreement has the same numbers, rounded"));
   const std::string sentence = agreement_sentence(agreements(study_with(0.001), repetitions));
   CHECK(sentence.starts_with("4 of 10 printed errors and variations lie where 95 % of our repetitions do"));
   CHECK(agreement_sentence({}).empty());
