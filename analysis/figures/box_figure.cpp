@@ -161,6 +161,7 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
                         ? fmt::format("the values; of more than {0} in a group, {0} at even ranks.", most_strip_values)
                         : "every value.";
   if (!observations.replicate.empty()) figure.caption += fmt::format(" One value is {}.", observations.replicate);
+  for (const std::string& note : observations.counting) figure.caption += ' ' + note;
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
   if (undrawn)
     figure.caption +=

@@ -119,7 +119,7 @@ Observations without_groups(const Quantity& quantity) {
           .unit = quantity.unit,
           .better = quantity.better,
           .scale = quantity.scale,
-          .notes = quantity.notes};
+          .counting = quantity.notes};
 }
 
 void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -259,7 +260,8 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.block = observations.block;
   result.block_noun = observations.block_noun;
   result.blocks = observations.blocks.size();
-  result.notes = observations.notes;
+  result.notes = observations.counting;
+  std::ranges::copy(observations.notes, std::back_inserter(result.notes));
   result.flaws = observations.flaws;
   result.of_outcomes = are_outcomes(observations) &&
                        std::ranges::all_of(observations.groups, [](const Group& group) { return group.copies == 0; });

@@ -39,11 +39,12 @@ struct Observations {
   // Names of the blocks (targets, problems) that all groups share: values[i] of each group belongs to blocks[i]. Empty
   // if groups are independent samples.
   std::vector<std::string> blocks = {};
-  std::string replicate = {};           // one observation in words: "a run's mean over its 20 points"
-  std::string block = {};               // one block in words; empty if there are none
-  std::string block_noun = "blocks";    // plural for sentences: "targets"
-  std::vector<std::string> notes = {};  // missing values, incomplete blocks left out, times that are not clean, ...
-  double margin = 0;                    // absolute, in the unit of the values; 0: the plan's margin only
+  std::string replicate = {};              // one observation in words: "a run's mean over its 20 points"
+  std::string block = {};                  // one block in words; empty if there are none
+  std::string block_noun = "blocks";       // plural for sentences: "targets"
+  std::vector<std::string> counting = {};  // how failures and small values count
+  std::vector<std::string> notes = {};     // missing values, incomplete blocks left out, times that are not clean, ...
+  double margin = 0;                       // absolute, in the unit of the values; 0: the plan's margin only
   Doubts flaws = {};  // reasons to doubt them: no replicates, missing values, times that are not clean
 };
 

@@ -236,7 +236,8 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     const Observations observed = observations(study, metric, estimand);
     if (metric == Metric::solved && !std::isfinite(tolerance_cm(study)))
       comparison.notes.push_back(words_of(Doubt{.kind = DoubtKind::no_tolerance}));
-    for (const std::string& note : observed.notes) comparison.notes.push_back(note);
+    for (const auto* notes : {&observed.counting, &observed.notes})
+      std::ranges::copy(*notes, std::back_inserter(comparison.notes));
     const auto group = [&](const char* name) { return std::ranges::find(observed.groups, name, &Group::name); };
     const Doubts& why_not =
         info_of(metric).kind == Kind::time && !of.times_differ.empty() ? of.times_differ : observed.flaws;

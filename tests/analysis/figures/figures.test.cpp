@@ -179,6 +179,12 @@ TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") 
   CHECK(contains(data(by_type_7), "1 1 3 5 7 8 9 0"));  // type 7 by hand: 1 + 0.25 * 8 = rank 3, rank 7
 }
 
+TEST_CASE("a box plot says how small values and failures count", "[figure]") {
+  const Observations counted{
+      .name = "o", .quantity = "error", .groups = {{"A", {1, 2}}}, .counting = {"Below 1 is 1."}};
+  CHECK(box_figure(counted, QuantileType::type_5, "o").caption.ends_with(" every value. Below 1 is 1."));
+}
+
 TEST_CASE("a solver keeps its colour where another one is left out", "[figure]") {
   const StudyResults all = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 9, .points = 1}));
   const StudyResults alone = of_solvers(all, [](std::string_view solver) { return solver == "B"; });

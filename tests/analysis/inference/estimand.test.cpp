@@ -114,7 +114,7 @@ TEST_CASE("an observation is the mean, the mean of logarithms or the share withi
   CHECK(logarithms.name == "error-typical");
   CHECK(logarithms.quantity == "typical position error [cm]");
   CHECK(logarithms.replicate == "the geometric mean of a run over its 2 points");
-  CHECK(logarithms.notes.front() == "A value below 1e-07 cm counts as 1e-07 cm, because below that it is rounding.");
+  CHECK(logarithms.counting.front() == "A value below 1e-07 cm counts as 1e-07 cm, because below that it is rounding.");
 }
 
 TEST_CASE("the distance of reliability is the study's tolerance, or else what its plan says", "[estimand]") {
@@ -397,7 +397,7 @@ TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
     CHECK(contains(leader_words(study, position_error, estimand), "the same within 5 %"));
   }
   CHECK(values(study, Estimand::mean).front() == 0.1);
-  CHECK(contains(fmt::format("{}", fmt::join(observations(study, position_error).notes, " ")),
+  CHECK(contains(fmt::format("{}", fmt::join(observations(study, position_error).counting, " ")),
                  "An error below the tolerance of 0.1 cm counts as 0.1 cm: below it solvers are the same."));
   CHECK(judge(judged_runs(runs).evidence(position_error, Estimand::mean), "A", "B").relation == Relation::better);
 }
