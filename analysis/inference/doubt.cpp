@@ -145,7 +145,7 @@ std::string words_of(const Doubt& doubt) {
       fmt::arg("waited", doubt.has_programs ? ", or waited for a processor for more than a tenth of it" : ""));
   if (is_of_times(doubt.kind)) {
     text = doubt.is_of_all ? fmt::format("{}: {}", times, text)
-                           : fmt::format("Times are left out: those of {}, because {}", who, text);
+                           : fmt::format("Times of {} are not compared, because {}", who, text);
   }
   if (doubt.errors_too) text += " Solves end by their wall time, so that errors depend on that too.";
   if (!doubt.studies.empty()) text += fmt::format(" The same holds for {}.", fmt::join(doubt.studies, ", "));

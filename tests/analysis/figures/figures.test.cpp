@@ -179,10 +179,15 @@ TEST_CASE("the data file of a box plot has the numbers of the box", "[figure]") 
   CHECK(contains(data(by_type_7), "1 1 3 5 7 8 9 0"));  // type 7 by hand: 1 + 0.25 * 8 = rank 3, rank 7
 }
 
-TEST_CASE("a box plot says how small values and failures count", "[figure]") {
+TEST_CASE("a box plot says how small values and failures count, and whose drawn times are not compared", "[figure]") {
   const Observations counted{
       .name = "o", .quantity = "error", .groups = {{"A", {1, 2}}}, .counting = {"Below 1 is 1."}};
   CHECK(box_figure(counted, QuantileType::type_5, "o").caption.ends_with(" every value. Below 1 is 1."));
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B", "C"}, .runs = 9, .points = 1});
+  for (SolveRecord& solve : solves) solve.cpu_seconds = (solve.solver == "C" ? 0.5 : 1) * solve.seconds;
+  const Figure times = box_figure(make_study("s", solves), Metric::seconds, "times");
+  CHECK(contains(times.plot, "index 3 using"));  // C is drawn
+  CHECK(contains(times.caption, "Times of C are not compared, because 9 of 9 solves"));
 }
 
 TEST_CASE("a solver keeps its colour where another one is left out", "[figure]") {

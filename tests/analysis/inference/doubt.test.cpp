@@ -21,10 +21,10 @@ TEST_CASE("every kind of doubt has a title, and words that its fields fill", "[d
   }
 }
 
-TEST_CASE("times that are left out say whose, and other studies in which it is so", "[doubt]") {
+TEST_CASE("times that are not compared say whose, and other studies in which it is so", "[doubt]") {
   Doubt doubt{.kind = DoubtKind::times_imported, .who = {"A"}, .count = 3, .of = 20};
   CHECK(words_of(doubt) ==
-        "Times are left out: those of A, because 3 of 20 solves were imported, so their times were taken elsewhere.");
+        "Times of A are not compared, because 3 of 20 solves were imported, so their times were taken elsewhere.");
   doubt.is_of_all = true;
   doubt.studies = {"s", "t"};
   CHECK(

@@ -162,7 +162,7 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
   const std::string note = words_of(times_doubts(study));
   CHECK(
       note ==
-      "Times are left out: those of program, because 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
+      "Times of program are not compared, because 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
       "processor for more than a tenth of it, so other programs were running.");
   study.facts = facts_of(R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})");
   CHECK(words_of(times_doubts(study)) == note + " Solves end by their wall time, so that errors depend on that too.");
@@ -176,7 +176,7 @@ TEST_CASE("times of a program are ranked with those of built-in solvers only whe
   CHECK(solvers_left_out(study, Metric::seconds) == std::set<std::string, std::less<>>{"program"});
   CHECK(
       words_of(times_doubts(study)) ==
-      "Times are left out: those of program, because they have messages and another process in them. analysis.program_times = "
+      "Times of program are not compared, because they have messages and another process in them. analysis.program_times = "
       "\"compared\" compares them all the same.");
   CHECK(observations(study, Metric::seconds).groups.size() == 2);
   CHECK(observations(study, Metric::position_error_cm).groups.size() == 3);
@@ -219,7 +219,7 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
   CHECK(times_are_comparable(study));
   CHECK(
       words_of(times_doubts(study)) ==
-      "Times are left out: those of PSO, because 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
+      "Times of PSO are not compared, because 400 of 400 solves took more than 1.1 times their CPU time, so other programs "
       "were running.");
   CHECK(study.evidence(Metric::seconds).groups.size() == 5);
   CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").relation == Relation::better);
@@ -248,7 +248,7 @@ TEST_CASE("imported solves take no times from several others", "[uncounted]") {
   CHECK(times_are_comparable(study));
   CHECK(
       words_of(times_doubts(study)) ==
-      "Times are left out: those of theirs, because 24 of 72 solves were imported, so their times were taken elsewhere.");
+      "Times of theirs are not compared, because 24 of 72 solves were imported, so their times were taken elsewhere.");
 }
 
 TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {
