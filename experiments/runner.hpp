@@ -27,7 +27,7 @@ struct RunRequest {
   std::string command = {};                       // the typed command, for the record
   const std::atomic<bool>* cancelled = nullptr;   // checked before every solve; finished solves stay
   Shard shard = {};                               // the part of the study to solve, and to count in the progress
-  std::chrono::milliseconds patience{0};          // how long a solve may wait to be stored with others
+  std::chrono::milliseconds patience{0};          // solves within it of the last transaction wait for the next
 };
 
 // `study` must be as the study reader gives it: known names, one initial angle per joint.
