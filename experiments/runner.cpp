@@ -248,13 +248,18 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
     waiting.clear();
     stored_last = std::chrono::steady_clock::now();
   };
-  solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
-    for (SolveRecord& record : records) {
-      record.session = session_id;
-      waiting.push_back(std::move(record));
-    }
-    if (std::chrono::steady_clock::now() - stored_last >= request.patience) store_them();
-  });
+  try {
+    solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
+      for (SolveRecord& record : records) {
+        record.session = session_id;
+        waiting.push_back(std::move(record));
+      }
+      if (std::chrono::steady_clock::now() - stored_last >= request.patience) store_them();
+    });
+  } catch (...) {
+    store_them();  // what waits is solved, whatever ended the run
+    throw;
+  }
   store_them();
   progress.notes = tell_of_programs(plan, store, session_id);
   if (const double stolen = processor_seconds().stolen - stolen_before; stolen >= 0) {
