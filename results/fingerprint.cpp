@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
-#include <utility>
+#include <vector>
 
 #include "results/hashed_column.hpp"
 
@@ -57,10 +57,6 @@ class Hash {
 
   std::uint64_t first_ = 1, second_ = 2;
 };
-
-}  // namespace
-
-namespace {
 
 // For each column of a record, in order, whether it is in a fingerprint.
 const std::vector<bool>& covered() {
