@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
@@ -240,12 +241,12 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   auto stored_last = std::chrono::steady_clock::now();
   const auto store_them = [&] {
     if (waiting.empty()) return;
-    store.append(waiting);
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
+    const std::vector<SolveRecord> stored = std::exchange(waiting, {});  // nothing is stored twice, whatever fails here
+    store.append(stored);
+    for (std::size_t i = 0; i < stored.size(); ++i) {
       ++progress.done;
       if (request.progress) request.progress(progress);
     }
-    waiting.clear();
     stored_last = std::chrono::steady_clock::now();
   };
   try {
