@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -83,31 +82,23 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
   if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
 }
 
-// Takes the level of this look if there were earlier ones with other numbers of runs of these solvers, says so, and
-// remembers it.
-void look(Request& asked, const std::set<std::string>& solvers, const std::string& study,
-          const std::filesystem::path& store) {
-  int runs = 0;
-  for (const VariantStudy& each : asked.studies) {
-    for (const SolverCounts& count : counts(each.study)) {
-      if (solvers.contains(count.solver)) runs = std::max(runs, count.complete_runs);
-    }
+// Takes the level of this look if there were earlier ones with other numbers of runs, says so, and remembers it.
+// Planned looks have levels of their own, which hold only if nobody looked before.
+void look(Request& asked, bool is_planned, const Store& store, const StudyEntry& study) {
+  const std::vector<Look> looks = looks_at(study.name, store.name());
+  if (is_planned) {
+    std::vector<int> runs;
+    for (const Look& each : looks) runs.push_back(each.runs);
+    if (runs.empty()) return;
+    asked.notes.push_back(fmt::format(report::words::looked_before_plan, fmt::arg("runs", fmt::join(runs, ", ")),
+                                      fmt::arg("level", percent(asked.plan.significance))));
+    return;
   }
-  const std::vector<Look> looks = looks_at(study, store);
+  const int runs = store.runs_begun(study);
   std::ranges::move(list_of(look_doubts(looks, runs, asked.plan.significance)), std::back_inserter(asked.notes));
   asked.plan.significance = level_of_look(looks, runs, asked.plan.significance);
   for (VariantStudy& each : asked.studies) each.study.plan.significance = asked.plan.significance;
-  remember_look(study, runs, store);
-}
-
-// Planned looks hold their level only if nobody looked before.
-void note_earlier_looks(Request& asked, const std::string& study, const std::filesystem::path& store) {
-  std::vector<int> runs;
-  for (const Look& each : looks_at(study, store)) runs.push_back(each.runs);
-  if (!runs.empty()) {
-    asked.notes.push_back(fmt::format(report::words::looked_before_plan, fmt::arg("runs", fmt::join(runs, ", ")),
-                                      fmt::arg("level", percent(asked.plan.significance))));
-  }
+  remember_look(study.name, runs, store.name());
 }
 
 // The rules of the decision, in words.
@@ -128,11 +119,7 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
                 .plan = plan_for(arguments, study)};
   asked.studies.push_back(study_of_both(a, b, asked.plan));
   if (all.size() > 2) asked.notes.push_back(fmt::format(report::words::families, fmt::arg("solvers", all.size())));
-  if (arguments.sequential) {
-    note_earlier_looks(asked, study.name, file);
-  } else {
-    look(asked, {"A", "B"}, study.name, file);
-  }
+  look(asked, arguments.sequential, store, study);
   return asked;
 }
 
@@ -149,11 +136,7 @@ Request labels_of_stores(const CompareArguments& arguments) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
     asked.studies.push_back(study_of_both(one, other, asked.plan));
   }
-  if (arguments.sequential) {
-    note_earlier_looks(asked, second.name, arguments.b);
-  } else {
-    look(asked, {"B"}, second.name, arguments.b);  // A is the baseline, which does not grow
-  }
+  look(asked, arguments.sequential, of_b, second);  // A is the baseline, which does not grow
   return asked;
 }
 

@@ -356,6 +356,20 @@ Changes Store::changes(const std::vector<std::string>& studies) const {
   });
 }
 
+int Store::runs_begun(const StudyEntry& study) const {
+  return guarded(database_->name(), [&] {
+    SQLite::Statement query(database_->sqlite(), "SELECT DISTINCT run FROM solves WHERE series = ? AND run <= ?");
+    std::set<int> runs;
+    for (const Series& series : study.series) {
+      query.bind(1, series.key);
+      query.bind(2, check_study(study).run);
+      while (query.executeStep()) runs.insert(query.getColumn(0).getInt());
+      query.reset();
+    }
+    return static_cast<int>(runs.size());
+  });
+}
+
 std::int64_t Store::solves_of(const std::vector<Series>& series) const {
   return guarded(database_->name(), [&] {
     SQLite::Statement query(database_->sqlite(), "SELECT count(*) FROM solves WHERE series = ?");

@@ -109,6 +109,8 @@ class Store {
   // The changes of these studies and of the sessions that solved for them. A change within a solve shows by its own
   // digest.
   Changes changes(const std::vector<std::string>& studies) const;
+  // The number of runs of the definition in which any solver of the study has a solve.
+  int runs_begun(const StudyEntry& study) const;
   // The number of solves of these series, of any run.
   std::int64_t solves_of(const std::vector<Series>& series) const;
 

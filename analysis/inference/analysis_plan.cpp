@@ -258,12 +258,6 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
                       fmt::join(values, ", "))};
 }
 
-int runs_looked_at(const StudyResults& study) {
-  int runs = 0;
-  for (const SolverCounts& count : counts(study)) runs = std::max(runs, count.complete_runs);
-  return runs;
-}
-
 double level_of_look(const std::vector<Look>& looks, int runs, double significance) {
   const auto earlier = std::ranges::count_if(looks, [runs](const Look& look) { return look.runs != runs; });
   return earlier == 0 ? significance : significance / static_cast<double>((earlier + 1) * earlier);

@@ -32,9 +32,6 @@ Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results:
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);
 
-// Number of runs that are complete for at least one solver: the size of a look.
-int runs_looked_at(const StudyResults& study);
-
 // The significance level of this look. Look k, after looks at other numbers of runs, has the level
 // significance / (k (k - 1)): over all k from 2 these sum to significance, so all looks after the first together keep
 // it (Bonferroni).

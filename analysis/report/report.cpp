@@ -285,7 +285,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (request.plan) stored.plan = *request.plan;
   const AnalysisPlan planned = stored.plan;
   const std::vector<Look> looks = looks_at(entry.name, store.name());
-  const int runs = runs_looked_at(stored);
+  const int runs = store.runs_begun(entry);
   stored.plan.significance = level_of_look(looks, runs, planned.significance);
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);

@@ -164,10 +164,13 @@ TEST_CASE("solves of a study are those of its current series, runs and points, i
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"z 1 1", "z 2 1", "z 2 2", "a 1 1", "a 1 2"});
   CHECK(places(series_of(store, "z")) == std::vector<std::string>{"z 1 1", "z 1 3", "z 2 1", "z 2 2", "z 10 1"});
 
+  CHECK(store.runs_begun(study) == 2);  // run 2 of one solver is enough, and run 10 is beyond the definition
+
   // Other options are another series; the solves of the former stay in the file.
   study.series = {{.key = "old", .label = "IK-BA", .algorithm = "ba", .options = R"({"gamma":0.5})"}};
   store.save_study(study);
   CHECK(places(store.solves("table-3")) == std::vector<std::string>{"old 1 1"});
+  CHECK(store.runs_begun(study) == 1);
   CHECK(series_of(store, "z").size() == 5);
 }
 
