@@ -338,11 +338,23 @@ void fill_paired(const CsvFile& file, const CsvRequest& request, Contents& conte
   fill_blocks(file, contents, what, result);
 }
 
+// Infinity is a failure. On the other side it would beat every number.
+void refuse_infinitely_good(const CsvFile& file, const Contents& contents, Better better) {
+  const double best = better == Better::smaller ? -HUGE_VAL : HUGE_VAL;
+  const auto found = std::ranges::find(contents.observations, best, [](const Observation& o) { return o.value; });
+  if (found == contents.observations.end()) return;
+  file.refuse(fmt::format(
+      "row {} below the header: {}, but {} values are better; expected a finite number, or {} for a failure",
+      found->row + 1, best > 0 ? "Inf" : "-Inf", better == Better::smaller ? "smaller" : "larger",
+      best > 0 ? "-Inf" : "Inf"));
+}
+
 }  // namespace
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
   const CsvFile file = open_csv(text, source);
   Contents contents = request.is_wide ? read_wide(file, request) : read_long(file, request);
+  refuse_infinitely_good(file, contents, request.better);
   const bool is_typical = request.scale == ValueScale::log10;
   if (is_typical) take_logarithms(file, contents);
   if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {

@@ -88,13 +88,22 @@ TEST_CASE("a spreadsheet's byte-order mark, CRLF and empty rows below the table 
 
 TEST_CASE("every spelling of a missing value is left out and counted by group, infinities are values", "[csv]") {
   const Observations seen = read(
-      "solver,error\nA,\nA,NA\nA,NaN\nA,nan\nA,null\nA,<NA>\nA,None\nA,N/A\nA,-nan\nA,1\nB,Inf\nB,-inf\nB,2\nC, NA \n");
+      "solver,error\nA,\nA,NA\nA,NaN\nA,nan\nA,null\nA,<NA>\nA,None\nA,N/A\nA,-nan\nA,1\nB,Inf\nB,inf\nB,2\nC, NA \n");
   CHECK(seen.groups[0].values == Values{1});
-  CHECK(seen.groups[1].values == Values{HUGE_VAL, -HUGE_VAL, 2});
+  CHECK(seen.groups[1].values == Values{HUGE_VAL, HUGE_VAL, 2});
   CHECK(seen.groups[2].values.empty());  // a group that has nothing is still there
   CHECK(seen.notes == Texts{"Missing and left out: 9 of 10 values of A, 1 of 1 of C." + as_failure,
                             "B: 2 of 3 observations are not finite and worse than any number; differences of means are "
                             "those of finite observations."});
+}
+
+TEST_CASE("an infinity that would beat every number is refused, because it can only be a failure", "[csv]") {
+  CHECK(refusal("solver,error\nA,1\nB,-inf\nB,2\n") ==
+        "a/folder/file.csv: row 2 below the header: -Inf, but smaller values are better; expected a finite number, or "
+        "Inf for a failure");
+  const CsvRequest larger{.value = "share", .group = "solver", .better = Better::larger};
+  CHECK(says(refusal("solver,share\nA,1\nB,Inf\n", larger), {"row 2", "Inf, but larger values are better"}));
+  CHECK(read("solver,share\nA,1\nB,-Inf\n", larger).groups[1].values == Values{-HUGE_VAL});
 }
 
 TEST_CASE("a number of another language is refused with what to write", "[csv]") {
