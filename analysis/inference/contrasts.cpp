@@ -124,40 +124,45 @@ double unseen_failures(const Evidence& evidence, int observations) {
   return most_without_success(observations, evidence.plan.significance / static_cast<double>(evidence.family()));
 }
 
-// Judges two groups with one value each. To find no difference takes as many values as to find one.
+// Returns whether two equal constants may be shares: both 0 or both 1, where all groups are in the unit interval.
+bool may_be_shares(const Evidence& evidence, double value) {
+  const auto is_in_unit = [](const GroupEvidence& group) {
+    return group.described.min >= 0 && group.described.max <= 1;
+  };
+  return evidence.scale != ValueScale::log10 && (value == 0 || value == 1) &&
+         std::ranges::all_of(evidence.groups, is_in_unit);
+}
+
+// Judges two groups with one value each. To find no difference takes as many values as to find one, and of what may be
+// shares as many as exclude failures beyond the margin.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
   const double alone = chance_of_unanimity(evidence, contrast), by_chance = in_family(evidence, alone);
+  const bool are_shares = difference == 0 && may_be_shares(evidence, first.mean);
   contrast.p = difference == 0 ? 1 : by_chance;
   contrast.p_alone = difference == 0 ? 1 : std::min(1.0, alone);
   contrast.ahead = ahead_by_means(evidence, difference);
   contrast.undefined.clear();
   contrast.difference = {.value = difference};
   contrast.relation = Relation::undecided;
-  if (by_chance >= evidence.plan.significance) {
-    contrast.runs_to_decide.value = fewest_to_differ(evidence);
-    return;
-  }
+  const double level = evidence.plan.significance / static_cast<double>(evidence.family());
+  const double fewest = fewest_to_differ(evidence);
+  contrast.runs_to_decide.value =
+      are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), level), fewest) : fewest;
+  if (by_chance >= evidence.plan.significance) return;
   contrast.difference = {difference, difference, difference};
-  const auto is_in_unit = [](const GroupEvidence& group) {
-    return group.described.min >= 0 && group.described.max <= 1;
-  };
-  const bool are_shares = evidence.scale != ValueScale::log10 && (first.mean == 0 || first.mean == 1) &&
-                          std::ranges::all_of(evidence.groups, is_in_unit);
-  if (difference == 0 && are_shares) {
+  if (are_shares) {
     contrast.difference.low = -unseen_failures(evidence, first.n);
     contrast.difference.high = unseen_failures(evidence, second.n);
-    contrast.runs_to_decide.value = trials_to_exclude(
-        margin_of(evidence, contrast), evidence.plan.significance / static_cast<double>(evidence.family()));
   }
   measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
   if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
-// Compares two known values.
+// Compares two known values, or two groups that are equal bit for bit.
 void judge_facts(const Evidence& evidence, Contrast& contrast) {
   const double worst = (evidence.better == Better::smaller ? 1 : -1) * std::numeric_limits<double>::infinity();
   const auto known = [&](std::size_t group) {
@@ -183,7 +188,7 @@ void judge_facts(const Evidence& evidence, Contrast& contrast) {
 }
 
 void judge(const Evidence& evidence, Contrast& contrast) {
-  if (evidence.groups[contrast.first].copies > 0 && evidence.groups[contrast.second].copies > 0) {
+  if (is_fact(evidence.groups[contrast.first], evidence.groups[contrast.second])) {
     judge_facts(evidence, contrast);
     return;
   }
@@ -199,10 +204,13 @@ void judge(const Evidence& evidence, Contrast& contrast) {
       contrast.p_alone = alone;
       contrast.ahead = ahead_by_means(evidence, contrast.difference.value);
       contrast.is_by_order = true;
+      contrast.lacks_spread = false;
     }
   }
   if (!std::isfinite(contrast.p)) {
-    if (contrast.undefined.empty()) {
+    if (contrast.lacks_spread) {  // another level might have a p
+      contrast.relation = Relation::undecided;
+    } else if (contrast.undefined.empty()) {
       contrast.undefined = "a group has fewer than two values, or values that are not finite";
     }
     return;
@@ -335,7 +343,8 @@ void add_contrasts(Evidence& evidence, const Groups& groups) {
       judge_equal_blocks(evidence, contrast);
     }
     judge(evidence, contrast);
-    if (contrast.relation == Relation::undecided && std::isnan(contrast.runs_to_decide.value)) {
+    if (contrast.relation == Relation::undecided && std::isfinite(contrast.p) &&
+        std::isnan(contrast.runs_to_decide.value)) {
       contrast.runs_to_decide = runs_to_decide(evidence, contrast, groups);
     }
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -160,6 +161,39 @@ void add_decades(Observations& result, const StudyResults& study, Metric metric,
   }
 }
 
+bool is_same_value(double one, double other) {
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
+         (std::isnan(one) && std::isnan(other));
+}
+
+// Returns whether every solve has the same value in both, and some solve has a number. Shares need equal errors too:
+// different solves may all succeed.
+bool have_same_bits(const StudyResults& study, Metric metric, const std::string& first, const std::string& second) {
+  const std::span<const Solve> one = solves_of(study, first), other = solves_of(study, second);
+  const auto value = [&](const Solve& solve) { return value_of(study, solve, metric); };
+  const auto is_same = [&](const Solve& a, const Solve& b) {
+    return a.run == b.run && a.point == b.point && is_same_value(value(a), value(b));
+  };
+  return std::ranges::equal(one, other, is_same) &&
+         std::ranges::any_of(one, [&](const Solve& solve) { return std::isfinite(value(solve)); }) &&
+         (info_of(metric).kind != Kind::share || have_same_bits(study, Metric::position_error_cm, first, second));
+}
+
+// Finds the groups with the same bits. Where tolerances differ, equal solves are not judged alike.
+void add_bits(Observations& result, const StudyResults& study, Metric metric) {
+  if (is_of_run(metric)) return;
+  for (std::size_t i = 0; i < result.groups.size(); ++i) {
+    Group& group = result.groups[i];
+    for (std::size_t other = 0; other < i && group.bits == 0; ++other) {
+      Group& earlier = result.groups[other];
+      if (std::ranges::equal(earlier.values, group.values, is_same_value) &&
+          have_same_bits(study, metric, earlier.name, group.name)) {
+        group.bits = earlier.bits = other + 1;
+      }
+    }
+  }
+}
+
 void add_notes(Observations& result, const StudyResults& study, Metric metric) {
   std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
   if (info_of(metric).kind != Kind::time) return;
@@ -232,6 +266,7 @@ std::optional<Observations> blocked_observations(const StudyResults& study, Metr
   result.block_noun = blocks == Blocks::runs ? "runs" : "targets";
   fill_blocks(result, study, layout(study, blocks), quantity);
   add_decades(result, study, metric, estimand);
+  add_bits(result, study, metric);
   add_notes(result, study, metric);
   return result;
 }
@@ -265,6 +300,7 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   }
   std::erase(result.notes, "");
   add_decades(result, study, metric, estimand);
+  add_bits(result, study, metric);
   add_notes(result, study, metric);
   return result;
 }

@@ -270,6 +270,7 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   for (const Group& group : observations.groups) {
     GroupEvidence& described = result.groups.emplace_back(describe_group(group, plan));
     described.copies = group.copies;
+    described.bits = group.bits;
     described.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
     summaries.push_back(summarise(group.values));
   }

@@ -30,6 +30,7 @@ struct GroupEvidence {
   double average_rank = statistics::not_defined;  // over the blocks, 1 is best; not defined without blocks
   double decades = statistics::not_defined;       // decades that the single values span (statistics::decades)
   int copies = 0;                                 // Group::copies
+  std::size_t bits = 0;                           // Group::bits
 };
 
 // assumption: checks what other tests assume. paper: the usual analysis of papers. robust: needs fewer assumptions.
@@ -52,9 +53,8 @@ struct Contrast {
   // The groups do not overlap, and an exact rank test decides (within blocks, or against a known value, the sign test),
   // because a group has one value only or the bootstrap has no spread to judge by.
   bool is_by_order = false;
-  bool is_fact =
-      false;      // both values are known (Group::copies), so that no chance is in the relation, and there is no p
-  int ahead = 0;  // direction of the deciding test: 1 favours first, -1 second
+  bool is_fact = false;      // there is no chance in the relation (is_fact of the groups), and no p
+  int ahead = 0;             // direction of the deciding test: 1 favours first, -1 second
   Estimate difference = {};  // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
   // p, corrected as planned, and direction of the rank test shown beside a test of means (rank_method).
   double p_ranks = statistics::not_defined;
@@ -75,6 +75,7 @@ struct Contrast {
   Estimate size = {};
   double margin = statistics::not_defined;
   statistics::Reason undefined = {};  // why p is not defined
+  bool lacks_spread = false;          // the test has no p because the values are too alike for its level: undecided
 
   bool is_within_margin() const { return size.high <= margin; }
   bool is_beyond_margin() const { return size.low > margin; }

@@ -115,7 +115,8 @@ std::vector<Contrast> of_means(const Evidence& evidence, const std::vector<MeanD
                       .p_alone = each.p_alone,
                       .ahead = sign * sign_of(each.difference.value),
                       .difference = each.difference,
-                      .undefined = each.undefined});
+                      .undefined = each.undefined,
+                      .lacks_spread = each.lacks_spread});
   }
   return result;
 }

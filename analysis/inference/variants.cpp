@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -156,43 +155,6 @@ class Reader {
   int points_ = 0;
 };
 
-bool is_same_value(double one, double other) {
-  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other) ||
-         (std::isnan(one) && std::isnan(other));
-}
-
-// Returns whether every solve has the same value in both. Shares need equal errors too: different solves may all
-// succeed.
-bool has_same_bits(const StudyResults& study, Metric metric) {
-  if (is_of_run(metric)) return false;
-  const auto is_same = [&](const Solve& a, const Solve& b) {
-    return a.run == b.run && a.point == b.point &&
-           is_same_value(value_of(study, a, metric), value_of(study, b, metric));
-  };
-  return std::ranges::equal(solves_of(study, name_of_a), solves_of(study, name_of_b), is_same) &&
-         (info_of(metric).kind != Kind::share || has_same_bits(study, Metric::position_error_cm));
-}
-
-// Returns whether A and B are judged by the same values: where their tolerances differ, equal solves are not judged
-// alike.
-bool has_same_values(const Observations& observations) {
-  return std::ranges::equal(observations.groups.front().values, observations.groups.back().values, is_same_value);
-}
-
-// Settles a pair as the same, without a test.
-void settle(MetricComparison& result, std::string why) {
-  result.contrast.relation = Relation::same;
-  result.contrast.is_fact = true;
-  result.remark = std::move(why);
-}
-
-bool are_rounding(const Observations& observations, Metric metric) {
-  const double rounding = info_of(metric).rounding;
-  return rounding > 0 && std::ranges::all_of(observations.groups, [&](const Group& group) {
-           return std::ranges::all_of(group.values, [&](double value) { return value >= 0 && value <= rounding; });
-         });
-}
-
 // A metric with its observations, which are tested at several levels.
 struct Examined {
   MetricComparison* row = nullptr;
@@ -275,14 +237,11 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     }
     row.remark = not_finite_words(observed, row.observation);
     const AnalysisPlan judged = feasible(study.plan, observed);
-    const auto is_known = [](const Group& each) { return each.copies > 0; };
-    if (has_same_bits(study, metric) && has_same_values(observed)) {
-      settle(row, "equal bit for bit");
-    } else if (std::ranges::all_of(observed.groups, is_known)) {
+    if (is_fact(observed.groups.front(), observed.groups.back())) {
       row.contrast = tested(observed, judged).contrasts.front();
-      row.remark = "all runs of each are equal: a fact of these targets, without a test";
-    } else if (estimand == Estimand::mean && are_rounding(observed, metric)) {  // shares of 0 are none
-      settle(row, fmt::format("both are rounding errors, below {}", short_number(info_of(metric).rounding)));
+      row.remark = observed.groups.front().bits > 0
+                       ? "equal bit for bit"
+                       : "all runs of each are equal: a fact of these targets, without a test";
     } else {
       open.push_back({.row = &row, .observations = observed, .plan = judged});
       row.is_by_ranks = compares(judged.test) == Compares::ranks;

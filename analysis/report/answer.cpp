@@ -33,6 +33,11 @@ std::size_t other_than(std::size_t group, const Contrast& pair) {
   return pair.first == group ? pair.second : pair.first;
 }
 
+bool have_same_bits(const Evidence& evidence, const Contrast& pair) {
+  const std::size_t bits = evidence.groups[pair.first].bits;
+  return bits > 0 && bits == evidence.groups[pair.second].bits;
+}
+
 // Puts what is said of several items together: "A and B (reason); C (another)".
 class ByReason {
  public:
@@ -262,7 +267,9 @@ class Answer {
     all.insert(all.begin(), first());
     Clause text{fmt::format(words::same, "all"_a = listed(all),
                             "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
-    if (is_one && !is_short_ && front.difference.low != front.difference.high) {
+    if (is_one && front.is_fact) {
+      text.remarks.emplace_back(have_same_bits(evidence_, front) ? words::same_bits : words::is_fact);
+    } else if (is_one && !is_short_ && front.difference.low != front.difference.high) {
       text.remarks = {interval_words(evidence_, front, best_)};
     }
     say(text);
@@ -273,12 +280,19 @@ class Answer {
     const bool has_interval = std::isfinite(front.difference.low);
     if (pairs.size() == 1) {
       const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
-      text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
+      if (std::isfinite(front.p)) text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
       if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
+    }
+    Pairs without_p = pairs;
+    std::erase_if(without_p, [](const Contrast* pair) { return std::isfinite(pair->p); });
+    const ByReason reasons = reasons_of(without_p);
+    for (const auto& [reason, names] : reasons.items()) {
+      text.remarks.push_back(names.size() == pairs.size() ? reason : fmt::format("{}: {}", listed(names), reason));
     }
     const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
     if (!runs.empty()) text.remarks.push_back(runs);
     say(text, doubts(pairs));
+    say_another_test(without_p);
   }
   // Says p before its correction too, if this alone would decide.
   std::string p_of_open(const Contrast& pair) const {
@@ -286,14 +300,21 @@ class Answer {
     return fmt::format(words::p_in_family, "p"_a = p_words(pair.p), "pairs"_a = corrected_for(evidence_),
                        "alone"_a = rounded_number(pair.p_alone, 3));
   }
-  void say_undefined(const Pairs& pairs) {
+  ByReason reasons_of(const Pairs& pairs) const {
     ByReason reasons;
     for (const Contrast* pair : pairs) reasons.add(pair->undefined, name_words(evidence_, other_than(best_, *pair)));
-    std::vector<std::string> parts;
-    for (const auto& [reason, names] : reasons.items()) parts.push_back(fmt::format("{} ({})", listed(names), reason));
-    say({fmt::format(words::not_judged, "first"_a = first(), "others"_a = is_short_ ? others(pairs) : clauses(parts))});
+    return reasons;
+  }
+  void say_another_test(const Pairs& pairs) {
     const std::string other = is_short_ ? "" : another_test_words(evidence_, pairs);
     if (!other.empty()) say({other});
+  }
+  void say_undefined(const Pairs& pairs) {
+    std::vector<std::string> parts;
+    const ByReason reasons = reasons_of(pairs);
+    for (const auto& [reason, names] : reasons.items()) parts.push_back(fmt::format("{} ({})", listed(names), reason));
+    say({fmt::format(words::not_judged, "first"_a = first(), "others"_a = is_short_ ? others(pairs) : clauses(parts))});
+    say_another_test(pairs);
   }
 
   const Evidence& evidence_;
@@ -338,9 +359,11 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
 // "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
 std::string decided_by(const Evidence& evidence) {
   const auto& pairs = evidence.contrasts;
-  const auto constants = std::ranges::count_if(pairs, [&](const Contrast& c) { return are_constants(evidence, c); });
+  const auto constants =
+      std::ranges::count_if(pairs, [&](const Contrast& c) { return !c.is_fact && are_constants(evidence, c); });
   const auto by_order = std::ranges::count(pairs, true, &Contrast::is_by_order);
   const auto facts = std::ranges::count(pairs, true, &Contrast::is_fact);
+  const auto same_bits = std::ranges::count_if(pairs, [&](const Contrast& c) { return have_same_bits(evidence, c); });
   const auto against_known = std::ranges::count_if(pairs, [&](const Contrast& c) {
     return c.is_by_order && evidence.groups[c.first].copies + evidence.groups[c.second].copies > 0;
   });
@@ -351,7 +374,8 @@ std::string decided_by(const Evidence& evidence) {
                                        : std::string(pair_test_words(evidence)));
   }
   if (against_known > 0) tests.emplace_back(words::by_sign_of_known);
-  if (facts > 0) tests.emplace_back(words::by_fact);
+  if (facts > same_bits) tests.emplace_back(words::by_fact);
+  if (same_bits > 0) tests.emplace_back(words::by_bits);
   if (by_order > against_known) {
     tests.push_back(
         fmt::format(words::by_order, "test"_a = evidence.blocks > 0 ? "the sign test" : "the exact test of ranks"));
@@ -402,6 +426,9 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Contrast::relation) > 0 &&
       std::ranges::any_of(evidence.groups, is_short)) {
     parts.emplace_back(words::more_than_two);
+  }
+  if (std::ranges::any_of(evidence.contrasts, [](const Contrast& pair) { return pair.lacks_spread; })) {
+    parts.emplace_back(words::more_values);
   }
   if (is_doubted) parts.emplace_back(words::another_measure);
   const std::string margin = margin_words(evidence);

@@ -135,7 +135,7 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
     case Relation::undefined:
       return "not defined: " + contrast.undefined;
     default:
-      return "undecided";
+      return contrast.undefined.empty() ? "undecided" : "undecided: " + contrast.undefined;
   }
 }
 

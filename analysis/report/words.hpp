@@ -15,6 +15,7 @@ inline constexpr Template undecided = "{first} against {others} is undecided";
 inline constexpr Template not_judged = "{first} cannot be judged against {others}";
 inline constexpr Template nearest = "Against {other}, the best of these: {effect}";
 inline constexpr Template is_fact = "a fact of these targets, because all runs are equal";
+inline constexpr Template same_bits = "equal bit for bit in every solve";
 inline constexpr Template single_values = "nothing can be judged, because no group has more than one observation";
 inline constexpr Template all_equal = "all observations are equal, but there are too few to call the groups the same";
 inline constexpr Template others_differ = "Other pairs that differ ({count} of {pairs}; the better first): {list}";
@@ -29,6 +30,7 @@ inline constexpr Template decided_by = "Decided by: {tests}";
 inline constexpr Template corrected = "{test}, corrected for {pairs} pairs";
 inline constexpr Template by_sign_of_known = "the sign test against solvers whose runs are all equal";
 inline constexpr Template by_fact = "no test between solvers whose runs are all equal, where the difference is a fact";
+inline constexpr Template by_bits = "no test between solvers that are equal bit for bit";
 inline constexpr Template by_order = "{test} where groups do not overlap and the bootstrap has no spread";
 inline constexpr Template by_constants = "{test} for groups of one value each";
 
@@ -53,6 +55,7 @@ inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
 inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
 inline constexpr Template more_than_two = "more observations than two";
+inline constexpr Template more_values = "observations with more different values";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
 inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
@@ -100,7 +103,7 @@ inline constexpr Template decades =
 inline constexpr Template described_only =
     "the observations are described, but the groups are not ranked, tested or compared. The note below the table says why.";
 inline constexpr Template constants =
-    "All values within a group are equal. p comes from {test}. If a quantity is fixed by design, such as a budget of "
+    "All values within a group are equal, apart from rounding. p comes from {test}. If a quantity is fixed by design, such as a budget of "
     "evaluations, its difference is a fact and needs no test.";
 
 // Notes of the tables of an assessment.

@@ -142,8 +142,8 @@ void studentize(const Mean& first, const Mean& second, std::vector<double>& squa
 // The number of different values that rarely have a resample without spread: n values have one in n^(1 - n) of them.
 // Both groups of a pair need so many, or one if the other is constant.
 int enough_values(double tolerated_share, int groups) {
-  int n = 3;
-  while (std::pow(n, groups * (1 - n)) > tolerated_share / 2) ++n;
+  auto n = static_cast<int>(fewest_resampled);
+  while (std::pow(n, groups * (1 - n)) > tolerated_share) ++n;
   return n;
 }
 
@@ -209,6 +209,7 @@ FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFa
       studentize(*each.first, *each.second, own);
       const auto without_spread = std::ranges::count(own, infinite);
       if (static_cast<double>(without_spread) > tolerated) {
+        each.pair.lacks_spread = true;
         each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
       } else {
         sorted = sorted_and_ranked(own, result.least_shares);
@@ -264,11 +265,7 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   return possible < needed ? 0 : static_cast<int>(std::lround(possible));
 }
 
-int fewest_blocks(std::size_t pairs, double level) {
-  int n = static_cast<int>(fewest_resampled);
-  while (std::pow(n, 1 - n) > tolerated_share(pairs, level)) ++n;
-  return n;
-}
+int fewest_blocks(std::size_t pairs, double level) { return enough_values(tolerated_share(pairs, level), 1); }
 
 namespace {
 

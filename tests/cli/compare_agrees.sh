@@ -38,6 +38,9 @@ for first, second in all_pairs[:: max(1, len(all_pairs) // 3)]:
         assert best is None or compared_best is None or best == compared_best, (row, pair)
         if row["metric"].startswith(("position", "orientation", "variation")) and None not in (row["p"], pair["p_alone"]):
             assert abs(row["p"] - pair["p_alone"]) <= 0.01 + 0.3 * row["p"], (row, pair)  # resamples differ
+        assert (says == "cannot be judged") == (pair["relation"] == "not defined"), (row, pair)
+        if (row["remark"] or "").startswith("equal bit for bit"):
+            assert pair["relation"] == "same within the margin", (row, pair)
         if says.startswith("the same"):
             assert best is None or pair["extent"] != "beyond the margin", (row, pair)
         if pair["relation"] == "same within the margin":

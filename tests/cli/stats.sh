@@ -371,11 +371,11 @@ degenerate "Equal rows are one observation: all rows of A (5), B (5) have the sa
 degenerate "A and B are the same within 5 %." A "7 7 7 7" B "7 7 7 7"
 degenerate "A and B are the same within 5 %." A "1 1 1 1 1 1" B "1 1 1 1 1 1" C "1.9 2.1 1.8 2.2 2.3 1.7" # no shares: values above 1
 degenerate "A against B is undecided (p > 0.999; difference between -0.527 and 0.527; it takes at least 59 observations per group)" A "1 1 1 1" B "1 1 1 1" # 1 - 0.05^(1 / 4)
-degenerate "A against B is undecided (all observations are equal, but there are too few to call the groups the same; it takes at least 4 observations per group)" A "1 1 1" B "1 1 1"
+degenerate "A against B is undecided (all observations are equal, but there are too few to call the groups the same; it takes at least 59 observations per group)" A "1 1 1" B "1 1 1"
 degenerate "equal variances cannot be tested" A "1.1 1.4" B "2.3 9.7" C "0.1 0.7"
 degenerate "Other pairs that differ (1 of 1; the better first): B vs C." A "1 2 3 1 2 3" B "2 2 2 2 2 2" C "3 3 3 3 3 3"
 degenerate "A has values that are not finite" A "1 2 Inf" B "2 3 4"
-degenerate "A has values that are not finite" A "Inf Inf" B "-Inf Inf"
+degenerate "A has values that are not finite" A "Inf Inf" B "2 Inf"
 degenerate "cannot be judged against B" A "Inf Inf" B "Inf Inf"
 degenerate "B against A is undecided (p = 0.318)." A "1e308 1.1e308 1.2e308" B "-1e308 -1.1e308 1e307"
 degenerate "A has values too far apart for double precision" A "0.5 1e300 1 2" B "0.1 0.2 5 2"

@@ -89,7 +89,7 @@ TEST_CASE("what is equal in every block is the same where there are enough block
 
 TEST_CASE("equal values that are too few are said to be equal, and no more", "[assessment][equivalence]") {
   std::string text;
-  for (const std::string& sentence : words_of(sentences_of(evidence(with({{1, 1}, {1, 1}}), {}))))
+  for (const std::string& sentence : words_of(sentences_of(evidence(with({{7, 7}, {7, 7}}), {}))))
     text += sentence + '\n';
   INFO(text);
   const std::string why =
@@ -110,6 +110,7 @@ TEST_CASE("shares that are all 1 are the same only where so many exclude that a 
   CHECK(is_same(all_succeed(6, {.margin = 0.4})));  // 0.6^6 = 0.0467
   CHECK_FALSE(is_same(all_succeed(5, {.margin = 0.4})));
   const Contrast open = all_succeed(10).contrasts[0];
+  CHECK(all_succeed(3).contrasts[0].runs_to_decide.value == 59);
   CHECK(open.p == 1);
   CHECK(open.runs_to_decide.value == 59);
   CHECK(open.difference.high == Approx(1 - std::pow(0.05, 0.1)));

@@ -451,7 +451,8 @@ TEST_CASE("those that the test does not separate from the first share its place"
   };
   std::vector<GivenRun> runs = same("A", 2), others = same("B", 2);
   runs.insert(runs.end(), others.begin(), others.end());
-  CHECK(sentence_of(runs) == label + "A (2 cm) and B (2 cm) are the same within 5 %.");
+  CHECK(sentence_of(runs) ==
+        label + "A (2 cm) and B (2 cm) are the same within 5 %: equal bit for bit in every solve.");
 }
 
 TEST_CASE("two solvers that repeat themselves differ by a fact without a test, however many runs there are",

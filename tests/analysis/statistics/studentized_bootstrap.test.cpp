@@ -129,7 +129,7 @@ TEST_CASE("within blocks a pair that cannot be resampled says why", "[studentize
   CHECK(says(of({{1, 2, 3, 4}, {2, 3, 4, 5}}), "the differences within blocks are all equal"));
   CHECK(says(
       of({{1, 2, 3}, {3, 5, 9}}),
-      "too few different differences within blocks: the bootstrap needs 5"));  // 3^-2 of the resamples have no spread
+      "too few different differences within blocks: the bootstrap needs 4"));  // 3^-2 of the resamples have no spread
   CHECK(fewest_blocks(1, 0.95) == 4);                                          // 4^-3 is below 0.025
   CHECK(fewest_blocks(15, 0.95) == 5);                                         // 5^-4 is below 0.025 / 15
 }
@@ -242,7 +242,7 @@ TEST_CASE("groups that the bootstrap learns nothing of are refused with the reas
   CHECK(says(pairs[2], "group 4 has values that are not finite"));
   CHECK(says(pairs.back(), "both groups are constant"));
   const Groups of_three{{1, 2, 3}, {2, 3, 5}, {3, 5, 8}, {9, 11, 14}};  // each has no spread in 3 of 27 resamples
-  CHECK(says(compared(of_three)[0],                                     // 4^-6 < 0.025 / 6 / 2
+  CHECK(says(compared(of_three)[0],                                     // 4^-6 < 0.025 / 6
              "too few different values: the bootstrap of 6 pairs needs 4 in each group"));
   CHECK(compared({of_three[0], of_three[3]})[0].undefined.empty());
   CHECK(std::isnan(studentized_interval(std::vector{1.0, 2.0}, {}).low));
@@ -253,7 +253,7 @@ TEST_CASE("groups that the bootstrap learns nothing of are refused with the reas
   nearly_constant[0] = 5.5;
   const auto beside = compared({nearly_constant, constant, good, other});
   CHECK(
-      says(beside[0],  // 5^-4 < 0.025 / 6 / 2
+      says(beside[0],  // 5^-4 < 0.025 / 6
            "group 2 are all equal, and the other group has too few different ones: the bootstrap of 6 pairs needs 5"));
   for (std::size_t i = 1; i < beside.size(); ++i) CHECK(beside[i].p <= 1);
   CHECK(compared({}).empty());
