@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
@@ -25,6 +27,23 @@ namespace {
 Estimate takes(double fewest, double n) {
   if (std::isinf(n)) return {.low = most_runs, .high = n};
   return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
+}
+
+// The fewest trials of two groups that always succeed, or never, whose interval is within the margin.
+double trials_to_agree(double margin, double alpha) {
+  const auto is_within = [&](int n) {
+    return newcombe({.successes = n, .trials = n}, {.successes = n, .trials = n}, 1 - alpha).high <= margin;
+  };
+  int fewer = 0, enough = 1;
+  while (!is_within(enough)) {
+    if (enough > most_runs / 2) return std::numeric_limits<double>::infinity();
+    fewer = std::exchange(enough, 2 * enough);
+  }
+  while (enough - fewer > 1) {
+    const int middle = (fewer + enough) / 2;
+    (is_within(middle) ? enough : fewer) = middle;
+  }
+  return enough;
 }
 
 }  // namespace
@@ -49,6 +68,12 @@ Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contras
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   double fewest = evidence.fewest;
+  const Description &one = evidence.groups[contrast.first].described,
+                    &other = evidence.groups[contrast.second].described;
+  if (is_constant(one) && is_constant(other) && one.mean == other.mean) {
+    if (evidence.plan.margin == 0) return {};  // no number suffices
+    return takes(fewest, trials_to_agree(evidence.plan.margin, goal.alpha));
+  }
   if (evidence.blocks > 0) {
     const PairedSuccesses counts = paired_successes(first, second);
     // Only blocks in which the two differ count.

@@ -110,6 +110,18 @@ TEST_CASE("all of one group against none of the other: undecided, with the inter
              "Caution: no pair can differ by this test. It takes at least 4 observations per group, and here are 3."));
 }
 
+TEST_CASE("two that always succeed are told how many more observations show that they are the same", "[outcomes]") {
+  Observations observed = solved({{"A", outcomes(20, 20)}, {"B", outcomes(20, 20)}});
+  observed.scale = ValueScale::share;
+  const Contrast open = evidence(observed, {}).contrasts[0];
+  CHECK(open.relation == Relation::undecided);
+  CHECK(open.runs_to_decide.value == 73);  // z^2 / (n + z^2) of Wilson's interval is at most 0.05
+  CHECK(says(assess(observed, {}), "; it takes 73 observations per group"));
+  observed.groups = {{"A", outcomes(73, 73)}, {"B", outcomes(73, 73)}};
+  CHECK(evidence(observed, {}).contrasts[0].relation == Relation::same);
+  CHECK(std::isnan(evidence(observed, {.margin = 0}).contrasts[0].runs_to_decide.value));
+}
+
 TEST_CASE("within blocks an undecided pair of outcomes has the blocks that would decide", "[outcomes]") {
   const auto in_blocks = [](std::vector<double> first, std::vector<double> second) {
     Observations observed = solved({{"A", std::move(first)}, {"B", std::move(second)}});
