@@ -1,10 +1,7 @@
 // ikbench report: tables and figures from any store, without solving.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
@@ -13,22 +10,6 @@
 namespace ikbench::cli {
 
 using namespace results;
-
-namespace {
-
-// Refuses a folder with a reproduction, whose report also has repetitions and interpretations, which no store of the
-// study holds.
-void refuse_reproduction(const std::filesystem::path& folder) {
-  for (const char* table : {"agreement.csv", "multiverse.csv"}) {
-    if (!std::filesystem::exists(folder / "tables" / table)) continue;
-    throw std::invalid_argument(fmt::format(
-        "'{}' has the report of ikbench reproduce, which this report would replace with less; choose another "
-        "folder (--out), or run ikbench reproduce again",
-        folder.string()));
-  }
-}
-
-}  // namespace
 
 void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
@@ -50,8 +31,8 @@ void add_report(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
-    refuse_reproduction(folder.empty() ? "." : folder);
     const Store store = open_to_look(arguments->store);
+    refuse_reproduction(folder.empty() ? "." : folder);
     write_and_announce(store, {.study = chosen_study(store, arguments->study).name,
                                .folder = folder.empty() ? "." : folder,
                                .arguments = arguments->report});

@@ -151,6 +151,16 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
                    "write tables, but draw no figures; those that are there stay");
 }
 
+void refuse_reproduction(const std::filesystem::path& folder) {
+  for (const char* table : {"agreement.csv", "multiverse.csv"}) {
+    if (!std::filesystem::exists(folder / "tables" / table)) continue;
+    throw std::invalid_argument(fmt::format(
+        "'{}' has the report of ikbench reproduce, which this report would replace with less; choose another "
+        "folder (--out), or run ikbench reproduce again",
+        folder.string()));
+  }
+}
+
 void refuse_points(const ReportArguments& arguments) {
   if (arguments.unit != name_of(Unit::point) || arguments.forced) return;
   throw std::invalid_argument(fmt::format("--unit is {}; expected run: {}", arguments.unit, why_points_are_refused));

@@ -36,6 +36,10 @@ void add_report_options(CLI::App& command, ReportArguments& arguments);
 // solved.
 void refuse_points(const ReportArguments& arguments);
 
+// Throws std::invalid_argument if the folder has the report of a reproduction, which also has repetitions and
+// interpretations that no store of the study holds. Call it before anything is solved.
+void refuse_reproduction(const std::filesystem::path& folder);
+
 // A report to write: its study, its place, and a command's additions to it.
 struct WrittenReport {
   std::string study;

@@ -87,11 +87,15 @@ void add_run(CLI::App& app, Invocation& invocation) {
     if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
     RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
-    if (!arguments->without_report && !is_part) warn_of_too_few(study);
+    const bool has_report = !arguments->without_report && !is_part;
+    if (has_report) {
+      refuse_reproduction(folder);
+      warn_of_too_few(study);
+    }
     if (run_and_tell(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
         Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
-    } else if (!arguments->without_report && !is_part) {
+    } else if (has_report) {
       const Store store(store_in(folder), Store::Mode::read);
       check_is_stored(study, store);
       write_and_announce(store, {.study = study.name, .folder = folder, .arguments = arguments->report});
