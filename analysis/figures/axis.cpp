@@ -76,13 +76,18 @@ void add_around(Axis& axis, double smallest, double largest, double factor) {
                               text_of(round_step(span, digits > 6 ? 3 : 7)), text_of(factor));
 }
 
+// Characters of a line that fit beside each axis.
+constexpr std::size_t most_beside_x = 44, most_beside_y = 32;
+
 // A title of at most two lines, as a gnuplot expression. A line of `most` characters fits beside the axis.
 std::string axis_title(std::string_view quantity, std::size_t most) {
+  constexpr std::size_t overhang = 6, off_middle = 4;  // a second line may be longer, a first one past the middle
   const std::string text = shortened(quantity, 2 * most);
-  if (text.size() <= most) return gnuplot_string(text);
+  if (character_count(text) <= most) return gnuplot_string(text);
   const std::size_t bracket = text.rfind('(', most);  // the best place if the rest fits
-  const bool fits = bracket != std::string::npos && bracket > 0 && text.size() - bracket <= most + 6;
-  const std::size_t blank = text.rfind(' ', fits ? bracket : text.size() / 2 + 4);
+  const bool fits = bracket != std::string::npos && bracket > 0 &&
+                    character_count(std::string_view(text).substr(bracket)) <= most + overhang;
+  const std::size_t blank = text.rfind(' ', fits ? bracket : text.size() / 2 + off_middle);
   if (blank == std::string::npos) return gnuplot_string(text);
   return fmt::format("{}.\"\\n\".{}", gnuplot_string(text.substr(0, blank)), gnuplot_string(text.substr(blank + 1)));
 }
@@ -106,8 +111,8 @@ Axis axis_of(char letter, std::span<const double> values, const NameWithUnit& qu
   } else {
     (letter == 'y' ? add_from_zero : add_around)(axis, smallest, largest, factor);
   }
-  axis.settings +=
-      fmt::format("set {}label {} noenhanced\n", letter, axis_title(axis.quantity, letter == 'y' ? 32 : 44));
+  axis.settings += fmt::format("set {}label {} noenhanced\n", letter,
+                               axis_title(axis.quantity, letter == 'y' ? most_beside_y : most_beside_x));
   if (drawable.empty()) {
     axis.settings += fmt::format("unset {}tics\nset label 'no finite values' at graph 0.5, graph 0.5 center\n", letter);
   }
@@ -175,7 +180,7 @@ Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
       "shown_x(x) = x < {0} ? {0} : (x > {1} ? {1} : x)\n",
       text_of(axis.low), text_of(axis.high),
       ticks.empty() ? "unset xtics\n" : fmt::format("set xtics enhanced ({})\n", fmt::join(ticks, ", ")),
-      axis_title(quantity, 44));
+      axis_title(quantity, most_beside_x));
   return axis;
 }
 

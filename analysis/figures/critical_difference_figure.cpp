@@ -94,7 +94,7 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
   Figure figure{.name = ranks.name, .width_cm = 2 * side_cm + plot_cm, .height_cm = above_cm + below_cm};
   figure.settings = fmt::format(
       "unset key\nunset grid\nunset border\nunset tics\nset tmargin at screen 1\nset bmargin at screen 0\n"
-      "set lmargin at screen margin({0})\nset rmargin at screen 1 - margin({0})\nset xrange [{1}:{2}]\nset yrange [{3}:{4}]\n",
+      "side = margin({0}) < 0.4 ? margin({0}) : 0.4\nset lmargin at screen side\nset rmargin at screen 1 - side\nset xrange [{1}:{2}]\nset yrange [{3}:{4}]\n",
       text_of(side_cm), text_of(left), text_of(right), text_of(below_cm), text_of(-above_cm));
   std::string lines;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -130,6 +130,8 @@ Figure critical_difference_figure(const CriticalDifference& ranks) {
         "at most the critical difference, CD = {}.{}",
         rounded_number(ranks.significance, 6), rounded_number(critical_difference, 4),
         is_cut ? " Its bar is cut at the axis' end." : "");
+    if (!ranks.decides.empty())
+      figure.caption += fmt::format(" The report decides pair by pair ({}), so it may differ.", ranks.decides);
   } else {
     figure.caption += " The critical difference is not defined, so the figure does not show which groups differ.";
   }

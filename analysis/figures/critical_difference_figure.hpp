@@ -15,7 +15,8 @@ struct CriticalDifference {
   std::vector<double> average_ranks;  // as long as the labels; 1 is best
   double critical_difference = statistics::not_defined;
   double significance = 0.05;
-  std::string method;  // "Nemenyi, 14 problems"
+  std::string method;   // "Nemenyi, 14 problems"
+  std::string decides;  // the test that decides in the report, if it is another
 };
 
 // Bars join groups that do not differ.

@@ -172,18 +172,20 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
   add_legend(figure, labels);
 
   const int points_per_marker = 1 + study.points / 40;
+  const std::string_view with = is_path ? "linespoints" : "points";  // drawn targets have no order
   figure.data =
       fmt::format("# column 1: point; then {}, {} over the runs, of\n", quantity(metric), average_name(metric));
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
-    const std::size_t column = Curves::column(i), band = curves.band_column(i);
+    const std::size_t column = Curves::column(i), band = curves.band_column(i),
+                      style = place_of(study, study.solvers[i]) + 1;
     figure.data += fmt::format("# column {}: {}{}\n", column, one_line(study.solvers[i]),
                                curves.has_bands ? fmt::format("; quartiles in {} and {}", band, band + 1) : "");
     if (has_bands) {
       clauses.push_back(
           fmt::format("'{}.dat' index 0 using 1:(shown(${})):(shown(${})) with filledcurves ls {} fillstyle "
                       "transparent solid 0.13 noborder notitle",
-                      figure.name, band, band + 1, i + 1));
+                      figure.name, band, band + 1, style));
     }
     const std::string label = shortened(study.solvers[i], longest_label);
     HoverTexts& texts = figure.hover_texts.emplace_back(HoverTexts{.series = label});
@@ -194,11 +196,10 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
     }
     if (std::ranges::any_of(curves.averages[i], [](double value) { return std::isfinite(value); })) {
       lines.push_back(fmt::format("'{}.dat' index 0 using 1:(shown(${})) with {} ls {} pointinterval {} title {}",
-                                  figure.name, column, is_path ? "linespoints" : "points", i + 1, points_per_marker,
-                                  gnuplot_string(label)));
+                                  figure.name, column, with, style, points_per_marker, gnuplot_string(label)));
     } else {  // in the legend all the same
       lines.push_back(
-          fmt::format("keyentry with linespoints ls {} title {}", i + 1, gnuplot_string(label + " (nothing to show)")));
+          fmt::format("keyentry with {} ls {} title {}", with, style, gnuplot_string(label + " (nothing to show)")));
     }
   }
   clauses.insert(clauses.end(), lines.begin(), lines.end());
@@ -235,13 +236,13 @@ std::vector<Panel> panels_of(const StudyResults& study) {
   return panels;
 }
 
-std::string panel_commands(const Panel& panel, const std::string& source, std::size_t place,
-                           const std::set<std::size_t>& slides) {
+std::string panel_commands(const Panel& panel, const std::string& source, std::size_t place, const StudyFacts& facts) {
   const std::size_t joints = panel.joints.begin()->second.size();
   std::vector<std::string> clauses;
   for (std::size_t joint = 1; joint <= joints; ++joint) {
-    clauses.push_back(fmt::format("{} index {} using 1:(${}) with linespoints ls {} ps 0.3 title 'joint {}{}'", source,
-                                  place, joint + 1, joint, joint, slides.contains(joint - 1) ? " [cm]" : ""));
+    clauses.push_back(fmt::format("{} index {} using 1:(${}) with {} ls {} ps 0.3 title 'joint {}{}'", source, place,
+                                  joint + 1, facts.draws_targets ? "points" : "linespoints", joint, joint,
+                                  facts.slides.contains(joint - 1) ? " [cm]" : ""));
   }
   return fmt::format("set title {} noenhanced offset 0, -0.7\n{}\nunset key\n",
                      gnuplot_string(shortened(panel.solver, 2 * longest_label)), plot_command(clauses));
@@ -315,7 +316,7 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
     figure.plot +=
         fmt::format("set xlabel '{}'\nset ylabel '{}'\nset format y '{}'\n", i + columns < panels.size() ? "" : "point",
                     is_inner ? "" : "joint angle [deg]", is_inner ? "" : "%g");
-    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.facts.slides);
+    figure.plot += panel_commands(panels[i], fmt::format("'{}.dat'", name), i, study.facts);
   }
   figure.plot += "unset multiplot";
   return figure;

@@ -60,7 +60,8 @@ void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
   CriticalDifference ranks{.name = figure_name(evidence, "ranks"),
                            .critical_difference = evidence.critical_difference,
                            .significance = evidence.plan.significance,
-                           .method = fmt::format("Nemenyi, all pairs, {} blocks", evidence.blocks)};
+                           .method = fmt::format("Nemenyi, all pairs, {} blocks", evidence.blocks),
+                           .decides = std::string(pair_test_words(evidence))};
   for (const GroupEvidence& group : evidence.groups) {
     ranks.labels.push_back(group.name);
     ranks.average_ranks.push_back(group.average_rank);
