@@ -118,7 +118,12 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
   Request asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
                 .plan = plan_for(arguments, study)};
   asked.studies.push_back(study_of_both(a, b, asked.plan));
-  if (all.size() > 2) asked.notes.push_back(fmt::format(report::words::families, fmt::arg("solvers", all.size())));
+  if (all.size() > 2) {
+    const std::string& control = plan_of(study).control;
+    asked.notes.push_back(fmt::format(
+        report::words::families,
+        fmt::arg("solvers", control.empty() ? fmt::format("all {} solvers", all.size()) : "the control " + control)));
+  }
   look(asked, arguments.sequential, store, study);
   return asked;
 }

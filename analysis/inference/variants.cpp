@@ -196,6 +196,7 @@ std::vector<Examined> examine(const VariantStudy& of, std::span<const Metric> me
     const Estimand estimand = has_average ? average : planned.front();
     MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric, .estimand = estimand});
     const Observations observed = observations(study, metric, estimand);
+    row.scale = observed.scale;
     if (metric == Metric::solved && !std::isfinite(tolerance_cm(study)))
       comparison.notes.push_back(words_of(Doubt{.kind = DoubtKind::no_tolerance}));
     for (const auto* notes : {&observed.counting, &observed.notes})

@@ -42,6 +42,7 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const results::An
 struct MetricComparison {
   Metric metric;
   results::Estimand estimand = results::Estimand::mean;
+  ValueScale scale = ValueScale::plain;
   int n_a = 0, n_b = 0;
   double mean_a = statistics::not_defined, mean_b = statistics::not_defined;
   std::string_view observation = "run";    // unit of one value: "run" or "target"

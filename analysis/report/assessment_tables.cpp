@@ -147,8 +147,10 @@ Table contrasts_table(const Evidence& evidence) {
         or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), interval(contrast.superiority),
         size_words(contrast), or_nothing(contrast.g)});
     if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
-    const double runs = contrast.runs_to_decide.value;
-    row.push_back(std::isfinite(runs) ? Cell(static_cast<std::int64_t>(runs)) : Cell());
+    const Estimate& runs = contrast.runs_to_decide;  // the same range as in the sentence
+    row.push_back(std::isfinite(runs.low)     ? Cell(range_words(runs.low, runs.high))
+                  : std::isfinite(runs.value) ? Cell(fmt::format("at least {:.0f}", runs.value))
+                                              : Cell());
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries && !evidence.of_outcomes) {

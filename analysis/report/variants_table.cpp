@@ -35,6 +35,8 @@ std::string metric_words(const MetricComparison& metric) {
                                            : fmt::format("{} ({})", name_of(metric.metric), name_of(metric.estimand));
 }
 
+bool is_of_shares(const MetricComparison& metric) { return metric.scale == ValueScale::share; }
+
 // The ratio B / A. For means it follows from the interval of their difference; typical values and ranks have a ratio
 // already.
 Estimate ratio_of(const MetricComparison& metric) {
@@ -45,36 +47,29 @@ Estimate ratio_of(const MetricComparison& metric) {
   if (metric.estimand == Estimand::typical) return inverse(metric.contrast.difference);
   if (!(metric.mean_a > 0)) return {};
   const Estimate& difference = metric.contrast.difference;  // A - B
-  const double most = info_of(metric.metric).kind == Kind::share ? 1 / metric.mean_a : HUGE_VAL;
+  const double most = is_of_shares(metric) ? 1 / metric.mean_a : HUGE_VAL;
   const auto ratio = [&](double apart) {
     return std::isfinite(apart) ? std::clamp(1 - apart / metric.mean_a, 0.0, most) : not_defined;
   };
   return {.value = metric.mean_b / metric.mean_a, .low = ratio(difference.high), .high = ratio(difference.low)};
 }
 
-bool is_of_shares(const MetricComparison& metric) {
-  return metric.estimand == Estimand::reliability || info_of(metric.metric).kind == Kind::share;
-}
-
 // The margin of a metric: "5 % or 0.01 cm", of shares "5 percentage points".
 std::string margin_words(const VariantsReport& of, const MetricComparison& metric) {
   if (is_of_shares(metric)) return points(of.plan.margin);
-  const auto is_in_cm = [](const VariantComparison& comparison) {
-    return std::ranges::any_of(comparison.metrics,
-                               [](const MetricComparison& each) { return info_of(each.metric).unit == "cm"; });
-  };
-  return inference::margin_words(of.plan.margin, std::ranges::any_of(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
+  const auto is_in_cm = [](const MetricComparison& each) { return info_of(each.metric).unit == "cm"; };
+  return inference::margin_words(of.plan.margin, any_metric(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
 }
 
-// The margin of all metrics: of shares only if there is nothing else.
+// The margin of all metrics: "5 % (shares: 5 percentage points)".
 std::string margin_words(const VariantsReport& of) {
-  const MetricComparison* shown = nullptr;
+  std::string of_shares, of_others;
   for (const VariantComparison& comparison : of.comparisons) {
-    for (const MetricComparison& metric : comparison.metrics) {
-      if (shown == nullptr || is_of_shares(*shown)) shown = &metric;
-    }
+    for (const MetricComparison& metric : comparison.metrics)
+      (is_of_shares(metric) ? of_shares : of_others) = margin_words(of, metric);
   }
-  return shown == nullptr ? "" : margin_words(of, *shown);
+  if (of_shares.empty() || of_others.empty()) return of_shares + of_others;
+  return fmt::format(words::margins, "margin"_a = of_others, "of_shares"_a = of_shares);
 }
 
 // The verdict on B: "better", "worse by less than 5 %".

@@ -150,6 +150,7 @@ inline constexpr Template first_rows = "The first {shown} of {all} rows; all of 
 // `ikbench compare`.
 inline constexpr Template regression = "Regression beyond {margin}: {list}. {rest}";
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
+inline constexpr Template margins = "{margin} (shares: {of_shares})";
 inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";
 inline constexpr Template by_more = "{word} by more than {margin}";
@@ -159,8 +160,8 @@ inline constexpr Template looked_before_plan =
     "warning: a report or a comparison looked at this study before, after {runs} runs. Looks that are planned afterwards do not "
     "keep the {level}. For a decision that does, solve with another seed: --sequential --run STUDY --set seed=2.";
 inline constexpr Template families =
-    "Judged together here: the metrics of A and B. A report judges each metric over the pairs of all {solvers} solvers, so "
-    "one of the two may decide what the other leaves undecided.";
+    "Judged together here: the metrics of A and B. A report judges each metric over the pairs of {solvers}, so one of the two "
+    "may decide what the other leaves undecided.";
 
 // Tables of a study.
 inline constexpr Template points =

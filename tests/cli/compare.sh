@@ -32,7 +32,7 @@ base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 # The same, to the bit.
 succeeds compare $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
 [ "$(grep -cE '  the same within 5 (%|percentage points)  .* equal bit for bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
-[ "$(answer)" = "No regression beyond 5 %. Of 24 comparisons: 18 the same within 5 %, 6 the same within 5 percentage points." ] || fail "the answer is: $(answer)"
+[ "$(answer)" = "No regression beyond 5 % (shares: 5 percentage points). Of 24 comparisons: 18 the same within 5 %, 6 the same within 5 percentage points." ] || fail "the answer is: $(answer)"
 quiet
 
 # Without a tolerance nothing says what is solved, and that is said once.
@@ -189,7 +189,7 @@ if command -v python3 >/dev/null; then
   python3 -c '
 import json
 told = json.load(open("new/comparison.json"))
-assert told["margin"] == 0.05 and told["verdict"].startswith("No regression beyond 5 %"), told
+assert told["margin"] == 0.05 and told["verdict"].startswith("No regression beyond 5 % ("), told
 assert [row["metric"] for row in told["rows"]] == ["evaluations", "solved"], told
 assert told["rows"][0]["B_is"] == "better by more than 5 %" and told["rows"][0]["p"] < told["rows"][0]["level"], told' || fail "the JSON"
 fi

@@ -124,7 +124,8 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
       CHECK(metric.contrast.is_fact);
     }
     CHECK(verdict_of(comparison) ==
-          "No regression beyond 5 %. Of 5 comparisons: 4 the same within 5 %, 1 the same within 5 percentage points.");
+          "No regression beyond 5 % (shares: 5 percentage points). Of 5 comparisons: 4 the same within 5 %, 1 the same "
+          "within 5 percentage points.");
   }
 }
 
@@ -401,8 +402,10 @@ TEST_CASE("the table has a row for every label and metric, and facts have no p",
   CHECK(std::get<std::string>(cell_at(table, 1, "remark")) == "equal bit for bit");
   CHECK(is_empty(table, 1, "p"));
   const std::string json = variants_json({comparisons, by_default});
-  CHECK_THAT(json,
-             ContainsSubstring(R"("verdict": "Regression beyond 5 %: position_error_cm (2 times A's, interval 1.)"));
+  CHECK_THAT(
+      json,
+      ContainsSubstring(
+          R"("verdict": "Regression beyond 5 % (shares: 5 percentage points): position_error_cm (2 times A's, interval 1.)"));
   CHECK_THAT(json, ContainsSubstring(R"("p": null)"));
 }
 
