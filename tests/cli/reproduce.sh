@@ -36,6 +36,7 @@ done
 # A report from the store alone has neither repetitions nor interpretations, so it does not replace theirs.
 cp paper/verdict.md before.md
 refused "choose another folder (--out), or run ikbench reproduce again" report paper/store.sqlite --no-figures
+refused "choose another folder (--out), or run ikbench reproduce again" run slim2023 --no-figures --out paper
 cmp paper/verdict.md before.md || fail "a report that is refused changed the verdict"
 succeeds report paper/store.sqlite --study slim2023-context --no-figures --out context
 has "$(<context/tables/results.md)" "DLS"
