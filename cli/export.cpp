@@ -64,24 +64,24 @@ void add_export(CLI::App& app, Invocation&) {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
-    std::vector<SolveRecord> solves;
-    const auto keep = [&](SolveRecord solve) { solves.push_back(std::move(solve)); };
-    for (const std::string& damage : damages_of(store, study.name, keep)) say("warning: " + damage);
     const ExportFormat& format = export_format(arguments->format);
-    const std::vector<Session> sessions = store.sessions();
-    const Exported exported{.study = study, .sessions = sessions, .solves = solves};
-    if (format.write_folder) {
-      if (arguments->file == "-")
-        throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));
-      for (const std::string& warning : format.write_folder(exported, arguments->file)) say("warning: " + warning);
-      return;
-    }
-    const std::string text = format.text(exported);
-    if (arguments->file == "-") {
-      std::fwrite(text.data(), 1, text.size(), stdout);  // main checks that it could be written
-    } else {
-      write_through(arguments->file, text);
-    }
+    if (format.write_folder && arguments->file == "-")
+      throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));
+    store.at_one_moment([&] {
+      for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
+      const std::vector<Session> sessions = store.sessions();
+      const Exported exported{.study = study, .sessions = sessions, .each_solve = [&](const auto& take) {
+                                store.each_of_study(study, take);
+                              }};
+      if (format.write_folder) {
+        for (const std::string& warning : format.write_folder(exported, arguments->file)) say("warning: " + warning);
+      } else if (arguments->file == "-") {
+        // main checks that it could be written
+        format.write_text(exported, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });
+      } else {
+        write_through(arguments->file, [&](const Write& write) { format.write_text(exported, write); });
+      }
+    });
   });
 }
 

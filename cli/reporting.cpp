@@ -202,14 +202,10 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
       "solves: give these again into another folder");
 }
 
-std::vector<std::string> damages_of(const Store& store, const std::string& study,
-                                    const std::function<void(SolveRecord)>& take) {
+std::vector<std::string> damages_of(const Store& store, const std::string& study) {
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
-  store.each_of_study(entry, [&](SolveRecord solve) {
-    check.look_at(solve);
-    if (take) take(std::move(solve));
-  });
+  store.each_of_study(entry, check.look_at);
   std::vector<std::string> damages = check.damages();
   if (const std::string unknown = check.unknown(); !unknown.empty()) say("warning: " + unknown);
   return damages;

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -62,9 +61,8 @@ void draw(const std::vector<figures::Figure>& figures, const std::filesystem::pa
           const figures::RenderOptions& options);
 
 // The damages of a stored study, in sentences: numbers that do not follow from the answers (experiments/recheck.hpp),
-// changes since it was written, and sessions that the store does not have. Reads the solves and passes them on.
-std::vector<std::string> damages_of(const results::Store& store, const std::string& study,
-                                    const std::function<void(results::SolveRecord)>& take = {});
+// changes since it was written, and sessions that the store does not have.
+std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);

@@ -6,7 +6,7 @@
 
 namespace ikbench::results {
 
-#define EXPORT_TEXT(name, meaning) std::string name##_text(const Exported&);
+#define EXPORT_TEXT(name, meaning) void name##_text(const Exported&, const Write&);
 #define EXPORT_FOLDER(name, meaning) \
   std::vector<std::string> write_##name(const Exported&, const std::filesystem::path&);
 #include "results/export_formats.inc"

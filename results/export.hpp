@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/files.hpp"
 #include "results/record.hpp"
 #include "results/store.hpp"
 
@@ -24,19 +25,22 @@ std::vector<ColumnInfo> columns();
 // True if the column has no value: nobody counted the evaluations.
 bool is_uncounted(std::string_view column, const SolveRecord& record);
 
+// Passes solves on one by one, as often as it is called.
+using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
+
 // The exported solves and their study. The solves are in the order solver, run, point.
 struct Exported {
   const StudyEntry& study;
   const std::vector<Session>& sessions;
-  const std::vector<SolveRecord>& solves;
+  PassSolves each_solve;
 };
 
-// A format is either a text or a folder, which must be absent or empty. Both functions throw std::invalid_argument if
-// the format cannot hold the study. `write_folder` returns warnings.
+// A format is either a text, which is written in parts, or a folder, which must be absent or empty. Both functions
+// throw std::invalid_argument if the format cannot hold the study. `write_folder` returns warnings.
 struct ExportFormat {
   std::string_view name;
   std::string_view meaning;
-  std::string (*text)(const Exported& exported) = nullptr;
+  void (*write_text)(const Exported& exported, const Write& write) = nullptr;
   std::vector<std::string> (*write_folder)(const Exported& exported, const std::filesystem::path& folder) = nullptr;
 };
 
@@ -45,9 +49,7 @@ std::span<const ExportFormat> export_formats();
 // Throws std::invalid_argument if there is no format of that name.
 const ExportFormat& export_format(std::string_view name);
 
-// Writes the CSV of solves that `pass` passes on one by one. It calls `pass` again if a list is longer than that of the
-// first solve.
-using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
+// Writes the CSV of solves into a file. Calls `pass` again if a list is longer than that of the first solve.
 void write_csv(const std::filesystem::path& file, const PassSolves& pass);
 
 }  // namespace ikbench::results

@@ -227,7 +227,11 @@ void write_file(const fs::path& file, const Contents& contents) {
 }
 
 void write_through(const fs::path& file, std::string_view text) {
-  write_or_refuse(file, [&] { return write_whole(file, [&](const Write& write) { write(text); }); });
+  write_through(file, [&](const Write& write) { write(text); });
+}
+
+void write_through(const fs::path& file, const Contents& contents) {
+  write_or_refuse(file, [&] { return write_whole(file, contents); });
 }
 
 std::optional<std::string> read_file(const fs::path& file) {

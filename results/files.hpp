@@ -21,8 +21,9 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same for a file that the user named: follows links.
+// The same two for a file that the user named: they follow links.
 void write_through(const std::filesystem::path& file, std::string_view text);
+void write_through(const std::filesystem::path& file, const Contents& contents);
 // Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
 // gets its name.
 void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);

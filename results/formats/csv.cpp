@@ -86,36 +86,56 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
   append_csv_row(text, cells);
 }
 
+// Gathers text, so that it is written in parts of some size.
+class Parts {
+ public:
+  explicit Parts(const Write& write) : write_(write) {}
+
+  std::string text = {};  // add to it, then call end_row()
+
+  void end_row() {
+    if (text.size() >= part) end();
+  }
+  void end() {
+    write_(text);
+    text.clear();
+  }
+
+ private:
+  static constexpr std::size_t part = 1 << 20;
+  const Write& write_;
+};
+
 }  // namespace
 
-std::string csv_text(const Exported& exported) {
+void csv_text(const Exported& exported, const Write& write) {
   Widths widths;
-  for (const SolveRecord& record : exported.solves) fits(record, widths);
-  std::string text;
-  append_header(text, widths);
-  for (const SolveRecord& record : exported.solves) append_row(text, record, widths);
-  return text;
+  exported.each_solve([&](const SolveRecord& record) { fits(record, widths); });
+  Parts parts(write);
+  append_header(parts.text, widths);
+  exported.each_solve([&](const SolveRecord& record) {
+    append_row(parts.text, record, widths);
+    parts.end_row();
+  });
+  parts.end();
 }
 
 void write_csv(const std::filesystem::path& file, const PassSolves& pass) {
-  constexpr std::size_t part = 1 << 20;
   Widths widths;
   for (bool is_whole = false; !is_whole;) {
     is_whole = true;
     write_file(file, [&](const Write& write) {
-      std::string text;
-      if (!widths.empty()) append_header(text, widths);
+      Parts parts(write);
+      if (!widths.empty()) append_header(parts.text, widths);
       pass([&](const SolveRecord& record) {
         const bool is_first = widths.empty(), is_within = fits(record, widths);
-        if (is_first) append_header(text, widths);
+        if (is_first) append_header(parts.text, widths);
         is_whole &= is_first || is_within;
-        append_row(text, record, widths);
-        if (text.size() < part) return;
-        write(text);
-        text.clear();
+        append_row(parts.text, record, widths);
+        parts.end_row();
       });
-      if (widths.empty()) append_header(text, widths);
-      write(text);
+      if (widths.empty()) append_header(parts.text, widths);
+      parts.end();
     });
   }
 }

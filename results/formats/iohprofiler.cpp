@@ -141,12 +141,12 @@ std::vector<std::string> write_iohprofiler(const Exported& exported, const std::
   const Json definition = numerics::parsed_ordered_json(study.definition);
   std::map<std::string, std::map<int, std::map<std::size_t, Function>>> functions;  // by solver, point and dimension
   std::set<std::string> left_out;
-  for (const SolveRecord& solve : exported.solves) {
+  exported.each_solve([&](const SolveRecord& solve) {
     if (!has_rows(solve)) left_out.insert(solve.solver);
-  }
+  });
   bool has_trace = false;
-  for (const SolveRecord& solve : exported.solves) {
-    if (left_out.contains(solve.solver)) continue;
+  exported.each_solve([&](const SolveRecord& solve) {
+    if (left_out.contains(solve.solver)) return;
     has_trace = true;
     if (solve.point > largest_id || solve.run > largest_id)
       throw std::invalid_argument(
@@ -155,7 +155,7 @@ std::vector<std::string> write_iohprofiler(const Exported& exported, const std::
                       solve.run, solve.point, largest_id));
     const std::size_t dimension = dimension_of(definition, solve);
     add_run(functions[solve.solver][solve.point][dimension], solve, dimension);
-  }
+  });
   if (!has_trace)
     throw std::invalid_argument(fmt::format(
         "study '{}': no solver has the errors at its evaluations; expected trace = \"best_error\" in the study: "

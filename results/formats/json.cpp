@@ -2,7 +2,10 @@
 // infinities, which JSON does not have.
 #include "numerics/json.hpp"
 
+#include <fmt/format.h>
+
 #include <type_traits>
+#include <utility>
 
 #include "results/export.hpp"
 
@@ -27,7 +30,7 @@ OrderedJson json_of(const SolveRecord& record) {
 
 }  // namespace
 
-std::string json_text(const Exported& exported) {
+void json_text(const Exported& exported, const Write& write) {
   OrderedJson head;
   head["note"] = "null stands for a number that is not finite";
   head["columns"] = OrderedJson::array();
@@ -48,13 +51,12 @@ std::string json_text(const Exported& exported) {
   // Solves follow one by one, so that only one is an object at a time.
   std::string text = text_of(head);
   text.pop_back();
-  text += ",\"solves\":[";
-  for (const SolveRecord& record : exported.solves) {
-    text += &record == &exported.solves.front() ? "\n" : ",\n";
-    text += text_of(json_of(record));
-  }
-  text += "]}\n";
-  return text;
+  write(text + ",\"solves\":[");
+  std::string_view between = "\n";
+  exported.each_solve([&](const SolveRecord& record) {
+    write(fmt::format("{}{}", std::exchange(between, ",\n"), text_of(json_of(record))));
+  });
+  write("]}\n");
 }
 
 }  // namespace ikbench::results

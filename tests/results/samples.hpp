@@ -89,7 +89,13 @@ inline results::StudyEntry sample_study(const std::string& name = "table-3") {
 // The solves in a format that is a text.
 inline std::string exported(std::string_view format, const std::vector<results::SolveRecord>& solves,
                             const std::vector<results::Session>& sessions = {}) {
-  return results::export_format(format).text({sample_study(), sessions, solves});
+  const auto each = [&](const std::function<void(const results::SolveRecord&)>& take) {
+    for (const results::SolveRecord& solve : solves) take(solve);
+  };
+  std::string text;
+  results::export_format(format).write_text({sample_study(), sessions, each},
+                                            [&](std::string_view part) { text += part; });
+  return text;
 }
 
 // Doubles as their bits, so that NaN equals NaN and -0.0 differs from 0.0; everything else by ==.

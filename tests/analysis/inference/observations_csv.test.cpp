@@ -10,6 +10,7 @@
 #include "results/export.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/results/samples.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -193,7 +194,7 @@ TEST_CASE("rows of a path may lead to one another, and the advice says what to d
 
 TEST_CASE("the solves that the program exports are refused as replicates and averaged by run", "[csv]") {
   const std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA"}, .runs = 3, .points = 5});
-  const std::string text = export_format("csv").text({.study = {}, .sessions = {}, .solves = solves});
+  const std::string text = exported("csv", solves);
   const CsvRequest errors{.value = "position_error_cm", .group = "solver"};
   CHECK(says(refusal(text, errors), {"5 rows share run 1 of IK-BA, one for each point, and are not replicates; if each "
                                      "point depends on the previous one, average them with --run run; "}));

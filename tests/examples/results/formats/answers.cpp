@@ -4,14 +4,12 @@
 
 namespace ikbench::results {
 
-std::string answers_text(const Exported& exported) {
-  std::string text;
-  for (const SolveRecord& solve : exported.solves) {
+void answers_text(const Exported& exported, const Write& write) {
+  exported.each_solve([&](const SolveRecord& solve) {
     const numerics::OrderedJson line{
         {"solver", solve.solver}, {"run", solve.run}, {"point", solve.point}, {"answer_rad", solve.answer_rad}};
-    text += numerics::text_of(line) + '\n';
-  }
-  return text;
+    write(numerics::text_of(line) + '\n');
+  });
 }
 
 }  // namespace ikbench::results
