@@ -285,9 +285,10 @@ class Answer {
     }
     Pairs without_p = pairs;
     std::erase_if(without_p, [](const Contrast* pair) { return std::isfinite(pair->p); });
-    const ByReason reasons = reasons_of(without_p);
+    const ByReason reasons = is_short_ ? ByReason() : reasons_of(without_p);
     for (const auto& [reason, names] : reasons.items()) {
-      text.remarks.push_back(names.size() == pairs.size() ? reason : fmt::format("{}: {}", listed(names), reason));
+      text.remarks.push_back(names.size() == pairs.size() ? reason
+                                                          : fmt::format("against {} {}", listed(names), reason));
     }
     const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
     if (!runs.empty()) text.remarks.push_back(runs);
