@@ -142,6 +142,7 @@ std::optional<Table> agreement_table(const StudyResults& study, std::span<const 
   }
   add_times(table, study);
   table.notes.push_back(agreement_sentence(all));
+  table.notes.push_back(own_sentence(all));
   table.notes.push_back(fmt::format(
       "The printed digits are the paper's. Our range holds that statistic in 95 % of studies like ours: it is the "
       "predictive range of one more of them, by order statistics of {} seeds. Where the printed number lies outside, "
@@ -162,6 +163,15 @@ std::string agreement_sentence(const std::vector<Agreement>& agreements) {
   return fmt::format(
       "{} of {} printed errors and variations lie where 95 % of our repetitions do. Means that do not: {}.",
       std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size(), means.empty() ? "none" : means);
+}
+
+std::string own_sentence(const std::vector<Agreement>& agreements) {
+  const auto outside = std::ranges::count_if(
+      agreements, [](const Agreement& of) { return of.ours < of.expected.low || of.ours > of.expected.high; });
+  return fmt::format(
+      "Of our own {0} numbers, which are those of one seed, {1} {2} outside our range; by chance {3:.0f} of {0} would.",
+      agreements.size(), outside, outside == 1 ? "lies" : "lie",
+      (1 - predictive_level) * static_cast<double>(agreements.size()));
 }
 
 }  // namespace ikbench::slim2023

@@ -45,5 +45,7 @@ std::optional<report::Table> agreement_table(const inference::StudyResults& stud
 
 // The number of agreements in our range, and the ratios of the other means; empty if there are none.
 std::string agreement_sentence(const std::vector<Agreement>& agreements);
+// How many of our own numbers are outside our range, and how many would be by chance.
+std::string own_sentence(const std::vector<Agreement>& agreements);
 
 }  // namespace ikbench::slim2023

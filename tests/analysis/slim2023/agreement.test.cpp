@@ -122,4 +122,7 @@ TEST_CASE("the table has our numbers beside the printed digits, and a word where
   const std::string sentence = agreement_sentence(agreements(study_with(0.001), repetitions));
   CHECK(sentence.starts_with("4 of 10 printed errors and variations lie where 95 % of our repetitions do"));
   CHECK(agreement_sentence({}).empty());
+  CHECK(own_sentence({{.ours = 1, .expected = {.value = 2, .low = 1, .high = 3}},
+                      {.ours = 4, .expected = {.value = 2, .low = 1, .high = 3}}}) ==
+        "Of our own 2 numbers, which are those of one seed, 1 lies outside our range; by chance 0 of 2 would.");
 }
