@@ -46,7 +46,7 @@ double limit_of(const StudyResults& study, Metric metric) {
 }
 
 // The most that a solve may cost: the study's limit, or else what the dearest solve of all solvers cost. That of its
-// own solver would reward who gives up early.
+// own solver would reward who gives up early. 0 if no solve cost anything.
 double most_of(const StudyResults& study, Metric metric, const ValueOf& counted) {
   const double limit = limit_of(study, metric);
   if (std::isfinite(limit)) return limit;
@@ -80,15 +80,16 @@ ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, Val
   const MetricInfo& info = info_of(metric);
   result.text = text_of({fmt::format("{} ({})", info.name, penalty_words(study, metric)), result.unit});
   const double most = most_of(study, metric, counted);
-  const std::string value = fmt::format("{}{}{}", rounded_number(most, 6), info.unit.empty() ? "" : " ", info.unit);
+  const std::string_view space = info.unit.empty() ? "" : " ";
+  const std::string value = fmt::format("{}{}{}", rounded_number(most, 6), space, info.unit);
   result.notes.push_back(fmt::format(
       "For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver gains by answers that solve "
       "nothing.",
       info.name, penalty,
-      std::isfinite(limit_of(study, metric))
-          ? fmt::format("the study's limit of {}", value)
-          : fmt::format("what the dearest solve of all solvers cost, {}, because the study has no limit", value)));
-  return penalised(std::move(counted), metric, most);
+      std::isfinite(limit_of(study, metric)) ? fmt::format("the study's limit of {}", value)
+      : most > 0 ? fmt::format("what the dearest solve of all solvers cost, {}, because the study has no limit", value)
+                 : fmt::format("1{}{}, because the study has no limit and no solve cost anything", space, info.unit)));
+  return penalised(std::move(counted), metric, most > 0 ? most : 1);
 }
 
 std::string tolerance_note(double least, std::string_view unit) {
