@@ -101,6 +101,8 @@ StopReason recorded(Stopped stopped) {
       return StopReason::time;
     case Stopped::finished:
       return StopReason::finished;
+    case Stopped::gave_up:
+      return StopReason::gave_up;
     case Stopped::not_finite:
       break;
   }
@@ -241,7 +243,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .largest_seconds = all.back().seconds,
                      .interruptions = interruptions,
                      .unavoidable_error_cm = beyond_reach(target) / centimetre,
-                     .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody};
+                     .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody,
+                     .restarts = solution.restarts};
   write_verified(verified, record);
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {

@@ -12,7 +12,7 @@
 namespace ikbench::results {
 
 // The reason for a solve's end; finished: the solver ended by itself.
-enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished };
+enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
 
 // The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
 // limit_violated, tolerance_missed, ok. If a study enforces the joint limits, an answer that violates them is refused:
@@ -40,8 +40,8 @@ enum class Timing : std::uint8_t { clean, parallel, debug_build, process, import
 // Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
-constexpr std::array<std::string_view, 6> stop_reason_names{"iterations", "tolerance",  "evaluations",
-                                                            "time",       "not_finite", "finished"};
+constexpr std::array<std::string_view, 7> stop_reason_names{"iterations", "tolerance", "evaluations", "time",
+                                                            "not_finite", "finished",  "gave_up"};
 constexpr std::array<std::string_view, 12> status_names{
     "ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
     "crashed", "timed_out",        "broke_protocol", "declined", "not_verified",      "over_budget"};

@@ -47,7 +47,7 @@ class LevenbergMarquardt final : public Solver {
     q_ = problem.start;
     keep_inside(options_.bounds, problem_, q_);
     best_ = {problem.start};
-    searched_ = 0;
+    searched_ = restarts_ = 0;
     arrive(objective);
   }
 
@@ -56,6 +56,7 @@ class LevenbergMarquardt final : public Solver {
     if (searched_ == options_.search_iterations) {
       draw_one_within_limits(problem_, random, q_);
       searched_ = 0;
+      ++restarts_;
     } else {
       ++searched_;
       // dq = (J^T J + W)^-1 J^T e
@@ -75,6 +76,7 @@ class LevenbergMarquardt final : public Solver {
 
   const Best& best() const override { return best_; }
   bool finished() const override { return best_.error <= options_.small_error; }
+  int restarts() const override { return restarts_; }
 
  private:
   void arrive(Objective& objective) {
@@ -94,6 +96,7 @@ class LevenbergMarquardt final : public Solver {
   Eigen::MatrixXd jacobian_;
   Residual to_go_;
   int searched_ = 0;  // iterations of this search
+  int restarts_ = 0;
   Best best_;
 };
 

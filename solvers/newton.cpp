@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solvers/bounds.hpp"
+#include "solvers/pseudo_inverse.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/twist.hpp"
 
@@ -14,42 +15,6 @@ using namespace numerics;
 using namespace robots;
 
 namespace {
-
-// J^+ r, without singular values below `smallest`. Rotations of pairs of its rows, which do not change J^+ r, make them
-// orthogonal; their lengths are then the singular values (one-sided Jacobi, Hestenes 1958).
-template <int rows>
-Configuration pseudo_inverse_times(const Eigen::MatrixXd& jacobian, const Residual& residual, double smallest) {
-  Eigen::Matrix<double, Eigen::Dynamic, rows, 0, most_joints, rows> J = jacobian.topRows<rows>().transpose();
-  Eigen::Matrix<double, rows, 1> r = residual.head<rows>();
-  constexpr int most_sweeps = 30;
-  bool turned = true;
-  for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
-    turned = false;
-    for (int i = 0; i < rows; ++i) {
-      for (int k = i + 1; k < rows; ++k) {
-        const double ii = J.col(i).squaredNorm(), kk = J.col(k).squaredNorm(), ik = J.col(i).dot(J.col(k));
-        if (!(std::abs(ik) > 1e-15 * std::sqrt(ii * kk))) continue;
-        turned = true;
-        const double cotangent = (kk - ii) / (2 * ik);  // of twice the angle
-        const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
-        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
-        const auto turn = [&](double& a, double& b) {
-          const double before = a;
-          a = cosine * a - sine * b;
-          b = sine * before + cosine * b;
-        };
-        for (Eigen::Index j = 0; j < J.rows(); ++j) turn(J(j, i), J(j, k));
-        turn(r[i], r[k]);
-      }
-    }
-  }
-  Configuration product = Configuration::Zero(J.rows());
-  for (int i = 0; i < rows; ++i) {
-    const double squared = J.col(i).squaredNorm();
-    if (squared > 0 && !(squared < smallest * smallest)) product += r[i] / squared * J.col(i);
-  }
-  return product;
-}
 
 class Newton final : public Solver {
  public:
@@ -88,6 +53,7 @@ class Newton final : public Solver {
     limit(q_);
     best_ = {problem.start};
     is_stuck_ = false;
+    restarts_ = 0;
     arrive(objective);
   }
 
@@ -96,10 +62,10 @@ class Newton final : public Solver {
     if (is_stuck_) {
       draw_one_within_limits(problem_, random, q_);
       is_stuck_ = false;
+      ++restarts_;
     } else {
       const Configuration before = q_;
-      q_ += objective.rows() == 3 ? pseudo_inverse_times<3>(jacobian_, to_go_, options_.singular)
-                                  : pseudo_inverse_times<6>(jacobian_, to_go_, options_.singular);
+      q_ += pseudo_inverse_times(jacobian_, to_go_, options_.singular);
       limit(q_);
       if (!q_.allFinite()) {
         q_ = before;
@@ -115,6 +81,7 @@ class Newton final : public Solver {
   bool finished() const override {
     return is_stuck_ && (options_.restarts == Restarts::none || best_.error <= options_.small_error);
   }
+  int restarts() const override { return restarts_; }
 
  private:
   void limit(Configuration& q) const {
@@ -139,6 +106,7 @@ class Newton final : public Solver {
   Eigen::MatrixXd jacobian_;
   Residual to_go_;
   bool is_stuck_ = false;
+  int restarts_ = 0;
   Best best_;
 };
 

@@ -51,7 +51,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
     } else if (tolerance.is_reached(solver.best())) {
       solution.stopped = Stopped::tolerance;
     } else if (solver.finished()) {
-      solution.stopped = Stopped::finished;
+      solution.stopped = solver.gave_up() ? Stopped::gave_up : Stopped::finished;
     } else if (solution.iterations >= stop.iterations) {
       solution.stopped = Stopped::iterations;
     } else if (stop.evaluations > 0 && objective.evaluations() >= stop.evaluations) {
@@ -76,6 +76,7 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   const bool is_pose = objective.goal().is_pose() && solution.stopped != Stopped::not_finite;
   solution.position_error = is_pose ? objective.deviation(solution.best.q).position : solution.best.error;
   solution.evaluations = objective.evaluations();
+  solution.restarts = solver.restarts();
   if (!improved.at.empty() && improved.at.back() < solution.evaluations)
     improved.add(solution.evaluations, solution.best.error);
   return solution;

@@ -8,8 +8,8 @@
 
 namespace ikbench::solvers {
 
-// finished: the solver ended by itself.
-enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished };
+// finished: the solver ended by itself; gave_up: without a solution, as it says.
+enum class Stopped { iterations, tolerance, evaluations, time, not_finite, finished, gave_up };
 
 enum class Trace { none, best_error };
 
@@ -17,6 +17,7 @@ struct Solution {
   Best best;
   std::int64_t iterations = 0;
   std::int64_t evaluations = 0;
+  int restarts = 0;
   Stopped stopped = Stopped::iterations;
   double position_error = 0;  // [m] of the best answer; equals its error if positions are searched
   std::vector<double> trace;  // best error [m] after each iteration, if asked for

@@ -81,6 +81,10 @@ class Solver {
   virtual const Best& best() const = 0;
   // True if a further step changes nothing: for solvers that end by themselves.
   virtual bool finished() const { return false; }
+  // True if it is finished and says itself that it found no solution.
+  virtual bool gave_up() const { return false; }
+  // How often it began its search anew in this solve.
+  virtual int restarts() const { return 0; }
 };
 
 }  // namespace ikbench::solvers
