@@ -175,6 +175,23 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
       ->capture_default_str();
 }
 
+Study perturbed_copy(Study study, int number) {
+  study.name = report::name_of_copy(study.name, number);
+  study.perturbed = number;
+  study.repeats = 1;
+  return study;
+}
+
+void add_perturb_option(CLI::App& command, int& copies) {
+  command
+      .add_option(
+          "--perturb", copies,
+          "solve so many times more with targets and drawn starts that differ in their last bits; the report says "
+          "what that changes: exact, stable or chaotic")
+      ->check(whole_number({0, 100}))
+      ->capture_default_str();
+}
+
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
   warn_of_memory(store.name());

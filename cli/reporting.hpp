@@ -79,6 +79,11 @@ void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
+// The study's copy with targets that differ in their last bits, from 1. Times count for nothing there, so it repeats
+// none.
+experiments::Study perturbed_copy(experiments::Study study, int number);
+void add_perturb_option(CLI::App& command, int& copies);
+
 // Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, says
 // what was done, and after Ctrl-C how to continue.
 Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,

@@ -85,6 +85,7 @@ struct Arguments {
   int seeds = 3;
   std::optional<int> repetitions = {};  // empty: as many as the paper asks for
   bool is_quick = false;
+  int copies = 0;
   RunArguments run;
   ReportArguments report;
 };
@@ -196,11 +197,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       ->check(whole_number({0, 1000}));
   command->add_flag("--quick", arguments->is_quick,
                     collections_with("--repetitions") + "skip the interpretations and the repetitions");
+  add_perturb_option(*command, arguments->copies);
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
+      "  ikbench reproduce haviland2023 --perturb 5    every printed digit, and which rows last bits decide\n"
       "  ikbench reproduce arms                   seven solvers on random poses of every arm\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --quick                faster: skip the interpretations and the repetitions\n"
@@ -214,16 +217,23 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);
     const auto studies =
         studies_of(collection, {fmt::format("seed={}", arguments->seed)}, fmt::format("runs={}", arguments->runs));
+    const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};
+    const auto is_stopped = [&](const Study& study) {
+      if (run_and_tell(study, folder, request) != Ended::stopped) return false;
+      invocation.exit_code = cancelled_exit_code();
+      return true;
+    };
     std::set<std::string> shown;
     for (std::size_t i = 0; i < studies.size(); ++i) {
       const auto& [name, overrides] = studies[i];
-      if (run_and_tell(load_study(name, overrides), folder,
-                       {.jobs = arguments->run.jobs, .command = invocation.command}) == Ended::stopped) {
-        invocation.exit_code = cancelled_exit_code();
-        return;
-      }
+      if (is_stopped(load_study(name, overrides))) return;
       if (i == 0 || i + 1 == studies.size()) {
         show_tables(Store(store_in(folder), Store::Mode::read), collection, i + 1, shown);
+      }
+    }
+    for (const auto& [name, overrides] : studies) {
+      for (int copy = 1; copy <= arguments->copies; ++copy) {
+        if (is_stopped(perturbed_copy(load_study(name, overrides), copy))) return;
       }
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};

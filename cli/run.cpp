@@ -51,6 +51,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     ReportArguments report;
     bool without_report = false;
     std::optional<std::string> shard;
+    int copies = 0;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
@@ -67,9 +68,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--shard", arguments->shard,
                       "I/N: solve only the I-th of N parts of the study, by all solvers, and write no report; default "
                       "--out: out/<study>/shards/I-of-N");
+  add_perturb_option(*command, arguments->copies);
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"
+      "  ikbench run my.toml --perturb 5          can anybody repeat these numbers, to the last digit?\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
@@ -92,8 +95,12 @@ void add_run(CLI::App& app, Invocation& invocation) {
       refuse_reproduction(folder);
       warn_of_too_few(study);
     }
-    if (run_and_tell(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
-        Ended::stopped) {
+    Ended ended = Ended::complete;
+    for (int copy = 0; copy <= arguments->copies && ended == Ended::complete; ++copy) {
+      ended = run_and_tell(copy == 0 ? study : perturbed_copy(study, copy), folder, request,
+                           is_part ? Store::Mode::write_shared : Store::Mode::write);
+    }
+    if (ended == Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
     } else if (has_report) {
       const Store store(store_in(folder), Store::Mode::read);

@@ -87,6 +87,7 @@ StudyFacts facts_of(const Json& all, std::string definition) {
           .slides = slides_of(arm),
           .seed = number(all, "seed"),
           .repeats = number(all, "repeats"),
+          .perturbed = number(all, "perturbed"),
           .deadline_ms = number(all, "deadline_ms"),
           .stop = stop_of(part(all, "stop")),
           .path = text(path, "kind"),

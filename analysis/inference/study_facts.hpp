@@ -47,6 +47,7 @@ struct StudyFacts {
   std::set<std::size_t> slides = {};  // indices of prismatic joints, from 0
   double seed = not_defined;
   double repeats = not_defined;
+  double perturbed = not_defined;  // number of the copy whose targets differ in their last bits
   double deadline_ms = not_defined;
   Stop stop = {};
   std::string path = {};  // kind of path, or empty

@@ -13,6 +13,7 @@
 #include "analysis/inference/observations.hpp"
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
+#include "analysis/report/last_bits.hpp"
 #include "analysis/report/multiverse.hpp"
 #include "analysis/report/rates.hpp"
 #include "analysis/report/repetitions.hpp"
@@ -26,16 +27,23 @@ struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
   std::span<const RepeatedSolver> repetitions = {};  // run means of the study with other seeds; empty if not solved
+  PerturbedCopies perturbed = {};                    // copies of the study and its companions
 };
+
+// The copies of one study among those reported.
+PerturbedCopies copies_of(const inference::StudyResults& study, const Reported& reported);
 
 struct Paper {
   std::string citation = {};        // a sentence with the DOI
+  std::string kind = {};            // a sentence: what kind of reproduction this is
   std::string not_reproduced = {};  // a sentence
   int repetitions = 0;              // number of seeds with which its first study is solved again
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
   ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
+  // Makes tables of printed rows beside ours, rows-*; may be empty.
+  std::function<std::vector<Table>(const Reported&)> rows = {};
   // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};

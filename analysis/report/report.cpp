@@ -104,15 +104,22 @@ class CheckedStore {
   std::vector<std::string> damages_, unknown_;
 };
 
-// Other studies of the store that the report uses: companions, and those with the same targets.
-std::vector<JudgedStudy> others_of(CheckedStore& store, const std::vector<StudyEntry>& entries,
-                                   const StudyResults& study, const Collection& collection) {
-  std::vector<JudgedStudy> result;
+// Other studies of the store that the report uses.
+struct Others {
+  std::vector<JudgedStudy> judged;  // companions, and those with the same targets
+  PerturbedCopies perturbed;
+};
+
+Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const StudyResults& study,
+                 const Collection& collection) {
+  Others result;
   for (const StudyEntry& entry : entries) {
     if (entry.name == study.name) continue;
     StudyResults other = store.study(entry);
-    if (is_companion(other.name, study, collection) || same_targets(study, other)) {
-      result.push_back(judged_by(study.plan, std::move(other)));
+    if (other.facts.perturbed > 0) {
+      result.perturbed.push_back(std::move(other));
+    } else if (is_companion(other.name, study, collection) || same_targets(study, other)) {
+      result.judged.push_back(judged_by(study.plan, std::move(other)));
     }
   }
   return result;
@@ -270,10 +277,22 @@ void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::s
 
 }  // namespace
 
+PerturbedCopies copies_of(const StudyResults& study, const Reported& reported) {
+  PerturbedCopies copies;
+  std::ranges::copy_if(reported.perturbed, std::back_inserter(copies),
+                       [&](const StudyResults& copy) { return is_copy_of(copy, study.name); });
+  return copies;
+}
+
 StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
   const bool has_own = collection.paper && collection.paper->pieces;
   StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
   add_rates(pieces, reported, collection.rates);
+  if (collection.paper && collection.paper->rows) {
+    std::vector<Table> rows = collection.paper->rows(reported);
+    if (!rows.empty()) pieces.results = rows.front().name;
+    std::ranges::move(rows, std::back_inserter(pieces.tables));
+  }
   return pieces;
 }
 
@@ -290,9 +309,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
-  const std::vector<JudgedStudy> others = others_of(checked, store.studies(), study, collection);
-  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others, collection);
-  const Reported reported{.study = study, .companions = companions, .repetitions = request.repetitions};
+  const Others others = others_of(checked, store.studies(), study, collection);
+  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others.judged, collection);
+  const Reported reported{
+      .study = study, .companions = companions, .repetitions = request.repetitions, .perturbed = others.perturbed};
+  const PerturbedCopies copies = copies_of(study, reported);
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
@@ -305,6 +326,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (same_limits_too.size() > 1) tables.push_back(flagged(baselines_table(same_limits_too), study));
   if (std::optional<Table> table = limits_table(same_targets_given))
     tables.push_back(flagged(std::move(*table), study));
+  if (!copies.empty()) tables.push_back(last_bits_table(study, copies));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 

@@ -125,6 +125,7 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
   };
   fill(circumstances(), content.circumstances);
   fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates", "solve-rates-iterations"}}}, content.results);
+  fill({{"Printed rows", "", {"rows-*"}}, {"Last bits", "", {"last-bits"}}}, content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill(of_any_paper(), content.results);

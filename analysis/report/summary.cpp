@@ -118,6 +118,7 @@ std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
     if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
   }
   if (paper.summary) std::ranges::move(paper.summary(reported), std::back_inserter(sentences));
+  sentences.push_back(last_bits_sentence(study, copies_of(study, reported)));
   sentences.push_back(no_tolerance_sentence(study));
   for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
   std::erase(sentences, "");
@@ -134,7 +135,8 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   if (!study.facts.path.empty()) run += fmt::format(" ({})", study.facts.path);
   if (!study.facts.robot.empty()) run += fmt::format(", {}", study.facts.robot);
   if (std::isfinite(study.facts.seed)) run += fmt::format(", seed {}", study.facts.seed);
-  std::vector<std::string> sentences{paper.citation, run + '.', departs_from_paper(study) ? "" : paper.not_reproduced};
+  std::vector<std::string> sentences{paper.citation, departs_from_paper(study) ? "" : paper.kind, run + '.',
+                                     departs_from_paper(study) ? "" : paper.not_reproduced};
   std::erase(sentences, "");
   return sentences;
 }

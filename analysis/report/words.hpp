@@ -235,6 +235,28 @@ inline constexpr Template as_measured =
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";
+inline constexpr Template range_of_chance =
+    "A number agrees if ours rounds to its digits. Range of chance: where the number lies in 95 % of repetitions with other "
+    "targets, by a bootstrap of the targets. The most searches hang on a single target and have no such range.";
+inline constexpr Template last_bits_note =
+    "Solved {copies} times more with targets (and drawn starts) that differ in the last bit of each number, up or down at "
+    "random. exact: the mean is the same in all digits shown; stable: it differs, and no solve has another status; chaotic: "
+    "it differs, and solves have another status. The smallest and the largest mean, of the study and its copies, are the range of rounding.";
+inline constexpr Template last_bits = "Last bits of the targets, changed {copies} times:";
+inline constexpr Template exact_solvers = " {solvers}: exact in every metric.";
+inline constexpr Template stable_solvers = " {solvers}: stable, other numbers with the same statuses.";
+inline constexpr Template chaotic_solvers =
+    " {solvers}: chaotic, last bits decide which targets are solved, so nobody can repeat these numbers to the last digit.";
+inline constexpr Template rows_agree =
+    "{digits} of {attempted} repeated rows of the printed tables agree in every digit. Of the others {rounding} are within the "
+    "range of rounding, {chance} within the range of chance and {outside} outside. {missing} rows were not attempted.";
+inline constexpr Template every_digit = "every digit";
+inline constexpr Template row_by_rounding = "{agree} of {numbers} numbers agree; within the range of rounding";
+inline constexpr Template row_by_chance = "{agree} of {numbers} numbers agree; within the range of chance";
+inline constexpr Template row_outside = "{agree} of {numbers} numbers agree; outside the range of chance";
+inline constexpr Template within_rounding = "rounding gives {range}";
+inline constexpr Template within_chance = "chance gives {range}";
+inline constexpr Template outside_chance = "outside, chance gives {range}";
 inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
 inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
