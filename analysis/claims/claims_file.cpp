@@ -21,7 +21,7 @@ namespace {
 
 Choices<Metric> metric_choices() {
   Choices<Metric> choices;
-  for (const Metric metric : reported_metrics()) choices.emplace_back(name_of(metric), metric);
+  for (const Metric metric : all_metrics()) choices.emplace_back(name_of(metric), metric);
   return choices;
 }
 

@@ -128,6 +128,28 @@ Claims smallest(const Case& of) {
   return claims;
 }
 
+Claims alike(const Case& of) {
+  const Metric metric = of.entry.metrics.front();
+  const auto found = of.evidence(metric);
+  if (!found) return {};
+  const Finding pair = judge(*found, of.entry.solver, of.entry.against);
+  if (pair.relation == Relation::undefined) return {};
+  Claim claim = of.begun();
+  claim.verdict = pair.relation == Relation::same        ? Verdict::holds
+                  : pair.relation == Relation::undecided ? Verdict::undecided
+                                                         : Verdict::fails;
+  const auto mean_of = [&](const std::string& solver) {
+    return std::ranges::find(found->groups, solver, &GroupEvidence::name)->described.mean;
+  };
+  claim.number = fmt::format("{} and {}", number_of(mean_of(of.entry.solver), metric),
+                             with_unit(mean_of(of.entry.against), metric));
+  claim.evidence = {
+      fmt::format("{}: {} with {}, {} with {}{}.", named(metric), with_unit(mean_of(of.entry.solver), metric),
+                  of.entry.solver, number_of(mean_of(of.entry.against), metric), of.entry.against, in_brackets(pair.p)),
+      how_tested(*found, *found)};
+  return {claim};
+}
+
 Claims largest(const Case& of) { return compared(of, Extreme::largest); }
 
 namespace {

@@ -13,6 +13,8 @@ Claims largest(const Case& of);
 Claims ranking(const Case& of);
 // The solver dominates the others: better in one of the metrics and worse in none.
 Claims compromise(const Case& of);
+// The solver and the one that it is compared with are the same within the margin.
+Claims alike(const Case& of);
 // The solvers differ by one-way ANOVA, the paper's test, in all judged metrics.
 Claims differ(const Case& of);
 // The standard deviation over its runs is the smallest, by Brown and Forsythe's test of each pair, after Holm.

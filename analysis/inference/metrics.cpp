@@ -72,7 +72,8 @@ bool is_error(Metric metric) {
 }
 
 bool is_cost(Metric metric) {
-  return !is_error(metric) && row(metric).better == Better::smaller && row(metric).kind != Kind::share;
+  return !is_error(metric) && row(metric).better == Better::smaller && row(metric).kind != Kind::share &&
+         row(metric).shown != ShownIn::if_named;
 }
 
 double value_of(const StudyResults& study, const Solve& solve, Metric metric) {

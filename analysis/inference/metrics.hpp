@@ -31,8 +31,9 @@ enum class Kind { number, count, time, share };
 
 // everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. The other two appear in
 // reports of studies without a paper if they differ between runs (shown_metrics.hpp), and in comparisons that name
-// them: where_it_tells in tables, figures and statistics, in_tables as numbers only.
-enum class ShownIn { everywhere, in_comparisons, where_it_tells, in_tables };
+// them: where_it_tells in tables, figures and statistics, in_tables as numbers only. if_named: only in comparisons and
+// claims that name it.
+enum class ShownIn { everywhere, in_comparisons, where_it_tells, in_tables, if_named };
 
 struct StudyResults;
 // The solves of one observation, a run or a target, in the order of their points.
@@ -58,7 +59,8 @@ NameWithUnit with_unit(Metric metric);
 std::string quantity(Metric metric);  // "position error [cm]"
 bool is_of_run(Metric metric);        // true: a single solve has no value
 bool is_error(Metric metric);         // true: a distance of an answer from its target
-bool is_cost(Metric metric);          // true: the effort for an answer; a solver that does nothing has the least
+bool is_cost(Metric metric);  // true: the effort for an answer; a solver that does nothing has the least. if_named:
+                              // taken as it is
 // The metric's value of a solve, or of one observation. Not defined if the metric has no meaning in the study.
 double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);
