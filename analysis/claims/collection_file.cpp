@@ -10,6 +10,7 @@
 #include "analysis/claims/audit.hpp"
 #include "analysis/claims/multiverse.hpp"
 #include "analysis/claims/one_at_a_time.hpp"
+#include "analysis/claims/row_agreement.hpp"
 #include "analysis/claims/rules.hpp"
 #include "analysis/claims/tables_of.hpp"
 
@@ -37,6 +38,34 @@ RatesPlan read_rates(TomlReader reader, const std::string& name) {
   return rates;
 }
 
+// Kinds of reproduction, with the words of Lopez-Ibanez, Branke and Paquete 2021 (ACM TELO 1(4)).
+const Choices<std::string_view> kinds{
+    {"none", ""},
+    {"repeated", "Repeated: the authors' code and random numbers."},
+    {"replicated_to_the_digit",
+     "Replicated to the digit: our code, the authors' random numbers. Every printed digit can be compared."},
+    {"replicated", "Replicated: our code and random numbers."},
+    {"generalised", "Generalised: our code, other arms or targets."}};
+
+PrintedTable read_table(TomlReader reader) {
+  PrintedTable table;
+  reader.text("study", table.study, "");
+  reader.text("table", table.table, "");
+  reader.text("caption", table.caption, "");
+  read_texts(reader, "not_attempted", table.not_attempted);
+  reader.refuse_unknown_keys();
+  return table;
+}
+
+// Adds printed tables whose rows are solvers.
+void add_rows(Paper& paper, const std::string& name, std::vector<PrintedTable> tables) {
+  const auto shared = std::make_shared<const std::vector<PrintedTable>>(std::move(tables));
+  paper.rows = [name, shared](const Reported& reported) { return compared_rows(reported, name, *shared).tables; };
+  paper.summary = [name, shared](const Reported& reported) {
+    return std::vector<std::string>{agreement_sentence(compared_rows(reported, name, *shared).found)};
+  };
+}
+
 // Adds the claims' parts of a report.
 void add_claims(Paper& paper, ClaimsFile file) {
   const auto shared = std::make_shared<const ClaimsFile>(std::move(file));
@@ -57,6 +86,14 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
   Paper paper;
   read_prose(reader, "citation", paper.citation);
   read_prose(reader, "not_reproduced", paper.not_reproduced);
+  std::string_view kind;
+  reader.choice("kind", kind, kinds, "");
+  paper.kind = kind;
+  if (reader.table().contains("rows")) {
+    std::vector<PrintedTable> tables;
+    for (const TomlReader& table : tables_of(reader, "rows")) tables.push_back(read_table(table));
+    add_rows(paper, of.name, std::move(tables));
+  }
   reader.whole("repetitions", paper.repetitions, {0, 1000}, "");
   reader.refuse_unknown_keys();
   if (const EmbeddedFile* const claims = find_embedded(files, of.name + "/claims")) {

@@ -93,7 +93,7 @@ std::string legend_of(const Table& table) {
 Json cell_json(const Cell& cell, bool is_left) {
   constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
   if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) {
-    return {{"text", short_number(beside->ours)},
+    return {{"text", own_digits(*beside)},
             {"number", computable(cell)},
             {"printed", beside->printed},
             {"nearness", colour_of(beside->nearness)},

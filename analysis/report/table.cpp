@@ -53,11 +53,15 @@ std::string readable(const Cell& cell) {
           },
           [](Range range) { return fmt::format("{} to {}", readable_end(range.low), readable_end(range.high)); },
           [](const OursAndPrinted& beside) {
-            return fmt::format("{} (printed {}{}{})", short_number(beside.ours), beside.printed,
+            return fmt::format("{} (printed {}{}{})", own_digits(beside), beside.printed,
                                beside.words.empty() ? "" : ": ", beside.words);
           },
           [](const Graded& graded) { return graded.words; }},
       cell);
+}
+
+std::string own_digits(const OursAndPrinted& beside) {
+  return beside.decimals < 0 ? short_number(beside.ours) : fmt::format("{:.{}f}", beside.ours, beside.decimals);
 }
 
 std::string readable_end(double of_range) { return rounded_number(of_range, 3); }

@@ -28,7 +28,9 @@ struct OursAndPrinted {
   std::string printed;  // its digits
   Nearness nearness = Nearness::unknown;
   std::string words = {};  // remark; may be empty
+  int decimals = -1;       // of our number as it is shown; -1: three digits
 };
+std::string own_digits(const OursAndPrinted& beside);
 
 // Words on how near our number is to a printed one.
 struct Graded {

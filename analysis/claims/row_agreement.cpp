@@ -1,0 +1,248 @@
+#include "analysis/claims/row_agreement.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "analysis/claims/printed.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/words.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/draw.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::claims {
+
+using namespace numerics;
+using namespace results;
+using namespace report;
+using namespace inference;
+using namespace statistics;
+using namespace fmt::literals;
+
+namespace {
+
+// What a statistic of searches needs of a solve.
+struct Search {
+  double iterations, searches;
+  bool is_found, is_outside;  // found: the solver did not give up; outside the joint limits
+};
+
+double mean_of_found(std::span<const Search> all, double Search::*value) {
+  double sum = 0, count = 0;
+  for (const Search& search : all) {
+    sum += search.is_found ? search.*value : 0;
+    count += search.is_found ? 1 : 0;
+  }
+  return count > 0 ? sum / count : not_defined;
+}
+
+// The middle one of the sorted iterations, the upper of two.
+double median_of_found(std::span<const Search> all) {
+  std::vector<double> found;
+  for (const Search& search : all) {
+    if (search.is_found) found.push_back(search.iterations);
+  }
+  if (found.empty()) return not_defined;
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
+  std::ranges::nth_element(found, middle);
+  return *middle;
+}
+
+double most_searches(std::span<const Search> all) {
+  double most = 0;
+  for (const Search& search : all) most = search.is_found ? std::max(most, search.searches) : most;
+  return most;
+}
+
+struct Statistic {
+  std::string_view column, heading;
+  double (*of)(std::span<const Search>);
+  bool has_range = true;  // false: resamples say nothing of it
+};
+
+constexpr std::array<Statistic, 6> statistics_of_searches{
+    {{"iterations_mean", "mean iterations",
+      [](std::span<const Search> all) { return mean_of_found(all, &Search::iterations); }},
+     {"iterations_median", "median iterations", median_of_found},
+     {"infeasible", "no solution",
+      [](std::span<const Search> all) {
+        return static_cast<double>(std::ranges::count(all, false, &Search::is_found));
+      }},
+     {"searches_mean", "mean searches",
+      [](std::span<const Search> all) { return mean_of_found(all, &Search::searches); }},
+     {"searches_most", "most searches", most_searches, false},
+     {"violations", "outside the limits", [](std::span<const Search> all) {
+        return static_cast<double>(std::ranges::count(all, true, &Search::is_outside));
+      }}}};
+
+std::vector<Search> searches_of(const StudyResults& study, std::string_view solver) {
+  std::vector<Search> all;
+  for (const Solve& solve : solves_of(study, solver)) {
+    const bool is_found = solve.stop_reason == StopReason::finished || solve.stop_reason == StopReason::tolerance;
+    all.push_back(
+        {static_cast<double>(solve.iterations), solve.restarts + 1.0, is_found, is_found && solve.is_outside_limits});
+  }
+  return all;
+}
+
+// The central 95 % of what the statistic would be with other targets: ours plus the difference of two resamples.
+Range range_of_chance(const std::vector<Search>& all, const Statistic& statistic) {
+  constexpr int resamples = 400;
+  constexpr double level = 0.95;
+  Draws draws(1);
+  std::vector<Search> drawn(all.size());
+  const auto of_resample = [&] {
+    for (Search& search : drawn) search = all[draws.below(all.size())];
+    return statistic.of(drawn);
+  };
+  std::vector<double> differences;
+  for (int i = 0; i < resamples; ++i) {
+    const double one = of_resample();
+    differences.push_back(one - of_resample());
+  }
+  std::ranges::sort(differences);
+  const double ours = statistic.of(all);
+  const auto outside = static_cast<std::size_t>(resamples * (1 - level) / 2);
+  return {ours + differences[outside], ours + differences[differences.size() - 1 - outside]};
+}
+
+// A row so far.
+struct RowFindings {
+  int numbers = 0, agree = 0, by_rounding = 0, by_chance = 0, outside = 0;
+};
+
+// Compares a printed number with ours.
+struct Compared {
+  const std::vector<Search>& ours;
+  const std::vector<std::vector<Search>>& copies;  // with other last bits
+};
+
+// From the smallest to the largest value of the solves and their copies.
+Range range_of_rounding(const Compared& of, const Statistic& statistic) {
+  const double ours = statistic.of(of.ours);
+  Range range{ours, ours};
+  for (const std::vector<Search>& copy : of.copies) {
+    const double other = statistic.of(copy);
+    range = {std::min(range.low, other), std::max(range.high, other)};
+  }
+  return range;
+}
+
+// Compares a printed number with ours.
+Cell compared(const Compared& of, const Statistic& statistic, const std::string& printed, RowFindings& row) {
+  const double ours = statistic.of(of.ours), number = number_from(printed).value(), half = half_unit(printed);
+  const int decimals = static_cast<int>(std::max(0.0, std::round(-std::log10(2 * half))));
+  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
+  ++row.numbers;
+  OursAndPrinted cell{.ours = ours, .printed = printed, .nearness = Nearness::within, .decimals = decimals};
+  if (std::abs(ours - number) <= half * room) {
+    ++row.agree;
+    return cell;
+  }
+  const auto is_in = [&](Range range) { return range.low - half <= number && number <= range.high + half; };
+  if (const Range rounding = range_of_rounding(of, statistic); is_in(rounding)) {
+    ++row.by_rounding;
+    cell.nearness = Nearness::near;
+    cell.words = fmt::format(words::within_rounding, "range"_a = readable(rounding));
+  } else if (!statistic.has_range) {
+    cell.nearness = Nearness::unknown;
+  } else {
+    const Range chance = range_of_chance(of.ours, statistic);
+    ++(is_in(chance) ? row.by_chance : row.outside);
+    cell.nearness = is_in(chance) ? Nearness::near : Nearness::far;
+    cell.words = fmt::format(fmt::runtime(is_in(chance) ? words::within_chance : words::outside_chance),
+                             "range"_a = readable(chance));
+  }
+  return cell;
+}
+
+Graded graded(const RowFindings& row, RowAgreement& found) {
+  if (row.agree == row.numbers) {
+    ++found.every_digit;
+    return {std::string(words::every_digit), Nearness::within};
+  }
+  const bool is_outside = row.outside > 0, is_by_chance = row.by_chance > 0 || row.by_rounding == 0;
+  ++(is_outside ? found.outside : is_by_chance ? found.by_chance : found.by_rounding);
+  const std::string_view sentence = is_outside     ? words::row_outside
+                                    : is_by_chance ? words::row_by_chance
+                                                   : words::row_by_rounding;
+  return {fmt::format(fmt::runtime(sentence), "agree"_a = row.agree, "numbers"_a = row.numbers),
+          is_outside ? Nearness::far : Nearness::near};
+}
+
+const StudyResults* study_named(const Reported& reported, const std::string& name) {
+  if (reported.study.name == name) return &reported.study;
+  const auto found =
+      std::ranges::find_if(reported.companions, [&](const JudgedStudy& study) { return study.name == name; });
+  return found == reported.companions.end() ? nullptr : &found->get();
+}
+
+std::optional<Table> table_of(const Reported& reported, const std::string& paper, const PrintedTable& plan,
+                              RowAgreement& found) {
+  const StudyResults* const study = study_named(reported, plan.study);
+  if (study == nullptr || study->solves.empty()) return std::nullopt;
+  const PerturbedCopies copies = copies_of(*study, reported);
+  const CsvTable printed = printed_table(paper, plan.table);
+  std::vector<const Statistic*> columns;
+  Table table{
+      .name = "rows-" + plan.table, .caption = plan.caption + ", here and printed", .columns = {"solver", "agreement"}};
+  for (const Statistic& statistic : statistics_of_searches) {
+    if (std::ranges::find(printed.header, statistic.column) == printed.header.end()) continue;
+    columns.push_back(&statistic);
+    table.columns.emplace_back(statistic.heading);
+  }
+  for (std::size_t i = 0; i < printed.rows.size(); ++i) {
+    const std::string& solver = printed.rows[i][printed.column("solver")];
+    const std::vector<Search> all = searches_of(*study, solver);
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{solver, Cell()});
+    if (all.empty()) {
+      const auto why = plan.not_attempted.find(solver);
+      row[1] = "not attempted" + (why == plan.not_attempted.end() ? "" : ": " + why->second);
+      for (const Statistic* statistic : columns) row.emplace_back(printed.rows[i][printed.column(statistic->column)]);
+      ++found.not_attempted;
+      continue;
+    }
+    std::vector<std::vector<Search>> perturbed;
+    for (const StudyResults& copy : copies) perturbed.push_back(searches_of(copy, solver));
+    const Compared both{all, perturbed};
+    RowFindings findings;
+    for (const Statistic* statistic : columns) {
+      const std::string& digits = printed.rows[i][printed.column(statistic->column)];
+      row.push_back(digits.empty() ? Cell(statistic->of(all)) : compared(both, *statistic, digits, findings));
+    }
+    row[1] = graded(findings, found);
+  }
+  table.notes = {std::string(words::range_of_chance)};
+  return table;
+}
+
+}  // namespace
+
+ComparedRows compared_rows(const Reported& reported, const std::string& paper,
+                           const std::vector<PrintedTable>& tables) {
+  ComparedRows rows;
+  for (const PrintedTable& plan : tables) {
+    if (std::optional<Table> table = table_of(reported, paper, plan, rows.found)) rows.tables.push_back(*table);
+  }
+  return rows;
+}
+
+std::string agreement_sentence(const RowAgreement& found) {
+  const int attempted = found.every_digit + found.by_rounding + found.by_chance + found.outside;
+  if (attempted == 0) return {};
+  return fmt::format(words::rows_agree, "digits"_a = found.every_digit, "attempted"_a = attempted,
+                     "rounding"_a = found.by_rounding, "chance"_a = found.by_chance, "outside"_a = found.outside,
+                     "missing"_a = found.not_attempted);
+}
+
+}  // namespace ikbench::claims

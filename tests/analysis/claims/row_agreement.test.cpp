@@ -1,0 +1,104 @@
+// Printed rows beside ours, for solves made by hand: every digit, rounding, chance, outside, not attempted.
+#include "analysis/claims/row_agreement.hpp"
+
+#include <algorithm>
+
+#include "analysis/inference/make_study.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::report;
+using namespace ikbench::claims;
+
+namespace {
+
+// Solves of a row of part2-ur5 (results/published/haviland2023): mean 15.52 iterations, median 8, 0 infeasible, mean
+// 1.21 searches, most 14.
+struct Searches {
+  std::string solver = "Chan 0.1";
+  int iterations = 0, restarts = 0;
+  bool gave_up = false;
+};
+
+StudyResults study_of(const std::string& name, const std::vector<Searches>& all, int perturbed = 0) {
+  std::vector<SolveRecord> solves;
+  int point = 0;
+  for (const Searches& each : all) {
+    SolveRecord solve{.solver = each.solver, .run = 1, .point = ++point};
+    solve.iterations = each.iterations;
+    solve.restarts = each.restarts;
+    solve.stop_reason = each.gave_up ? StopReason::gave_up : StopReason::finished;
+    solves.push_back(solve);
+  }
+  StudyResults study = make_study(name, std::move(solves));
+  study.facts.perturbed = perturbed;
+  return study;
+}
+
+// 100 solves with a mean of `hundredths` / 100 iterations, median 8, 121 searches in all and 14 at most.
+std::vector<Searches> as_printed(int hundredths) {
+  std::vector<Searches> all(100, Searches{.iterations = 8});
+  all[0].iterations += hundredths - 800;
+  all[0].restarts = 13;
+  for (std::size_t i = 1; i <= 8; ++i) all[i].restarts = 1;
+  return all;
+}
+
+const std::vector<PrintedTable> plan{
+    {.study = "ours", .table = "part2-ur5", .caption = "UR5", .not_attempted = {{"QP", "why"}}}};
+
+std::vector<Cell> row_of(const Table& table, const std::string& solver) {
+  return *std::ranges::find_if(table.rows, [&](const std::vector<Cell>& row) { return readable(row[0]) == solver; });
+}
+
+}  // namespace
+
+TEST_CASE("a row agrees in every digit, or by how many numbers", "[rows]") {
+  const JudgedStudy equal(study_of("ours", as_printed(1552)));
+  const ComparedRows rows = compared_rows({equal}, "haviland2023", plan);
+  REQUIRE(rows.tables.size() == 1);
+  const std::vector<Cell> row = row_of(rows.tables[0], "Chan 0.1");
+  CHECK(readable(row[1]) == "every digit");
+  CHECK(readable(row[2]) == "15.52 (printed 15.52)");
+  CHECK(readable(row[5]) == "1.21 (printed 1.21)");
+  CHECK(rows.found.every_digit == 1);
+  CHECK(rows.found.not_attempted == 4);
+  CHECK(readable(row_of(rows.tables[0], "QP")[1]) == "not attempted: why");
+
+  const JudgedStudy near(study_of("ours", as_printed(1560)));
+  const ComparedRows by_chance = compared_rows({near}, "haviland2023", plan);
+  CHECK(by_chance.found.by_chance == 1);
+  CHECK(contains(readable(row_of(by_chance.tables[0], "Chan 0.1")[1]), "4 of 5 numbers agree"));
+
+  std::vector<Searches> others(100, Searches{.iterations = 30});
+  const JudgedStudy far(study_of("ours", others));
+  CHECK(compared_rows({far}, "haviland2023", plan).found.outside == 1);
+}
+
+TEST_CASE("a number that copies with other last bits reach is within the range of rounding", "[rows]") {
+  const JudgedStudy study(study_of("ours", as_printed(1560)));
+  Reported reported{study};
+  reported.perturbed = {study_of("ours-perturbed-1", as_printed(1550), 1)};
+  const ComparedRows rows = compared_rows(reported, "haviland2023", plan);
+  CHECK(rows.found.by_rounding == 1);
+  CHECK(readable(row_of(rows.tables[0], "Chan 0.1")[2]) == "15.60 (printed 15.52: rounding gives 15.5 to 15.6)");
+}
+
+TEST_CASE("who gave up counts as infeasible, and not in means", "[rows]") {
+  std::vector<Searches> all = as_printed(1552);
+  all.push_back({.iterations = 3100, .restarts = 99, .gave_up = true});
+  const JudgedStudy study(study_of("ours", all));
+  const std::vector<Cell> row = row_of(compared_rows({study}, "haviland2023", plan).tables[0], "Chan 0.1");
+  CHECK(readable(row[2]) == "15.52 (printed 15.52)");
+  CHECK(readable(row[6]) == "14 (printed 14)");
+  CHECK(readable(row[4]).starts_with("1 (printed 0"));
+}
+
+TEST_CASE("the sentence on rows counts them", "[rows]") {
+  CHECK(agreement_sentence({.every_digit = 2, .by_rounding = 1, .by_chance = 1, .outside = 1, .not_attempted = 3}) ==
+        "2 of 5 repeated rows of the printed tables agree in every digit. Of the others 1 are within the range of "
+        "rounding, 1 within the range of chance and 1 outside. 3 rows were not attempted.");
+  CHECK(agreement_sentence({.not_attempted = 3}).empty());
+}
