@@ -60,9 +60,9 @@ PrintedTable read_table(TomlReader reader) {
 // Adds printed tables whose rows are solvers.
 void add_rows(Paper& paper, const std::string& name, std::vector<PrintedTable> tables) {
   const auto shared = std::make_shared<const std::vector<PrintedTable>>(std::move(tables));
-  paper.rows = [name, shared](const Reported& reported) { return compared_rows(reported, name, *shared).tables; };
-  paper.summary = [name, shared](const Reported& reported) {
-    return std::vector<std::string>{agreement_sentence(compared_rows(reported, name, *shared).found)};
+  paper.rows = [name, shared](const Reported& reported) {
+    ComparedRows rows = compared_rows(reported, name, *shared);
+    return RowsOfPaper{std::move(rows.tables), agreement_sentence(rows.found)};
   };
 }
 

@@ -223,6 +223,7 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
     row[1] = graded(findings, found);
   }
   table.notes = {std::string(words::range_of_chance)};
+  table.legend = words::legend_of_rows;
   return table;
 }
 

@@ -33,6 +33,12 @@ struct Reported {
 // The copies of one study among those reported.
 PerturbedCopies copies_of(const inference::StudyResults& study, const Reported& reported);
 
+// Printed rows beside ours.
+struct RowsOfPaper {
+  std::vector<Table> tables;  // rows-*
+  std::string sentence;       // how many agree; empty if there are none
+};
+
 struct Paper {
   std::string citation = {};        // a sentence with the DOI
   std::string kind = {};            // a sentence: what kind of reproduction this is
@@ -42,8 +48,7 @@ struct Paper {
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
   ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
-  // Makes tables of printed rows beside ours, rows-*; may be empty.
-  std::function<std::vector<Table>(const Reported&)> rows = {};
+  std::function<RowsOfPaper(const Reported&)> rows = {};
   // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};

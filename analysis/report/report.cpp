@@ -289,9 +289,10 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
   StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
   add_rates(pieces, reported, collection.rates);
   if (collection.paper && collection.paper->rows) {
-    std::vector<Table> rows = collection.paper->rows(reported);
-    if (!rows.empty()) pieces.results = rows.front().name;
-    std::ranges::move(rows, std::back_inserter(pieces.tables));
+    RowsOfPaper rows = collection.paper->rows(reported);
+    if (!rows.tables.empty()) pieces.results = rows.tables.front().name;
+    std::ranges::move(rows.tables, std::back_inserter(pieces.tables));
+    pieces.agreement = std::move(rows.sentence);
   }
   return pieces;
 }
@@ -315,9 +316,12 @@ Report write_report(const Store& store, const ReportRequest& request) {
       .study = study, .companions = companions, .repetitions = request.repetitions, .perturbed = others.perturbed};
   const PerturbedCopies copies = copies_of(study, reported);
 
-  std::vector<Table> tables{definition_table(entry), options_table(entry),
+  std::vector<Table> tables{definition_table(entry),
+                            options_table(entry),
                             plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
-                            environment_table(study, sessions), status_table(study)};
+                            environment_table(study, sessions),
+                            flow_table(study),
+                            status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
   if (plan.results.empty()) plan.results = std::move(pieces.sections);
@@ -350,6 +354,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
                       reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);
+  if (!pieces.agreement.empty()) {
+    content.summary.push_back(pieces.agreement);
+    content.seen.emplace("Verdict", std::move(pieces.agreement));
+  }
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {

@@ -15,7 +15,7 @@ const std::vector<SectionPlan>& circumstances() {
        {},
        {"definition", "options", "analysis-plan"}},
       {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
-      {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"status"}}};
+      {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"flow", "status"}}};
   return plans;
 }
 

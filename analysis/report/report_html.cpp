@@ -87,6 +87,7 @@ std::string legend_of(const Table& table) {
       has_colours = has_colours || (beside != nullptr && beside->nearness != Nearness::unknown);
     }
   }
+  if (has_any && !table.legend.empty()) return std::string(words::legend) + table.legend;
   return !has_any ? "" : std::string(words::legend) + (has_colours ? std::string(words::legend_of_colours) : "");
 }
 

@@ -32,6 +32,7 @@ struct StudyPieces {
   std::vector<SectionPlan> sections = {};  // places them; empty: the paper does
   std::string results = "results";         // the table that a terminal shows
   std::string path = "path";               // the figure that replaces the animated view
+  std::string agreement = {};              // how many printed rows agree with ours; may be empty
   // A sentence on what a piece shows, by its name; may be empty.
   std::map<std::string, std::string> seen = {};
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -201,6 +202,38 @@ Table times_table(const StudyResults& study) {
                                       : fmt::format(words::deadline, "deadline"_a = limit));
   }
   add_timing_notes(table, study);
+  return table;
+}
+
+Table flow_table(const StudyResults& study) {
+  // What leaves no usable answer, in the order in which it happens.
+  constexpr std::array<std::pair<Status, std::string_view>, 7> losses{
+      {{Status::declined, "declined"},
+       {Status::crashed, "crashed"},
+       {Status::timed_out, "timed out"},
+       {Status::broke_protocol, "broke the protocol"},
+       {Status::refused, "refused"},
+       {Status::not_finite, "not finite"},
+       {Status::claimed_but_wrong, "claimed but wrong"}}};
+  Table table{.name = "flow",
+              .caption = "From planned solves to observations",
+              .columns = {"solver", "planned", "not solved"},
+              .notes = {std::string(words::flow)}};
+  for (const auto& [status, heading] : losses) table.columns.emplace_back(heading);
+  table.columns.insert(table.columns.end(), {"other answers", "observations"});
+  const Observations analysed = observations(study, Metric::position_error_cm);
+  for (const SolverCounts& solver : counts(study)) {
+    std::vector<Cell> row{solver.solver, solver.expected, std::max<std::int64_t>(0, solver.expected - solver.solves)};
+    int others = solver.solves;
+    for (const auto& [status, heading] : losses) {
+      row.push_back(count(solver.of(status)));
+      others -= solver.of(status);
+    }
+    row.push_back(count(others));
+    const auto group = std::ranges::find(analysed.groups, solver.solver, &Group::name);
+    row.push_back(count(group == analysed.groups.end() ? 0 : static_cast<std::int64_t>(group->values.size())));
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 

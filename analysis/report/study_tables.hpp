@@ -35,6 +35,8 @@ std::array<std::vector<Cell>, 3> anova_cells(const statistics::AnovaTable& table
 Table solved_table(const inference::StudyResults& study);
 // Named "times": median, quantiles and maximum over all solves, and the share over the deadline if there is one.
 Table times_table(const inference::StudyResults& study);
+// Named "flow": what became of the planned solves of each solver, down to the observations that decide.
+Table flow_table(const inference::StudyResults& study);
 // Named "status".
 Table status_table(const inference::StudyResults& study);
 

@@ -48,6 +48,7 @@ struct Table {
   std::vector<std::string> columns = {};
   std::vector<std::vector<Cell>> rows = {};  // each as long as columns
   std::vector<std::string> notes = {};       // remarks for the reader; not in the CSV
+  std::string legend = {};                   // what the colours of a page mean, if not how our repetitions agree
   int number = 0;                            // number in its paper; 0: none
 };
 

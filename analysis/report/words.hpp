@@ -188,6 +188,11 @@ inline constexpr Template wilson = "Interval: Wilson's.";
 inline constexpr Template percentiles =
     "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.";
 inline constexpr Template deadline = "over_deadline: share of solves that took longer than {deadline} ms.";
+inline constexpr Template flow =
+    "Solves that were declined, crashed, timed out, broke the protocol, were refused or are not finite leave the arm where it "
+    "was: they count with the error that it has there. claimed but wrong: the error counts that the verifier found. other "
+    "answers: solved, missed or outside the limits (table status). observations: what the tests of the position error use, of "
+    "complete runs or targets.";
 inline constexpr Template statuses =
     "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
     "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if "
@@ -235,6 +240,8 @@ inline constexpr Template as_measured =
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";
+inline constexpr Template legend_of_rows =
+    " Green: equal to the last printed digit. Yellow: within the range of rounding or of chance. Red: outside.";
 inline constexpr Template range_of_chance =
     "A number agrees if ours rounds to its digits. Range of chance: where the number lies in 95 % of repetitions with other "
     "targets, by a bootstrap of the targets. The most searches hang on a single target and have no such range.";
