@@ -20,9 +20,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> certificate_names{"exact", "stable", "chaotic"};
 
+// Values below the metric's rounding count as that.
 double mean_of(const StudyResults& study, std::string_view solver, Metric metric) {
+  const double least = info_of(metric).rounding;
   std::vector<double> values;
-  for (const Solve& solve : solves_of(study, solver)) values.push_back(value_of(study, solve, metric));
+  for (const Solve& solve : solves_of(study, solver)) {
+    const double value = value_of(study, solve, metric);
+    values.push_back(value < least ? least : value);
+  }
   std::erase_if(values, [](double value) { return std::isnan(value); });
   return values.empty() ? not_defined : mean(values);
 }
@@ -96,10 +101,13 @@ std::string last_bits_sentence(const StudyResults& study, const PerturbedCopies&
   if (copies.empty()) return {};
   std::array<std::vector<std::string>, certificate_names.size()> solvers;
   for (const std::string& solver : study.solvers) {
-    Certificate worst = changed_statuses(study, copies, solver) > 0 ? Certificate::chaotic : Certificate::exact;
+    const std::size_t changed = changed_statuses(study, copies, solver);
+    Certificate worst = changed > 0 ? Certificate::chaotic : Certificate::exact;
     for (const Metric metric : exact_metrics())
       worst = std::max(worst, rounding_of(study, copies, solver, metric).certificate);
-    solvers[static_cast<std::size_t>(worst)].push_back(solver);
+    const std::string how_many =
+        changed > 0 ? fmt::format(" ({} of {} solves)", changed, solves_of(study, solver).size()) : "";
+    solvers[static_cast<std::size_t>(worst)].push_back(solver + how_many);
   }
   constexpr std::array<std::string_view, certificate_names.size()> meanings{words::exact_solvers, words::stable_solvers,
                                                                             words::chaotic_solvers};

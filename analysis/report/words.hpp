@@ -249,11 +249,11 @@ inline constexpr Template last_bits_note =
     "Solved {copies} times more with targets (and drawn starts) that differ in the last bit of each number, up or down at "
     "random. exact: the mean is the same in all digits shown; stable: it differs, and no solve has another status; chaotic: "
     "it differs, and solves have another status. The smallest and the largest mean, of the study and its copies, are the range of rounding.";
-inline constexpr Template last_bits = "Last bits of the targets, changed {copies} times:";
-inline constexpr Template exact_solvers = " {solvers}: exact in every metric.";
-inline constexpr Template stable_solvers = " {solvers}: stable, other numbers with the same statuses.";
+inline constexpr Template last_bits = "Last bits of the targets, changed {copies} times.";
+inline constexpr Template exact_solvers = " Exact in every metric: {solvers}.";
+inline constexpr Template stable_solvers = " Stable, with other numbers and the same statuses: {solvers}.";
 inline constexpr Template chaotic_solvers =
-    " {solvers}: chaotic, last bits decide which targets are solved, so nobody can repeat these numbers to the last digit.";
+    " Chaotic: {solvers}. There last bits decide the status of solves, so nobody can repeat such numbers to the last digit.";
 inline constexpr Template rows_agree =
     "{digits} of {attempted} repeated rows of the printed tables agree in every digit. Of the others {rounding} are within the "
     "range of rounding, {chance} within the range of chance and {outside} outside. {missing} rows were not attempted.";

@@ -36,7 +36,7 @@ solver = "damped_least_squares"
 solver = "particle_swarm"
 TOML
 succeeds run mine.toml --perturb 2 --no-figures --out mine
-has "$(<mine/report.md)" "Last bits of the targets, changed 2 times:"
+has "$(<mine/report.md)" "Last bits of the targets, changed 2 times."
 grep -q '^| damped_least_squares | position error' mine/tables/last-bits.md || fail "no row of last bits"
 for part in 1 2; do succeeds run mine.toml --perturb 2 --shard $part/2 --out shard-$part; done
 succeeds merge merged shard-1 shard-2
