@@ -6,8 +6,10 @@
 #include <array>
 #include <span>
 
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 

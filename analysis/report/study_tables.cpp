@@ -12,6 +12,7 @@
 
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
+#include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
