@@ -2,6 +2,7 @@
 // describe them: every search begins at a configuration of its own. A step is computed from the residual e, taken, and
 // then the search ends if E = e^T e / 2 from before the step is small enough. A search with too many steps fails, and
 // the next one begins.
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -148,7 +149,7 @@ class RoboticsToolbox final : public Solver {
           step_ = elimination_.solve(jacobian_.transpose().lazyProduct(e));
           return;
         }
-        break;
+        return jacobian_.rows() == 3 ? gauss_newton_step<3>(e) : gauss_newton_step<6>(e);
       case Method::chan:
         return damped_step(jacobian_, e, options_.damping * E, step_);
       case Method::sugihara:
@@ -157,6 +158,24 @@ class RoboticsToolbox final : public Solver {
         return damped_step(jacobian_, e, options_.damping, step_);
     }
     step_ = pseudo_inverse_times(jacobian_, e, 0);
+  }
+
+  // J^T (J J^T)^+ e, which is (J^T J)^+ J^T e. It squares the singular values of J, as the authors' program does: the
+  // search differs from Newton's where J is nearly singular. NumPy's pinv drops values below 1e-15 of the largest.
+  template <int rows>
+  void gauss_newton_step(const Residual& e) {
+    const Eigen::Matrix<double, rows, 1> r = e.head<rows>();
+    const Eigen::Matrix<double, rows, rows> square =
+        jacobian_.topRows<rows>().lazyProduct(jacobian_.topRows<rows>().transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, rows, rows>> squares(square);
+    const double smallest = 1e-15 * squares.eigenvalues().cwiseAbs().maxCoeff();
+    Eigen::Matrix<double, rows, 1> sum = Eigen::Matrix<double, rows, 1>::Zero();
+    for (int i = 0; i < rows; ++i) {
+      const double value = squares.eigenvalues()[i];
+      const auto direction = squares.eigenvectors().col(i);
+      if (std::abs(value) > smallest) sum += direction.dot(r) / value * direction;
+    }
+    step_ = jacobian_.topRows<rows>().transpose().lazyProduct(sum);
   }
 
   // Turns joints into [-180, 180) deg.
