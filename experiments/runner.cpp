@@ -159,13 +159,24 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
     const SolveRunner& solve_runner = plan.solve_runner(index);
     const std::unique_ptr<Solver> solver = solve_runner.make_solver();
     if (task.run != run) task = {run, targets(plan.study, plan.arm, run), starts(plan.study, plan.arm, run)};
-    const auto target = [&]() -> const Pose& { return task.targets[static_cast<std::size_t>(point - 1)]; };
-    const auto start = [&]() -> const Configuration& {
-      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(point - 1)];
+    const auto target = [&](int of) -> const Pose& { return task.targets[static_cast<std::size_t>(of - 1)]; };
+    const auto start = [&](int of) -> const Configuration& {
+      return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(of - 1)];
     };
-    solve_runner.warm_up(*solver, target(), start());
+    solve_runner.warm_up(*solver, target(point), start(point));
+    int asked_to = 0;
+    const auto ask_ahead = [&] {
+      std::vector<SolveRunner::Asked> problems;
+      for (int ahead = point; ahead <= plan.points && std::ssize(problems) < solve_runner.batch();
+           ahead = plan.next_point(chain, run, ahead + 1)) {
+        problems.push_back({target(ahead), start(ahead), run, ahead});
+      }
+      solve_runner.ask_ahead(*solver, problems);
+      asked_to = problems.back().point;
+    };
     for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
-      SolveRecord record = solve_runner.solve(*solver, target(), start(), run, point);
+      if (point > asked_to && solve_runner.batch() > 1) ask_ahead();
+      SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
       if (jobs > 1 && record.timing != Timing::debug_build) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
       record_queue.hand_in(std::move(record));

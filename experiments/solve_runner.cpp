@@ -153,6 +153,27 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
                         .with(static_cast<std::uint64_t>(point))};
 }
 
+int SolveRunner::batch() const {
+  const bool can = entry_.program && entry_.program->mode == Mode::solve && study_.start != Start::previous;
+  return can ? entry_.program->hello.batch : 1;
+}
+
+void SolveRunner::ask_ahead(Solver& solver, const std::vector<Asked>& problems) const {
+  std::vector<Posed> given;
+  std::vector<Goal> goals;
+  for (const Asked& asked : problems) {
+    given.push_back(posed(asked.target, asked.start, asked.run, asked.point));
+    goals.push_back(task_.goal(asked.target));
+  }
+  std::vector<SolveRequest> requests;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Random random(given[i].stream);
+    requests.push_back(
+        {.id = 0, .problem = given[i].problem, .goal = goals[i], .stop = study_.stop, .seed = seed_of(random)});
+  }
+  static_cast<ForeignSolver&>(solver).ask_ahead(requests);
+}
+
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
   Objective objective(task_.arm(), task_.goal(given.target));
   Random random(given.stream);
@@ -280,6 +301,7 @@ void SolveRunner::add_account(SolveRecord& record, const Account& account) const
   const bool is_hosted = entry_.program->choice.is_hosted();
   if (!is_hosted) {  // a hosted solver's time contains no messages
     if (record.timing == Timing::clean) record.timing = Timing::process;
+    record.batch = account.batch;
     record.round_trips = account.round_trips;
     record.transport_seconds = account.transport_seconds;
     record.waited_seconds = account.waited_seconds;

@@ -35,6 +35,17 @@ class SolveRunner {
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
 
+  // How many problems to solve at once; more than 1 for a program that takes batches, if no solve needs another's
+  // answer.
+  int batch() const;
+  struct Asked {
+    const robots::Pose& target;
+    robots::Configuration start;
+    int run, point;
+  };
+  // Hands the problems to the program in one message. Then `solve` these, in this order.
+  void ask_ahead(solvers::Solver& solver, const std::vector<Asked>& problems) const;
+
  private:
   struct Timed : Clocked {
     std::optional<Account> account = {};  // if a program solved

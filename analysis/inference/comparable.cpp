@@ -186,6 +186,17 @@ Doubts transport_doubts(const StudyResults& study) {
   return {{.kind = DoubtKind::mostly_transport, .who = found}};
 }
 
+Doubts batch_doubts(const StudyResults& study) {
+  int largest = 1;
+  const SolverLabels found = those(study, [&](const std::string& solver) {
+    const int batch = solver_facts(study, solver).largest_batch;
+    largest = std::max(largest, batch);
+    return batch > 1;
+  });
+  if (found.empty()) return {};
+  return {{.kind = DoubtKind::solved_in_batches, .who = found, .count = static_cast<double>(largest)}};
+}
+
 Doubts evaluation_doubts(const StudyResults& measured) {
   if (!times_are_comparable(measured)) return {};
   const StudyResults study = compared_in(measured, Metric::seconds);

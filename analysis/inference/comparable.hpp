@@ -40,6 +40,7 @@ bool is_program(const StudyResults& study, std::string_view solver);
 Doubts cpu_doubts(const std::set<std::string>& cpus);
 // Doubts of programs whose time is mostly that of their messages.
 Doubts transport_doubts(const StudyResults& study);
+Doubts batch_doubts(const StudyResults& study);
 // Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
 Doubts evaluation_doubts(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";

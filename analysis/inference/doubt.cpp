@@ -61,6 +61,10 @@ constexpr std::array all_words{
         "{count} of {of} solves were timed by another definition of the study: {what} repeats each instead of {value}."},
     Words{K::mostly_transport, "Times are mostly transport",
           "At least half of the time of {who} is transport: messages to the program and back."},
+    Words{
+        K::solved_in_batches, "Times are shares of a batch",
+        "{who} solved up to {count} problems at once. Their time of a solve is its share: it says how many solves they "
+        "make in a second, not how long one takes."},
     Words{K::evaluated_one_by_one, "Evaluations cost differently",
           "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; "
           "{who} (library, program or shared object) may evaluate one by one."},

@@ -32,6 +32,7 @@ enum class DoubtKind {
   stolen_time,
   other_repeats,
   mostly_transport,
+  solved_in_batches,
   evaluated_one_by_one,
   // observations
   points_as_observations,

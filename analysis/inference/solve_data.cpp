@@ -171,6 +171,7 @@ void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver, 
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
   }
+  own.largest_batch = std::max(own.largest_batch, record.batch);
   if (record.timing == Timing::clean) ++data_.repeats[record.repeats];
   if (std::isfinite(record.interruptions)) {
     data_.interruptions = data_.interruptions.value_or(0) + record.interruptions;

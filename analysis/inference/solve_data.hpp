@@ -68,6 +68,7 @@ struct SolverFacts {
   std::vector<double> transport_shares = {};  // message share of each time of a program
   std::vector<StraightJoint> joints = {};
   int outlying_repeats = 0;
+  int largest_batch = 1;  // problems that a program solved at once
 };
 
 // Smoothness of the joint angles of a run.

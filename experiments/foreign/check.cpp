@@ -81,8 +81,9 @@ class Checker {
   bool run() {
     if (!greet()) return false;
     if (answers()) {  // without answers, the other checks say nothing
-      seeds();
+      const bool is_repeatable = seeds();
       claims();
+      if (is_repeatable && program_->mode == Mode::solve && program_->hello.batch > 1) batches();
       budgets();
       memory();
     }
@@ -133,11 +134,11 @@ class Checker {
     std::uint64_t seed = 1;
     StopRule stop = {.iterations = 100, .tolerance = 1e-4};
     bool is_reachable = true;
+    double start = 0.1;  // [rad] of all joints
   };
 
   Tried solve(ForeignSolver& solver, const SomeArm& arm, const TrialSolve& asked) const {
-    const int joints = arm.chain.joints();
-    const Configuration start = Configuration::Constant(joints, 0.1);
+    const Configuration start = Configuration::Constant(arm.chain.joints(), asked.start);
     const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
     Objective objective(arm.chain, asked.is_reachable ? arm.target() : Eigen::Vector3d(10, 0, 0));
     Random random(Key(0).with(asked.seed));
@@ -216,7 +217,7 @@ class Checker {
     return fmt::format("it says {:.9g} m, and is {:.9g} m off", tried.account.word.error, tried.error);
   }
 
-  void seeds() {
+  bool seeds() {
     Sessions sessions = sessions_for(*arm_);
     const TrialSolve asked{.stop = {.iterations = 3}};
     ForeignSolver solver(sessions, asked.stop);
@@ -227,8 +228,9 @@ class Checker {
       return a.trouble.empty() && b.trouble.empty() &&
              std::equal(a.q.begin(), a.q.end(), b.q.begin(), b.q.end(), is_equal);
     };
-    line("the same seed gives the same answer in the same process", same(first, again), first.trouble);
-    line("the same seed gives the same answer in a fresh process", same(first, fresh), fresh.trouble);
+    const bool in_process = same(first, again), in_fresh = same(first, fresh);
+    line("the same seed gives the same answer in the same process", in_process, first.trouble);
+    line("the same seed gives the same answer in a fresh process", in_fresh, fresh.trouble);
     const bool is_deterministic = program_->hello.is_deterministic, differs = !same(first, other);
     line("a seed changes its answer only if it does not say that it is deterministic",
          other.trouble.empty() && !(differs && is_deterministic),
@@ -236,6 +238,7 @@ class Checker {
          : differs && is_deterministic ? "another seed changes its answer"
          : differs || is_deterministic ? ""
                                        : "here another seed changed nothing; if none ever does, say deterministic");
+    return in_process && in_fresh;
   }
 
   void claims() {
@@ -249,6 +252,41 @@ class Checker {
                                 : claim(tried));
     const Tried far = solve_afresh(*arm_, {.is_reachable = false});
     line("a target that nothing reaches ends too", far.trouble.empty(), far.trouble);
+  }
+
+  // Each problem of a batch has to get the answer that it gets alone.
+  void batches() {
+    std::vector<TrialSolve> trials;
+    std::vector<Problem> problems;
+    for (int i = 0; i < std::min(program_->hello.batch, 3); ++i) {
+      trials.push_back({.seed = static_cast<std::uint64_t>(i), .start = 0.1 * (i + 1)});
+      problems.push_back({.start = Configuration::Constant(arm_->chain.joints(), trials.back().start),
+                          .lower = arm_->limits.lower,
+                          .upper = arm_->limits.upper,
+                          .population = 20});
+    }
+    const Goal goal(arm_->target());
+    std::vector<SolveRequest> requests;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      Random random(Key(0).with(trials[i].seed));
+      requests.push_back(
+          {.id = 0, .problem = problems[i], .goal = goal, .stop = trials[i].stop, .seed = seed_of(random)});
+    }
+    Sessions sessions = sessions_for(*arm_);
+    ForeignSolver solver(sessions, trials.front().stop);
+    solver.ask_ahead(requests);
+    std::string wrong;
+    if (solver.account().failure) wrong = fmt::format("{}: {}", name_of(*solver.account().failure), solver.trouble());
+    for (std::size_t i = 0; i < trials.size() && wrong.empty(); ++i) {
+      const Tried together = solve(solver, *arm_, trials[i]), alone = solve_afresh(*arm_, trials[i]);
+      if (together.account.failure != alone.account.failure) wrong = together.trouble + alone.trouble;
+      for (Eigen::Index j = 0; j < alone.q.size() && wrong.empty(); ++j) {
+        const double x = together.q[j], y = alone.q[j];
+        const bool is_same = std::abs(x - y) <= slack || (std::isnan(x) && std::isnan(y));
+        if (!is_same) wrong = fmt::format("problem {} differs by {:.3g} rad", i + 1, x - y);
+      }
+    }
+    line("a problem gets the same answer in a batch as alone", wrong.empty(), wrong);
   }
 
   void budgets() {

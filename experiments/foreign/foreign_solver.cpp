@@ -21,6 +21,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+std::uint32_t seed_of(Random& random) {
+  constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
+  return static_cast<std::uint32_t>(random.uniform() * seeds);
+}
+
 Sessions::Sessions(std::shared_ptr<const Program> program, std::string robot)
     : program_(std::move(program)), robot_(std::move(robot)) {}
 
@@ -82,6 +87,7 @@ void ForeignSolver::guarded(Talk&& talk) {
 
 void ForeignSolver::prepare(const Problem& problem, const Objective& objective, const HostedSolve& hosted) {
   account_ = {};
+  if (!ahead_.empty()) return;
   hosted_ = {};
   is_open_ = is_warming_up_ = true;
   bool is_new = false;
@@ -105,18 +111,57 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective, 
   waited_before_ = session_->waited_seconds();
 }
 
+void ForeignSolver::ask_ahead(const std::vector<SolveRequest>& problems) {
+  account_ = {};
+  ahead_.clear();
+  guarded([&] {
+    const bool is_new = session_->ensure_running();
+    session_->drain();
+    if (is_new) solve_batch(problems);  // unrecorded, as the warm-up of a single solve
+    ahead_ = solve_batch(problems);
+    session_->forgive();
+  });
+  if (account_.failure) session_->recover({*account_.failure, trouble_});
+}
+
+std::deque<Account> ForeignSolver::solve_batch(const std::vector<SolveRequest>& problems) {
+  const double waited_before = session_->waited_seconds(), cpu_before = session_->cpu_seconds();
+  session_->begin_solve(stop_.seconds, static_cast<int>(problems.size()));
+  const std::int64_t id = session_->new_id();
+  session_->send(batch_message(id, problems));
+  const Clock::time_point sent = Clock::now();
+  const Message message = session_->receive({"solved_batch"}, id);
+  const std::chrono::duration<double> seconds = Clock::now() - sent;
+  const double share = 1 / static_cast<double>(problems.size());
+  const Account account{.seconds = share * seconds.count(),
+                        .cpu_seconds = share * (session_->cpu_seconds() - cpu_before),
+                        .transport_seconds = share * session_->transport_seconds(),
+                        .waited_seconds = share * (session_->waited_seconds() - waited_before),
+                        .round_trips = 1,
+                        .batch = static_cast<int>(problems.size())};
+  std::deque<Account> accounts(problems.size(), account);
+  std::vector<Solved> words = batch_solved_in(message, problems.front().problem.joints(), problems.size());
+  for (std::size_t i = 0; i < words.size(); ++i) accounts[i].word = std::move(words[i]);
+  return accounts;
+}
+
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
   best_.q = problem.start;
   best_.error = infinite;
   is_finished_ = false;
   is_telling_ = false;
   joints_ = problem.joints();
+  if (!ahead_.empty()) {
+    account_ = std::move(ahead_.front());
+    ahead_.pop_front();
+    guarded([&] { take_word(objective); });
+    return;
+  }
   guarded([&] {
     is_open_ = true;
     session_->begin_solve(stop_.seconds, std::max(1, hosted_.repeats));
     cpu_before_ = session_->cpu_seconds();
-    constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
-    const auto seed = static_cast<std::uint32_t>(random.uniform() * seeds);
+    const std::uint32_t seed = seed_of(random);
     const Mode mode = sessions_.program().mode;
     const std::int64_t id = session_->new_id();
     const std::string text = solve_message(
@@ -136,8 +181,13 @@ void ForeignSolver::solve_at_once(const std::string& text, Objective& objective)
   account_.seconds = std::chrono::duration<double>(Clock::now() - sent).count();
   account_.round_trips = 1;
   account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
-  if (message.name == "declined") throw Trouble{Status::declined, why_in(message)};
+  if (message.name == "declined") throw Trouble{Status::declined, why_in(message.json)};
   account_.word = solved_in(message, joints_);
+  take_word(objective);
+}
+
+void ForeignSolver::take_word(Objective& objective) {
+  if (account_.word.declined) throw Trouble{Status::declined, *account_.word.declined};
   best_.q = account_.word.q;
   best_.error = objective.error(best_.q);
   is_finished_ = true;
@@ -145,7 +195,7 @@ void ForeignSolver::solve_at_once(const std::string& text, Objective& objective)
 
 void ForeignSolver::take_in(const Message& message, Objective& objective) {
   is_telling_ = false;
-  if (message.name == "declined") throw Trouble{Status::declined, why_in(message)};
+  if (message.name == "declined") throw Trouble{Status::declined, why_in(message.json)};
   if (message.name == "solved") {
     is_finished_ = true;
     return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,6 +32,7 @@ struct Account {
   double transport_seconds = std::numeric_limits<double>::quiet_NaN();  // of a message and its answer
   double waited_seconds = std::numeric_limits<double>::quiet_NaN();     // for a processor, by the program and by us
   int round_trips = 0;
+  int batch = 1;     // problems that were solved at once; the times are shares of theirs
   Solved word = {};  // the answer of a program with own kinematics
 };
 
@@ -66,6 +68,9 @@ class ForeignSolver final : public solvers::Solver {
   // Call before the clock starts: starts the process if there is none, and warms it up. `hosted` is for a shared
   // object.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective, const HostedSolve& hosted = {});
+  // Asks for several answers in one message. The next solves are of these problems, in this order, and take the answers
+  // as they are. If the program does not answer them all, the problems come to it again, each alone.
+  void ask_ahead(const std::vector<SolveRequest>& problems);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective& objective, numerics::Random& random) override;
   const solvers::Best& best() const override { return best_; }
@@ -80,6 +85,8 @@ class ForeignSolver final : public solvers::Solver {
   template <class Talk>
   void guarded(Talk&& talk);  // an exception becomes the account's failure
   void solve_at_once(const std::string& text, solvers::Objective& objective);
+  void take_word(solvers::Objective& objective);
+  std::deque<Account> solve_batch(const std::vector<SolveRequest>& problems);
   void take_in(const Message& message, solvers::Objective& objective);
 
   Sessions& sessions_;
@@ -96,6 +103,10 @@ class ForeignSolver final : public solvers::Solver {
   Eigen::VectorXd errors_;
   Account account_;
   std::string trouble_;
+  std::deque<Account> ahead_;  // what the next solves take
 };
+
+// The seed that a program gets: the first number of the solve's stream.
+std::uint32_t seed_of(numerics::Random& random);
 
 }  // namespace ikbench::experiments

@@ -28,6 +28,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_options = 200, most_choices = 100;
 constexpr std::size_t longest_urdf = 900'000;  // bytes; a longer one is left out
 constexpr double largest_count = 1e15;
+constexpr int largest_batch = 500;  // answers of 64 joints stay shorter than the longest line
 // The keys of an entry of [[solvers]]. Options stand beside them, so that no option may have such a name.
 constexpr std::array<std::string_view, 10> keys_of_entries{"solver",  "label",     "process",    "shared_object",
                                                            "files",   "mode",      "patience_s", "population",
@@ -164,6 +165,26 @@ class HelloOptions {
   std::deque<std::size_t> chosen_;
 };
 
+// The members of a problem that are the same in `solve`, `start` and `solve_batch`.
+Json problem_members(const SolveRequest& asked) {
+  const Problem& problem = asked.problem;
+  const JointLimits limits = finite_limits(problem);
+  Json target{{"position", numbers(asked.goal.target.translation())}};
+  if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
+  return {{"target", target},
+          {"start", numbers(problem.start)},
+          {"lower", numbers(limits.lower)},
+          {"upper", numbers(limits.upper)},
+          {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
+          {"budget",
+           {{"iterations", asked.stop.iterations},
+            {"evaluations", asked.stop.evaluations},
+            {"seconds", asked.stop.seconds}}},
+          {"population", problem.population},
+          {"planned_iterations", problem.iterations},
+          {"seed", asked.seed}};
+}
+
 StopReason reason_of(const std::string& name) {
   const auto* const found = std::ranges::find(stop_reason_names, name);
   return found == stop_reason_names.end() ? StopReason::finished
@@ -214,16 +235,21 @@ Hello hello_in(const Message& message) {
     if (std::ranges::count(hello.options, option.name, &HelloOption::name) > 1)
       throw Breach(fmt::format("it has the option {} twice", option.name));
   }
+  if (json.contains("batch")) {
+    const std::int64_t batch = count_at(json, "batch");
+    if (batch < 1 || batch > largest_batch)
+      throw Breach(fmt::format("its batch is not a count from 1 to {}", largest_batch));
+    hello.batch = static_cast<int>(batch);
+  }
   const Json deterministic = json.value("deterministic", Json(false));
   hello.is_deterministic = deterministic == true || deterministic == 1;
   return hello;
 }
 
-std::string why_in(const Message& declined) {
-  const Json& json = declined.json;
-  const auto why = json.find("why");
-  return std::string(why != json.end() && why->is_string() ? front(why->get_ref<const std::string&>(), 200)
-                                                           : "it does not say why");
+std::string why_in(const Json& declined) {
+  const auto why = declined.find("why");
+  return std::string(why != declined.end() && why->is_string() ? front(why->get_ref<const std::string&>(), 200)
+                                                               : "it does not say why");
 }
 
 Candidates candidates_in(const Message& ask, int joints) {
@@ -239,8 +265,9 @@ Candidates candidates_in(const Message& ask, int joints) {
   return q;
 }
 
-Solved solved_in(const Message& message, int joints) {
-  const Json& json = message.json;
+namespace {
+
+Solved answer_in(const Json& json, int joints) {
   if (const auto fault = json.find("fault"); fault != json.end() && fault->is_string())
     throw Breach(std::string(front(fault->get_ref<const std::string&>(), 200)));
   if (!json.contains("q")) throw Breach("its answer has no q");
@@ -264,6 +291,26 @@ Solved solved_in(const Message& message, int joints) {
   if (solved.improved.at.size() != solved.improved.to.size())
     throw Breach("its improved_at and improved_to have different lengths");
   return solved;
+}
+
+}  // namespace
+
+Solved solved_in(const Message& message, int joints) { return answer_in(message.json, joints); }
+
+std::vector<Solved> batch_solved_in(const Message& message, int joints, std::size_t problems) {
+  const Json solutions = message.json.value("solutions", Json());
+  if (!solutions.is_array() || solutions.size() != problems)
+    throw Breach(fmt::format("its solutions are not a list of {}, one for each problem", problems));
+  std::vector<Solved> all;
+  for (const Json& solution : solutions) {
+    if (!solution.is_object()) throw Breach("one of its solutions is not an object");
+    if (solution.value("message", Json()) == "declined") {
+      all.push_back({.q = {}, .declined = why_in(solution)});
+    } else {
+      all.push_back(answer_in(solution, joints));
+    }
+  }
+  return all;
 }
 
 std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Settings& options) {
@@ -311,30 +358,20 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
 }
 
 std::string solve_message(Mode mode, const SolveRequest& asked) {
-  const Problem& problem = asked.problem;
-  const JointLimits limits = finite_limits(problem);
-  Json target{{"position", numbers(asked.goal.target.translation())}};
-  if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
-  Json json{{"message", mode == Mode::solve ? "solve" : "start"},
-            {"id", asked.id},
-            {"target", target},
-            {"start", numbers(problem.start)},
-            {"lower", numbers(limits.lower)},
-            {"upper", numbers(limits.upper)},
-            {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
-            {"budget",
-             {{"iterations", asked.stop.iterations},
-              {"evaluations", asked.stop.evaluations},
-              {"seconds", asked.stop.seconds}}},
-            {"population", problem.population},
-            {"planned_iterations", problem.iterations},
-            {"seed", asked.seed}};
+  Json json{{"message", mode == Mode::solve ? "solve" : "start"}, {"id", asked.id}};
+  json.update(problem_members(asked));
   if (asked.hosted.repeats > 0) {
     json["stream"] = asked.hosted.stream;
     json["repeats"] = asked.hosted.repeats;
     json["trace"] = asked.hosted.trace != Trace::none;
   }
   return line_of(json);
+}
+
+std::string batch_message(std::int64_t id, const std::vector<SolveRequest>& problems) {
+  Json list = Json::array();
+  for (const SolveRequest& problem : problems) list.push_back(problem_members(problem));
+  return line_of({{"message", "solve_batch"}, {"id", id}, {"problems", std::move(list)}});
 }
 
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over) {

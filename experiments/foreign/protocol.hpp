@@ -44,6 +44,7 @@ struct Hello {
   std::vector<Mode> modes;  // at least one; the preferred one first
   std::vector<HelloOption> options;
   bool is_deterministic = false;  // the same for every seed
+  int batch = 1;                  // most problems in one message; 1: each comes alone
 };
 
 // The options of a program: its defaults with the settings applied. Throws std::invalid_argument as OptionList::set
@@ -60,7 +61,7 @@ std::optional<Message> message_in(const std::string& line);
 
 // All throw Breach if the message makes no sense.
 Hello hello_in(const Message& message);
-std::string why_in(const Message& declined);
+std::string why_in(const nlohmann::ordered_json& declined);
 // Candidates as columns. A list of numbers is one candidate; so is a number, if there is one joint.
 robots::Candidates candidates_in(const Message& ask, int joints);
 
@@ -77,8 +78,11 @@ struct Solved {
   double largest_seconds = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> trace;  // best error [m] after each iteration
   solvers::Improvements improved;
+  std::optional<std::string> declined = {};  // of a problem of a batch: why the program does not solve it
 };
 Solved solved_in(const Message& message, int joints);
+// The answers to a batch of `problems`, in its order.
+std::vector<Solved> batch_solved_in(const Message& message, int joints, std::size_t problems);
 
 // The arm that is searched, and what is the same for all solves.
 struct ArmToSearch {
@@ -108,6 +112,8 @@ struct SolveRequest {
   HostedSolve hosted = {};
 };
 std::string solve_message(Mode mode, const SolveRequest& asked);
+// The ids of the problems are not told.
+std::string batch_message(std::int64_t id, const std::vector<SolveRequest>& problems);
 enum class Over { no, yes };
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over);
 // A message padded to about `bytes` bytes.

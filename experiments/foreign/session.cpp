@@ -75,7 +75,7 @@ void Session::greet() {
   send(robot_);
   const Message message = receive({"ready", "declined"}, 0);
   if (message.name == "declined") {
-    refusal_ = Trouble{Status::declined, why_in(message)};
+    refusal_ = Trouble{Status::declined, why_in(message.json)};
     throw Trouble(*refusal_);
   }
 }

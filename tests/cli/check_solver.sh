@@ -19,7 +19,7 @@ def position(q):  # from the tip to the base
         x, y = c * (x + a) - s * y, s * (x + a) + c * y
     return x, y, z
 
-def solve(problem):
+def answer(problem):
     global solves
     solves += 1
     target, draw, began = problem["target"]["position"], random.Random(problem["seed"]), time.monotonic()
@@ -42,11 +42,18 @@ def solve(problem):
     if "nan" == FAULT: best = [math.nan] + best[1:]
     claim = math.dist(position(best), target) if "nan" != FAULT else None
     if "lies" == FAULT: claim += 0.001
-    say(message="solved", id=problem["id"] + ("id" == FAULT), q=[None if x != x else x for x in best], error=claim)
+    return {"q": [None if x != x else x for x in best], "error": claim}
+
+def solve_batch(told):
+    if "batch-of-one" == FAULT: told["problems"].pop()
+    solutions = [answer(problem) for problem in told["problems"]]
+    if "mixes" == FAULT: solutions.reverse()
+    say(message="solved_batch", id=told["id"], solutions=solutions)
 
 leak, solves = [], 0
 if "silent" == FAULT: sys.exit(3)
-say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], deterministic="pretends" == FAULT, options=[
+say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], deterministic="pretends" == FAULT,
+    batch=1000 if "greedy" == FAULT else 4, options=[
     {"name": "w", "type": "number", "default": 3 if "option" == FAULT else 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
 for line in sys.stdin:
     told = json.loads(line)
@@ -60,7 +67,8 @@ for line in sys.stdin:
         if "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
         say(message="ready")
     elif told["message"] == "ping": say(message="pong", id=told["id"])
-    elif told["message"] == "solve": solve(told)
+    elif told["message"] == "solve": say(message="solved", id=told["id"] + ("id" == FAULT), **answer(told))
+    elif told["message"] == "solve_batch": solve_batch(told)
     elif told["message"] == "bye" and "deaf" != FAULT: sys.exit()
 if "stays" == FAULT:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
@@ -102,6 +110,9 @@ nan 1 its answer is finite
 slides 1 an arm with a joint that slides, or declines: it says
 pretends 1 it does not say that it is deterministic: another seed changes its answer
 id 3 joints*, or declines: broke_protocol: its solved does not have the id
+greedy 1 says a proper hello: its batch is not a count from 1 to 500
+mixes 1 the same answer in a batch as alone: problem 1 differs by
+batch-of-one 1 the same answer in a batch as alone: broke_protocol: its solutions are not a list of 3
 deaf 1 it ends when it is told bye: it still runs
 stays 1 it ends with its standard input: it had to be ended: signal 9
 noise 1 it writes nothing but messages: .* the first: solving" -- python3 planted.py

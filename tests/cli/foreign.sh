@@ -265,6 +265,43 @@ has_no "$(<budgets/tables/statistics-cost.md)" '| boasts |'
 succeeds report budgets/store.sqlite --no-figures
 has_no "$out$err" damaged
 
+# A program that takes batches: the same answers as one at a time, also where a batch goes wrong or has a problem declined.
+sed -e 's/"modes=\["solve"\]//; s/modes=\["solve"\],/modes=["solve"], batch=5,/' \
+  -e 's/^def solve(problem):/def solve(problem, say):/; s/else: solve(told)/else: solve(told, say)/' faulty.py >batch.py
+cat >>batch.py <<'EOF'
+    elif told["message"] == "solve_batch":
+        if FAULT == "batch-dies" and told["id"] > 8: os._exit(3)
+        solutions = []
+        for problem in told["problems"]:
+            problem["id"] = 0
+            if FAULT == "batch-declines" and problem["target"]["position"][2] > 0.5: solutions.append({"message": "declined", "why": "high"})
+            else: solve(problem, lambda **message: solutions.append(message))
+        if FAULT == "batch-short" and len(solutions) < 5: solutions.pop()
+        say(message="solved_batch", id=told["id"], solutions=solutions)
+EOF
+batches=()
+for word in one several batch-dies batch-declines batch-short; do
+  batches+=("$(program_entry "$word" "$word" | sed "s/faulty.py/$([ "$word" = one ] && echo faulty || echo batch).py/")")
+done
+study batches "${batches[@]}"
+sed -i 's/^search/start = "random"\nsearch/; s/^kind = .*/kind = "random"/; s/^points = .*/points = 8/' batches.toml
+succeeds run batches.toml --no-report --out batches
+alone=$(column batches/store.sqlite answer_rad_2 one)
+for label in several batch-dies batch-short; do
+  [ "$(column batches/store.sqlite answer_rad_2 $label)" = "$alone" ] || fail "$label has other answers than one at a time"
+done
+[ "$(column batches/store.sqlite batch one | counted)" = "16 1" ] || fail "$(column batches/store.sqlite batch one | counted)"
+[ "$(column batches/store.sqlite batch several | counted | tr '\n' ' ')" = "6 3 10 5 " ] ||
+  fail "$(column batches/store.sqlite batch several | counted)"
+has "$(column batches/store.sqlite batch batch-short | counted)" "10 5"
+has "$(column batches/store.sqlite batch batch-dies | counted)" "1"
+has "$err" "batch-dies: it ended"
+has "$err" "its solutions are not a list of 3, one for each problem"
+has "$(column batches/store.sqlite status batch-declines | counted)" "declined"
+has "$(column batches/store.sqlite status batch-declines | counted)" "ok"
+succeeds run batches.toml --no-figures --out batches
+has "$(<batches/report.md)" "solved up to 5 problems at once"
+
 # Several at once: the same answers.
 succeeds run edited.toml --no-report --out parallel --jobs 2
 [ "$(column parallel/store.sqlite position_error_cm mine)" = "$(column edited/store.sqlite position_error_cm mine)" ] ||

@@ -17,6 +17,11 @@ for python in python3 /usr/bin/python3; do
   "$python" -c "import scipy" 2>/dev/null && scipy=$python && break
 done
 if [ -n "$scipy" ]; then add least_squares.py "\"$scipy\", \"least_squares.py\""; else left_out+=(least_squares.py); fi
+numpy=
+for python in python3 /usr/bin/python3; do
+  "$python" -c "import numpy" 2>/dev/null && numpy=$python && break
+done
+if [ -n "$numpy" ]; then add damped_batch.py "\"$numpy\", \"damped_batch.py\""; else left_out+=(damped_batch.py); fi
 if command -v octave-cli >/dev/null; then add damped.m '"octave-cli", "--quiet", "damped.m"'; else left_out+=(damped.m); fi
 if cc -O2 -Wall -Wextra -Werror -o search search.c 2>cc.err; then add search.c '"./search"'; else left_out+=(search.c); fi
 if c++ -std=c++17 -O1 -I/usr/include/eigen3 -o descent descent.cpp 2>cc.err; then add descent.cpp '"./descent"'; else left_out+=(descent.cpp); fi

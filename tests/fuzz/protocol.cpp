@@ -38,11 +38,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::optional<Message> message = message_in(std::string(rest.substr(0, end)));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (!message) continue;
-    why_in(*message);
+    why_in(message->json);
     hear([&] { tell_arm(hello_in(*message)); });
     for (const int joints : {1, 3}) {
       hear([&] { candidates_in(*message, joints); });
       hear([&] { solved_in(*message, joints); });
+      hear([&] { batch_solved_in(*message, joints, 2); });
     }
   }
   return 0;
