@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -265,7 +266,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .interruptions = interruptions,
                      .unavoidable_error_cm = beyond_reach(target) / centimetre,
                      .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody,
-                     .restarts = solution.restarts};
+                     .restarts = solution.restarts,
+                     .instructions = median.account ? std::numeric_limits<double>::quiet_NaN() : median.instructions};
   write_verified(verified, record);
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {

@@ -1,10 +1,12 @@
 #include "analysis/inference/comparable.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "analysis/inference/run_metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -100,6 +102,16 @@ Doubts evaluations_left_out(const StudyResults& study) {
   return doubts;
 }
 
+Doubts instructions_left_out(const StudyResults& study) {
+  const SolverLabels uncounted = those(study, [&](const std::string& solver) {
+    return std::ranges::any_of(solves_of(study, solver), [](const Solve& solve) {
+      return !is_without_answer(solve.status) && std::isnan(instructions(solve));
+    });
+  });
+  if (uncounted.empty()) return {};
+  return {{.kind = DoubtKind::instructions_uncounted, .who = uncounted}};
+}
+
 // Doubts of the whole study's times, for all solvers.
 Doubts machine_doubts(const StudyResults& study) {
   const auto parallel = timed(study, Timing::parallel), debug = timed(study, Timing::debug_build);
@@ -119,6 +131,7 @@ Doubts machine_doubts(const StudyResults& study) {
 
 Doubts left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
+  if (metric == Metric::instructions) return instructions_left_out(study);
   return info_of(metric).kind == Kind::time ? times_left_out(study) : Doubts{};
 }
 

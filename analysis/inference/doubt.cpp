@@ -47,6 +47,9 @@ constexpr std::array all_words{
     Words{
         K::evaluations_claimed, "Evaluations are claimed",
         "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench."},
+    Words{K::instructions_uncounted, "Instructions were not counted",
+          "The instructions of {who} were not counted: the system has no counter, or forbids it "
+          "(kernel.perf_event_paranoid), or a program solved."},
     Words{
         K::two_speeds, "The machine had two speeds",
         "The machine had two speeds: the solves of every solver are in two groups, and an evaluation of the slow ones "

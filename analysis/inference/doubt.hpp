@@ -24,6 +24,7 @@ enum class DoubtKind {
   // evaluations of `who` are not compared with others
   evaluations_uncounted,
   evaluations_claimed,
+  instructions_uncounted,
   // disturbances of times
   two_speeds,
   machine_loaded,

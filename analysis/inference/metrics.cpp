@@ -43,6 +43,7 @@ static_assert(row(Metric::variation_deg).column == "variation_deg");
 static_assert(row(Metric::seconds).column == "seconds");
 static_assert(row(Metric::evaluations).column == "evaluations");
 static_assert(row(Metric::solved).column == "solved");
+static_assert(row(Metric::instructions).column == "instructions");
 static_assert(row(Metric::orientation_error_deg).column == "orientation_error_deg");
 static_assert(row(Metric::variation_m).column == "variation_m");
 static_assert(row(Metric::excess_error_cm).column == "excess_error_cm");

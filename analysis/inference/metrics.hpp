@@ -22,7 +22,8 @@ enum class Metric : std::size_t {
   solved,
   orientation_error_deg,
   variation_m,
-  excess_error_cm
+  excess_error_cm,
+  instructions = 18
 };
 
 // count: how often a solver does something. time: compared only if times are comparable. share: of things that can

@@ -52,6 +52,10 @@ double orientation_error_deg(const Solve& solve, const StudyResults& study) {
 
 double variation_m(const Solve& solve) { return solve.extras == nullptr ? 0 : solve.extras->variation_m; }
 
+double instructions(const Solve& solve) {
+  return solve.extras == nullptr ? statistics::not_defined : solve.extras->instructions;
+}
+
 double excess_error_cm(Run run, const StudyResults& study) {
   std::vector<double> excess;
   for (const Solve* solve : run) {

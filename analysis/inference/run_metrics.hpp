@@ -13,6 +13,7 @@ inline double of_answer(const Solve& solve, double value) {
 
 // Variation of the prismatic joints [m].
 double variation_m(const Solve& solve);
+double instructions(const Solve& solve);  // not defined where they were not counted
 
 // Not defined if the study searches for positions only.
 double orientation_error_deg(const Solve& solve, const StudyResults& study);

@@ -18,6 +18,7 @@ namespace ikbench::inference {
 struct RareData {
   std::vector<double> trace_cm = {};
   double variation_m = 0;
+  double instructions = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Fields without a comment have the name and meaning of the record's column.

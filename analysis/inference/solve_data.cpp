@@ -267,8 +267,8 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .is_disturbed = is_disturbed(record),
               .is_repeated = is_repeated,
               .is_following = is_following};
-  if (!record.trace_cm.empty() || record.variation_m != 0) {
-    data_.extras.push_back({record.trace_cm, record.variation_m});
+  if (!record.trace_cm.empty() || record.variation_m != 0 || !std::isnan(record.instructions)) {
+    data_.extras.push_back({record.trace_cm, record.variation_m, record.instructions});
     solve.extras = &data_.extras.back();
   }
   answers_.push_back(record.answer_rad);
