@@ -21,6 +21,7 @@
 #include "cli/multiverse.hpp"
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/fingerprint.hpp"
@@ -145,6 +146,29 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
+// Solves every set-up that a paper's lock allows; keeps no solve. False if it was stopped.
+bool try_lock(const Arguments& arguments, const Lock& lock, WrittenReport& wanted) {
+  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  CancelOnSignal signals;
+  std::vector<PrintedNumbers> found;
+  const std::vector<SetUp> all = set_ups(lock);
+  for (const SetUp& chosen : all) {
+    say(fmt::format("Set-up {} of {} ...", found.size() + 1, all.size()));
+    Study study = load_study(lock.study, overrides_of(lock, chosen));
+    std::erase_if(study.solvers, [&](const SolverEntry& entry) {
+      return std::ranges::find(lock.solvers, entry.label) == lock.solvers.end();
+    });
+    std::vector<SolveRecord> solves;
+    solve_study(
+        study, jobs, [&](SolveRecord solve) { solves.push_back(std::move(solve)); }, &signals.requested());
+    if (signals.requested()) return false;
+    found.push_back(lock.compared(solves));
+  }
+  wanted.tables.push_back(lock_table(lock, found));
+  wanted.remarks.push_back(lock_sentence(lock, found));
+  return !signals.end();
+}
+
 // True if an option applies to a collection.
 bool takes(const Collection& collection, std::string_view option) {
   if (option == "--readings") return collection.paper && collection.paper->multiverse;
@@ -196,7 +220,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
                        "number of seeds that say what a repetition would give; default: 50; 0: skip them")
       ->check(whole_number({0, 1000}));
   command->add_flag("--quick", arguments->is_quick,
-                    collections_with("--repetitions") + "skip the interpretations and the repetitions");
+                    "skip the interpretations, the repetitions and other set-ups than the paper's");
   add_perturb_option(*command, arguments->copies);
   add_report_options(*command, arguments->report);
   command->footer(
@@ -238,7 +262,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
     const Paper paper = collection.paper.value_or(Paper());
-    if (!solve_besides(*arguments, paper, wanted)) {
+    const bool is_tried = !paper.lock || arguments->is_quick || try_lock(*arguments, *paper.lock, wanted);
+    if (!is_tried || !solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
       invocation.exit_code = cancelled_exit_code();
       return;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/claims/audit.hpp"
+#include "analysis/claims/lock.hpp"
 #include "analysis/claims/multiverse.hpp"
 #include "analysis/claims/one_at_a_time.hpp"
 #include "analysis/claims/row_agreement.hpp"
@@ -93,6 +94,9 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
     std::vector<PrintedTable> tables;
     for (const TomlReader& table : tables_of(reader, "rows")) tables.push_back(read_table(table));
     add_rows(paper, of.name, std::move(tables));
+  }
+  if (const toml::table* const lock = reader.subtable("lock")) {
+    paper.lock = read_lock(reader.nested(*lock, "lock."), of.name);
   }
   reader.whole("repetitions", paper.repetitions, {0, 1000}, "");
   reader.refuse_unknown_keys();

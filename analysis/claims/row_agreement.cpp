@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "analysis/claims/printed.hpp"
+#include "analysis/claims/search_statistics.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
@@ -31,60 +32,6 @@ using namespace fmt::literals;
 
 namespace {
 
-// What a statistic of searches needs of a solve.
-struct Search {
-  double iterations, searches;
-  bool is_found, is_outside;  // found: the solver did not give up; outside the joint limits
-};
-
-double mean_of_found(std::span<const Search> all, double Search::*value) {
-  double sum = 0, count = 0;
-  for (const Search& search : all) {
-    sum += search.is_found ? search.*value : 0;
-    count += search.is_found ? 1 : 0;
-  }
-  return count > 0 ? sum / count : not_defined;
-}
-
-// The middle one of the sorted iterations, the upper of two.
-double median_of_found(std::span<const Search> all) {
-  std::vector<double> found;
-  for (const Search& search : all) {
-    if (search.is_found) found.push_back(search.iterations);
-  }
-  if (found.empty()) return not_defined;
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::ranges::nth_element(found, middle);
-  return *middle;
-}
-
-double most_searches(std::span<const Search> all) {
-  double most = 0;
-  for (const Search& search : all) most = search.is_found ? std::max(most, search.searches) : most;
-  return most;
-}
-
-struct Statistic {
-  std::string_view column, heading;
-  double (*of)(std::span<const Search>);
-  bool has_range = true;  // false: resamples say nothing of it
-};
-
-constexpr std::array<Statistic, 6> statistics_of_searches{
-    {{"iterations_mean", "mean iterations",
-      [](std::span<const Search> all) { return mean_of_found(all, &Search::iterations); }},
-     {"iterations_median", "median iterations", median_of_found},
-     {"infeasible", "no solution",
-      [](std::span<const Search> all) {
-        return static_cast<double>(std::ranges::count(all, false, &Search::is_found));
-      }},
-     {"searches_mean", "mean searches",
-      [](std::span<const Search> all) { return mean_of_found(all, &Search::searches); }},
-     {"searches_most", "most searches", most_searches, false},
-     {"violations", "outside the limits", [](std::span<const Search> all) {
-        return static_cast<double>(std::ranges::count(all, true, &Search::is_outside));
-      }}}};
-
 std::vector<Search> searches_of(const StudyResults& study, std::string_view solver) {
   std::vector<Search> all;
   for (const Solve& solve : solves_of(study, solver)) {
@@ -96,7 +43,7 @@ std::vector<Search> searches_of(const StudyResults& study, std::string_view solv
 }
 
 // The central 95 % of what the statistic would be with other targets: ours plus the difference of two resamples.
-Range range_of_chance(const std::vector<Search>& all, const Statistic& statistic) {
+Range range_of_chance(const std::vector<Search>& all, const SearchStatistic& statistic) {
   constexpr int resamples = 400;
   constexpr double level = 0.95;
   Draws draws(1);
@@ -128,7 +75,7 @@ struct Compared {
 };
 
 // From the smallest to the largest value of the solves and their copies.
-Range range_of_rounding(const Compared& of, const Statistic& statistic) {
+Range range_of_rounding(const Compared& of, const SearchStatistic& statistic) {
   const double ours = statistic.of(of.ours);
   Range range{ours, ours};
   for (const std::vector<Search>& copy : of.copies) {
@@ -139,13 +86,12 @@ Range range_of_rounding(const Compared& of, const Statistic& statistic) {
 }
 
 // Compares a printed number with ours.
-Cell compared(const Compared& of, const Statistic& statistic, const std::string& printed, RowFindings& row) {
+Cell compared(const Compared& of, const SearchStatistic& statistic, const std::string& printed, RowFindings& row) {
   const double ours = statistic.of(of.ours), number = number_from(printed).value(), half = half_unit(printed);
   const int decimals = static_cast<int>(std::max(0.0, std::round(-std::log10(2 * half))));
-  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
   ++row.numbers;
   OursAndPrinted cell{.ours = ours, .printed = printed, .nearness = Nearness::within, .decimals = decimals};
-  if (std::abs(ours - number) <= half * room) {
+  if (agrees(ours, printed)) {
     ++row.agree;
     return cell;
   }
@@ -193,10 +139,10 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
   if (study == nullptr || study->solves.empty()) return std::nullopt;
   const PerturbedCopies copies = copies_of(*study, reported);
   const CsvTable printed = printed_table(paper, plan.table);
-  std::vector<const Statistic*> columns;
+  std::vector<const SearchStatistic*> columns;
   Table table{
       .name = "rows-" + plan.table, .caption = plan.caption + ", here and printed", .columns = {"solver", "agreement"}};
-  for (const Statistic& statistic : statistics_of_searches) {
+  for (const SearchStatistic& statistic : search_statistics) {
     if (std::ranges::find(printed.header, statistic.column) == printed.header.end()) continue;
     columns.push_back(&statistic);
     table.columns.emplace_back(statistic.heading);
@@ -208,7 +154,8 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
     if (all.empty()) {
       const auto why = plan.not_attempted.find(solver);
       row[1] = "not attempted" + (why == plan.not_attempted.end() ? "" : ": " + why->second);
-      for (const Statistic* statistic : columns) row.emplace_back(printed.rows[i][printed.column(statistic->column)]);
+      for (const SearchStatistic* statistic : columns)
+        row.emplace_back(printed.rows[i][printed.column(statistic->column)]);
       ++found.not_attempted;
       continue;
     }
@@ -216,7 +163,7 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
     for (const StudyResults& copy : copies) perturbed.push_back(searches_of(copy, solver));
     const Compared both{all, perturbed};
     RowFindings findings;
-    for (const Statistic* statistic : columns) {
+    for (const SearchStatistic* statistic : columns) {
       const std::string& digits = printed.rows[i][printed.column(statistic->column)];
       row.push_back(digits.empty() ? Cell(statistic->of(all)) : compared(both, *statistic, digits, findings));
     }

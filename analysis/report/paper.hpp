@@ -14,6 +14,7 @@
 #include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/last_bits.hpp"
+#include "analysis/report/lock.hpp"
 #include "analysis/report/multiverse.hpp"
 #include "analysis/report/rates.hpp"
 #include "analysis/report/repetitions.hpp"
@@ -49,6 +50,7 @@ struct Paper {
   ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
   std::function<RowsOfPaper(const Reported&)> rows = {};
+  std::optional<Lock> lock = {};
   // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};

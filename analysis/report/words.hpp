@@ -257,6 +257,16 @@ inline constexpr Template chaotic_solvers =
 inline constexpr Template rows_agree =
     "{digits} of {attempted} repeated rows of the printed tables agree in every digit. Of the others {rounding} are within the "
     "range of rounding, {chance} within the range of chance and {outside} outside. {missing} rows were not attempted.";
+inline constexpr Template lock_caption = "Which set-up of {study} gives the printed integers";
+inline constexpr Template lock_note =
+    "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because a mean can agree "
+    "by chance.";
+inline constexpr Template lock_has_one_key =
+    "Of {set_ups} set-ups that the text allows, only one agrees with all {integers} printed integers: {where}.";
+inline constexpr Template lock_has_several_keys =
+    "Of {set_ups} set-ups that the text allows, {keys} agree with all {integers} printed integers: {where}.";
+inline constexpr Template lock_stays_shut =
+    "None of {set_ups} set-ups that the text allows agrees with all {integers} printed integers; at most {agreeing} do: {where}.";
 inline constexpr Template every_digit = "every digit";
 inline constexpr Template row_by_rounding = "{agree} of {numbers} numbers agree; within the range of rounding";
 inline constexpr Template row_by_chance = "{agree} of {numbers} numbers agree; within the range of chance";
