@@ -236,4 +236,43 @@ std::set<std::string> machines_of(std::span<const Session> sessions) {
   return machines;
 }
 
+namespace {
+
+// Mean evaluations of a solver whose solves the limit of iterations ends, nearly all; else not defined.
+double evaluations_of_iterations(const StudyResults& study, const std::string& solver) {
+  constexpr double nearly_all = 0.9;
+  double sum = 0, limited = 0, count = 0;
+  for (const Solve& solve : solves_of(study, solver)) {
+    if (solve.counted_by != CountedBy::suite || is_without_answer(solve.status)) return not_defined;
+    sum += static_cast<double>(solve.evaluations);
+    limited += solve.stop_reason == StopReason::iterations ? 1 : 0;
+    ++count;
+  }
+  return limited >= nearly_all * count && count > 0 ? sum / count : not_defined;
+}
+
+Doubts effort_doubts(const StudyResults& study) {
+  constexpr double much = 2;
+  if (study.facts.stop.evaluations > 0 || study.facts.stop.seconds > 0) return {};
+  std::string fewest, most;
+  double few = not_defined, many = not_defined;
+  for (const std::string& solver : study.solvers) {
+    const double mean = evaluations_of_iterations(study, solver);
+    if (std::isnan(mean)) continue;
+    if (!(mean >= few)) few = mean, fewest = solver;
+    if (!(mean <= many)) many = mean, most = solver;
+  }
+  if (!(many >= much * few && few > 0)) return {};
+  return {{.kind = DoubtKind::unequal_evaluations, .who = {most}, .count = few, .of = many, .what = fewest}};
+}
+
+}  // namespace
+
+Doubts fairness_doubts(const StudyResults& study) {
+  Doubts doubts = effort_doubts(study);
+  const bool is_single = study.points == 1 && !study.facts.path.empty() && !study.facts.draws_targets;
+  if (is_single && study.solvers.size() > 1) doubts.push_back({.kind = DoubtKind::single_target});
+  return doubts;
+}
+
 }  // namespace ikbench::inference

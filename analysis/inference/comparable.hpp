@@ -43,6 +43,8 @@ Doubts transport_doubts(const StudyResults& study);
 Doubts batch_doubts(const StudyResults& study);
 // Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
 Doubts evaluation_doubts(const StudyResults& study);
+// Whether all solvers have the same effort, and whether the targets are more than one.
+Doubts fairness_doubts(const StudyResults& study);
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 // Returns the recorded CPUs, with host names if there are several machines. Two sessions ran on different machines if

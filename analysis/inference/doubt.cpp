@@ -71,6 +71,11 @@ constexpr std::array all_words{
     Words{K::evaluated_one_by_one, "Evaluations cost differently",
           "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; "
           "{who} (library, program or shared object) may evaluate one by one."},
+    Words{K::unequal_evaluations, "Budgets differ",
+          "Equal iterations are not equal evaluations: a solve of {what} makes {count:.6g}, one of {who} {of:.6g}. "
+          "stop.evaluations would give all solvers the same budget."},
+    Words{K::single_target, "There is one target",
+          "All solves have the same target, so nothing is known of others: another solver may be better there."},
     Words{K::points_as_observations, "Points are no replicates",
           "Points of one run depend on each other; used as observations because --force was given."},
     Words{K::rows_share_a_run, "Rows are no replicates",

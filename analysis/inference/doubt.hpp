@@ -35,6 +35,9 @@ enum class DoubtKind {
   mostly_transport,
   solved_in_batches,
   evaluated_one_by_one,
+  // what the study compares
+  unequal_evaluations,
+  single_target,
   // observations
   points_as_observations,
   rows_share_a_run,

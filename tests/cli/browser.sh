@@ -173,7 +173,7 @@ return [ids.filter((id, i) => ids.indexOf(id) !== i).join(','), links.length, br
 E2
 
 # It is read in two minutes: what is shown has at most 3000 words and 12 screens, and its first lines at most 120 words beside
-# the claims, each of which is one line.
+# the claims, each of which is one line, and the warnings, which a busy machine may add to.
 cat >length.js <<'E2'
 const isShown = element => element.checkVisibility({ checkVisibilityCSS: true }) && element.getClientRects().length > 0;
 const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -183,7 +183,7 @@ while (texts.nextNode()) {
   if (['SCRIPT', 'STYLE'].includes(parent.tagName) || !isShown(parent)) continue;
   const count = texts.currentNode.textContent.split(/\s+/).filter(word => word !== '').length;
   words += count;
-  if (parent.closest('header') && !parent.closest('.claims')) first += count;
+  if (parent.closest('header') && !parent.closest('.claims, .warnings')) first += count;
 }
 const claims = [...document.querySelectorAll('.claims li')].map(claim => claim.getBoundingClientRect());
 const cut = [...document.querySelectorAll('.claims :is(.claim, .word, .number)')].filter(part => part.scrollWidth > part.clientWidth);
