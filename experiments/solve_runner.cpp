@@ -156,7 +156,10 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
 
 int SolveRunner::batch() const {
   const bool can = entry_.program && entry_.program->mode == Mode::solve && study_.start != Start::previous;
-  return can ? entry_.program->hello.batch : 1;
+  // A line has at most a million bytes: a problem has a start, limits, up to 12 numbers of a target, and its keys.
+  constexpr int longest_line = 1'000'000, longest_number = 25, longest_rest = 600;
+  const int fitting = longest_line / (longest_rest + 3 * longest_number * task_.arm().joints());
+  return can ? std::min(entry_.program->hello.batch, fitting) : 1;
 }
 
 void SolveRunner::ask_ahead(Solver& solver, const std::vector<Asked>& problems) const {
