@@ -115,12 +115,17 @@ std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
   return solvers;
 }
 
+// Jobs of solves whose times are not measured.
+int all_processors(const Arguments& arguments) {
+  return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+}
+
 // Solves beyond the paper's studies: repetitions of the first, and the interpretations. It measures no time, so all
 // processors may work. False if it was stopped.
 bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
   if (arguments.is_quick) return true;
   const std::string& first = wanted.study;
-  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  const int jobs = all_processors(arguments);
   CancelOnSignal signals;
   const auto solve = [&](const char* title, const std::vector<Dimension>& varied, int seeds, Combined combined) {
     return solved_multiverse(
@@ -148,7 +153,7 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
 
 // Solves every set-up that a paper's lock allows; keeps no solve. False if it was stopped.
 bool try_lock(const Arguments& arguments, const Lock& lock, WrittenReport& wanted) {
-  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  const int jobs = all_processors(arguments);
   CancelOnSignal signals;
   std::vector<PrintedNumbers> found;
   const std::vector<SetUp> all = set_ups(lock);

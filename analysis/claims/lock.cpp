@@ -19,27 +19,23 @@ using namespace results;
 
 namespace {
 
-Search search_of(const SolveRecord& solve) {
-  const bool is_found = solve.stop_reason == StopReason::finished || solve.stop_reason == StopReason::tolerance;
-  const bool is_outside = solve.limit_violation_deg > 0 || solve.limit_violation_m > 0;
-  return {static_cast<double>(solve.iterations), solve.restarts + 1.0, is_found, is_found && is_outside};
-}
-
 PrintedNumbers compared(const CsvTable& printed, std::span<const SolveRecord> solves,
                         std::span<const std::string> solvers) {
   std::map<std::string, std::vector<Search>> searches;
-  for (const SolveRecord& solve : solves) searches[solve.solver].push_back(search_of(solve));
+  for (const SolveRecord& solve : solves) {
+    const bool is_outside = solve.limit_violation_deg > 0 || solve.limit_violation_m > 0;
+    searches[solve.solver].push_back(search_of(solve.iterations, solve.restarts, solve.stop_reason, is_outside));
+  }
   PrintedNumbers found;
   for (const std::vector<std::string>& row : printed.rows) {
     const std::string& solver = row[printed.column("solver")];
     if (std::ranges::find(solvers, solver) == solvers.end()) continue;
-    for (const SearchStatistic& statistic : search_statistics) {
-      if (std::ranges::find(printed.header, statistic.column) == printed.header.end()) continue;
-      const bool does_agree = agrees(statistic.of(searches[solver]), row[printed.column(statistic.column)]);
+    for (const SearchStatistic* const statistic : statistics_in(printed)) {
+      const bool does_agree = agrees(statistic->of(searches[solver]), row[printed.column(statistic->column)]);
       ++found.numbers;
       found.agreeing += does_agree ? 1 : 0;
-      found.integers += statistic.is_whole ? 1 : 0;
-      found.agreeing_integers += statistic.is_whole && does_agree ? 1 : 0;
+      found.integers += statistic->is_whole ? 1 : 0;
+      found.agreeing_integers += statistic->is_whole && does_agree ? 1 : 0;
     }
   }
   return found;

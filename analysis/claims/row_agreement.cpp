@@ -1,13 +1,9 @@
 #include "analysis/claims/row_agreement.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -35,9 +31,7 @@ namespace {
 std::vector<Search> searches_of(const StudyResults& study, std::string_view solver) {
   std::vector<Search> all;
   for (const Solve& solve : solves_of(study, solver)) {
-    const bool is_found = solve.stop_reason == StopReason::finished || solve.stop_reason == StopReason::tolerance;
-    all.push_back(
-        {static_cast<double>(solve.iterations), solve.restarts + 1.0, is_found, is_found && solve.is_outside_limits});
+    all.push_back(search_of(solve.iterations, solve.restarts, solve.stop_reason, solve.is_outside_limits));
   }
   return all;
 }
@@ -139,14 +133,10 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
   if (study == nullptr || study->solves.empty()) return std::nullopt;
   const PerturbedCopies copies = copies_of(*study, reported);
   const CsvTable printed = printed_table(paper, plan.table);
-  std::vector<const SearchStatistic*> columns;
+  const std::vector<const SearchStatistic*> columns = statistics_in(printed);
   Table table{
       .name = "rows-" + plan.table, .caption = plan.caption + ", here and printed", .columns = {"solver", "agreement"}};
-  for (const SearchStatistic& statistic : search_statistics) {
-    if (std::ranges::find(printed.header, statistic.column) == printed.header.end()) continue;
-    columns.push_back(&statistic);
-    table.columns.emplace_back(statistic.heading);
-  }
+  for (const SearchStatistic* const statistic : columns) table.columns.emplace_back(statistic->heading);
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
     const std::string& solver = printed.rows[i][printed.column("solver")];
     const std::vector<Search> all = searches_of(*study, solver);

@@ -1,6 +1,7 @@
 #include "analysis/claims/search_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -41,9 +42,7 @@ double most_searches(std::span<const Search> all) {
   return most;
 }
 
-}  // namespace
-
-const std::array<SearchStatistic, 6> search_statistics{
+constexpr std::array<SearchStatistic, 6> search_statistics{
     {{"iterations_mean", "mean iterations",
       [](std::span<const Search> all) { return mean_of_found(all, &Search::iterations); }},
      {"iterations_median", "median iterations", median_of_found, true},
@@ -60,6 +59,21 @@ const std::array<SearchStatistic, 6> search_statistics{
         return static_cast<double>(std::ranges::count(all, true, &Search::is_outside));
       },
       true}}};
+
+}  // namespace
+
+Search search_of(std::int64_t iterations, int restarts, results::StopReason reason, bool is_outside) {
+  const bool is_found = reason == results::StopReason::finished || reason == results::StopReason::tolerance;
+  return {static_cast<double>(iterations), restarts + 1.0, is_found, is_found && is_outside};
+}
+
+std::vector<const SearchStatistic*> statistics_in(const results::CsvTable& printed) {
+  std::vector<const SearchStatistic*> found;
+  for (const SearchStatistic& statistic : search_statistics) {
+    if (std::ranges::find(printed.header, statistic.column) != printed.header.end()) found.push_back(&statistic);
+  }
+  return found;
+}
 
 bool agrees(double ours, const std::string& printed) {
   constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact

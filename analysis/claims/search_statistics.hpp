@@ -1,10 +1,14 @@
 // The statistics of searches that tables print: iterations and searches of the solves that found a solution.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "results/csv.hpp"
+#include "results/record.hpp"
 
 namespace ikbench::claims {
 
@@ -14,6 +18,8 @@ struct Search {
   bool is_found, is_outside;  // found: the solver did not give up; outside the joint limits
 };
 
+Search search_of(std::int64_t iterations, int restarts, results::StopReason reason, bool is_outside);
+
 struct SearchStatistic {
   std::string_view column, heading;  // in results/published; of our table
   double (*of)(std::span<const Search>);
@@ -21,7 +27,8 @@ struct SearchStatistic {
   bool has_range = true;  // false: resamples say nothing of it
 };
 
-extern const std::array<SearchStatistic, 6> search_statistics;
+// Those that the printed table has.
+std::vector<const SearchStatistic*> statistics_in(const results::CsvTable& printed);
 
 // Whether our number rounds to the printed digits.
 bool agrees(double ours, const std::string& printed);
