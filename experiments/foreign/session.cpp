@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -119,8 +120,17 @@ void Session::drain() {
   }
 }
 
+// A program that could foresee the next id could answer before it is asked.
+std::int64_t Session::new_id() {
+  static thread_local std::minstd_rand random(std::random_device{}());
+  last_id_ = id_;
+  return id_ += 1 + static_cast<std::int64_t>(random() % 1000);
+}
+
 // Ignores noise and messages of a solve that is over.
 void Session::ignore(const std::string& line, const std::optional<Message>& message) {
+  if (message && message->id && *message->id > last_id_ && *message->id < id_)
+    throw Trouble{Status::broke_protocol, "it answers before it is asked"};
   if (message && message->id && *message->id <= id_) {
     ignored_ = fmt::format("; it sent {} with the id {}, and was asked with {}", message->name, *message->id, id_);
     return;

@@ -37,7 +37,7 @@ class Session {
   // Sends and receives; counts a round trip.
   Message exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id);
 
-  std::int64_t new_id() { return ++id_; }
+  std::int64_t new_id();  // larger than the last, and not to be foreseen
   std::int64_t id() const { return id_; }
   double cpu_seconds() const { return child_ ? child_->cpu_seconds() : 0; }
   // Time [s] for which the process and this thread waited for a processor.
@@ -63,7 +63,7 @@ class Session {
   const std::string& robot_;
   std::unique_ptr<ChildProcess> child_;
   Clock::time_point deadline_{};
-  std::int64_t id_ = 0;
+  std::int64_t id_ = 0, last_id_ = 0;  // of the present question and of the one before
   int round_trips_ = 0;
   std::string ignored_;  // the last ignored line of this solve, as the end of a sentence
   int deaths_in_a_row_ = 0;

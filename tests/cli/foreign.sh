@@ -65,7 +65,7 @@ for line in sys.stdin:
             print("no more", file=sys.stderr)
             os._exit(3)
         if FAULT == "deep" and solves == 5: print('{"message":"solved","id":%d,"q":%s}' % (told["id"], "[" * 400000 + "]" * 400000), flush=True)
-        if FAULT == "early": print('{"message":"solved","id":%d,"q":[]}' % (told["id"] + 1), flush=True)
+        if FAULT == "early": print("".join('{"message":"solved","id":%d,"q":[]}\n' % (told["id"] + i) for i in range(1, 1001)), flush=True)
         if FAULT == "noise": print("Iteration 1 of 200\nnull\n{\"message\": 7}\n[1e999]", flush=True)
         if FAULT == "nonsense" and solves == 5: print('{"message":"solved","id":%d,"q":"none"}' % told["id"], flush=True)
         else: solve(told)
@@ -270,7 +270,8 @@ sed -e 's/"modes=\["solve"\]//; s/modes=\["solve"\],/modes=["solve"], batch=5,/'
   -e 's/^def solve(problem):/def solve(problem, say):/; s/else: solve(told)/else: solve(told, say)/' faulty.py >batch.py
 cat >>batch.py <<'EOF'
     elif told["message"] == "solve_batch":
-        if FAULT == "batch-dies" and told["id"] > 8: os._exit(3)
+        batches = globals().get("batches", 0) + 1
+        if FAULT == "batch-dies" and batches > 1: os._exit(3)
         solutions = []
         for problem in told["problems"]:
             problem["id"] = 0
