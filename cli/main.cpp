@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <stdexcept>
 
@@ -70,7 +71,10 @@ int main(int argc, char** argv) {
     app.exit(error);
     return 1;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    if (app.exit(error) != 0) return 1;
+    if (std::cout.flush()) return 0;
+    cli::say("ikbench: cannot write to standard output");
+    return 2;
   } catch (const std::invalid_argument& error) {
     cli::say(fmt::format("ikbench: {}", error.what()));
     return 1;

@@ -245,6 +245,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
     if (arguments->margin > 0) arguments->plan.margin = 0;
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
     const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
+    const EndOnSignal at_once("Stopped. No report was written.");
     const std::vector<Assessment> assessments = assessments_of(*arguments);
     check_margin_cm(arguments->plan, assessments);
     const Report report = write_statistics(
