@@ -161,7 +161,8 @@ SolverEntry read_solver(TomlReader reader) {
   read_kind(reader, entry);
   entry.label = entry.solver;
   reader.text("label", entry.label, "");
-  if (entry.label.empty()) reader.fail("label", *reader.find("label"), "a non-empty label");
+  if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
+    reader.fail("label", *reader.find("label"), "a label that is not empty, without spaces at its ends");
   reader.choice("if_missing", entry.if_missing, if_missing_choices, "");
   reader.find("population");
   reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");

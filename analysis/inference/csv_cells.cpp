@@ -86,7 +86,7 @@ std::string CsvFile::columns() const {
 }
 
 std::string CsvFile::group_name(std::size_t row, std::size_t column) const {
-  const std::string_view name = table.cell(row, column);
+  const std::string_view name = trimmed(table.cell(row, column));
   if (name.size() > longest_name) {
     refuse_cell(row, column, fmt::format("{} bytes; expected a name of at most {}", name.size(), longest_name));
   }
@@ -123,6 +123,12 @@ CsvFile open_csv(std::string_view text, std::string_view source) {
       file.blank[row] = file.table.cell(row, column).empty();
   }
   return file;
+}
+
+std::string_view trimmed(std::string_view name) {
+  const std::size_t first = name.find_first_not_of(' ');
+  return first == std::string_view::npos ? std::string_view()
+                                         : name.substr(first, name.find_last_not_of(' ') + 1 - first);
 }
 
 bool is_missing(std::string_view cell) {

@@ -45,6 +45,8 @@ struct CsvFile {
 CsvFile open_csv(std::string_view text, std::string_view source);
 
 bool is_missing(std::string_view cell);
+// Without spaces at both ends.
+std::string_view trimmed(std::string_view name);
 std::string lower_case(std::string_view text);  // ASCII letters only
 // Keeps letters, digits and '-' for names of files and anchors; "value" if nothing is left.
 std::string slug(std::string_view text);

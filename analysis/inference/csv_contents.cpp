@@ -126,7 +126,7 @@ std::optional<Labels> labels_of(const CsvFile& file, std::size_t column, std::si
   labels.of_row.reserve(file.table.rows());
   for (std::size_t row = 0; row < file.table.rows(); ++row) {
     const std::string_view cell = file.table.cell(row, column);
-    labels.of_row.push_back(is_missing(cell) ? no_label : labels.names.index_of(std::string(cell)));
+    labels.of_row.push_back(is_missing(cell) ? no_label : labels.names.index_of(std::string(trimmed(cell))));
     if (labels.names.all().size() > most) return std::nullopt;
   }
   return labels;

@@ -736,7 +736,8 @@ TEST_CASE("names and labels are short and without control characters", "[study][
          {solver_entry + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
          {"name = \"" + std::string(201, 'x') + "\"\n" + solver_entry, "my.toml:1:8: ", {"...", expected}},
          {"name = \"\"\n" + solver_entry, "my.toml:1:8: ", {"a non-empty name"}},
-         {solver_entry + "label = \"\"\n", "my.toml:3:9: ", {"a non-empty label"}}});
+         {solver_entry + "label = \"\"\n", "my.toml:3:9: ", {"a label that is not empty"}},
+         {solver_entry + "label = \" a\"\n", "my.toml:3:9: ", {"without spaces at its ends"}}});
   CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
   CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry).size() < 300);
 }
