@@ -31,6 +31,7 @@ struct Mean {
   double value = not_defined, error = not_defined;  // the mean and its standard error
   double spread = not_defined;                      // the standard error on the scale of the comparison
   double unit = 1;                                  // of the deviations; 0 for a constant
+  double alike = 1;                                 // the probability of a resample without spread
   std::vector<double> deviations, squares;  // of each resample on that scale: how far off, squared standard error
 };
 
@@ -53,6 +54,20 @@ Resample summary_of(const std::vector<double>& values, const std::vector<std::si
   return {.mean = alike ? first : centre, .square = alike ? 0 : squares / (n * (n - 1))};
 }
 
+// The probability that a resample has one value alone. Counted over resamples, it would depend on the order of the
+// values.
+double chance_of_one_value(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto n = static_cast<double>(values.size());
+  double chance = 0;
+  for (auto from = values.begin(); from != values.end();) {
+    const auto to = std::upper_bound(from, values.end(), *from);
+    chance += std::pow(static_cast<double>(to - from) / n, n);
+    from = to;
+  }
+  return chance;
+}
+
 // Resamples samples of one size, all of them at the same positions, each in a unit in which no square overflows.
 std::vector<Mean> resampled(Groups samples, Scale scale, const Resampling& settings) {
   std::vector<Mean> result;
@@ -61,7 +76,8 @@ std::vector<Mean> resampled(Groups samples, Scale scale, const Resampling& setti
   for (std::vector<double>& sample : scaled) {
     const double unit = power_of_two_below(sample);
     for (double& value : sample) value /= unit;
-    Mean& made = result.emplace_back(Mean{.value = mean(sample), .error = standard_error(sample), .unit = unit});
+    Mean& made = result.emplace_back(Mean{
+        .value = mean(sample), .error = standard_error(sample), .unit = unit, .alike = chance_of_one_value(sample)});
     made.deviations.reserve(static_cast<std::size_t>(settings.resamples));
     made.squares.reserve(static_cast<std::size_t>(settings.resamples));
   }
@@ -202,16 +218,15 @@ FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFa
   const auto resamples = static_cast<std::size_t>(settings.resamples);
   FamilyDeviations result{.least_shares = std::vector<double>(resamples, 1.0)};
   std::vector<double> own(resamples);
-  const double tolerated = tolerated_share(all.size(), settings.level) * settings.resamples;
+  const double tolerated = tolerated_share(all.size(), settings.level);
   for (ResampledPair& each : all) {
     std::vector<double> sorted;
     if (each.pair.undefined.empty()) {
-      studentize(*each.first, *each.second, own);
-      const auto without_spread = std::ranges::count(own, infinite);
-      if (static_cast<double>(without_spread) > tolerated) {
+      if (each.first->alike * each.second->alike > tolerated) {
         each.pair.lacks_spread = true;
-        each.pair.undefined = too_little_spread(each, all.size(), tolerated / settings.resamples);
+        each.pair.undefined = too_little_spread(each, all.size(), tolerated);
       } else {
+        studentize(*each.first, *each.second, own);
         sorted = sorted_and_ranked(own, result.least_shares);
       }
     }

@@ -1,5 +1,6 @@
 #include "analysis/statistics/studentized_bootstrap.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <span>
@@ -267,4 +268,19 @@ TEST_CASE("the more values and groups, the fewer resamples, and none of too many
   CHECK(affordable_resamples(20000, 6, 0.95) == 2500);  // 5e7 / (20000 + 15 / 4)
   CHECK(affordable_resamples(60000, 6, 0.95) == 0);
   CHECK(affordable_resamples(2000, 1000, 0.95) == 0);
+}
+
+TEST_CASE("whether differences within blocks vary enough does not depend on the order of the blocks", "[bootstrap]") {
+  // Five of eight differences are -1: (5/8)^8 + (2/8)^8 + (1/8)^8 = 0.0233 of the resamples have one value alone,
+  // and 0.025 may. With six it is 0.1001.
+  std::vector<double> first(8, 10.0), second{11, 11, 11, 11, 11, 12, 12, 10};
+  std::ranges::sort(second);
+  int orders = 0;
+  do {
+    if (++orders % 10 != 0) continue;
+    CHECK(std::isfinite(bootstrap_within_blocks(Groups{first, second}, {}, {}).front().p));
+  } while (std::ranges::next_permutation(second).found);
+  CHECK(orders == 168);
+  second = {11, 11, 11, 11, 11, 11, 12, 10};
+  CHECK(says(bootstrap_within_blocks(Groups{first, second}, {}, {}).front(), "too few different differences"));
 }
