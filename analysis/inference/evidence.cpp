@@ -158,11 +158,19 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   return result;
 }
 
-// Makes values equal that only rounding keeps apart, across groups too.
+// Makes values equal that only rounding keeps apart, across groups too. The rounding of a logarithm is that of its
+// number, also near 1.
 Observations exact(Observations observations) {
   Samples values;
   for (const Group& group : observations.groups) values.push_back(group.values);
-  const std::vector<double> all = without_rounding(pooled(values));
+  std::vector<double> all = pooled(values);
+  if (observations.scale == ValueScale::log10) {
+    std::vector<double> sizes;
+    for (const double value : all) sizes.push_back(std::abs(value) + 1);
+    all = without_rounding(all, sizes);
+  } else {
+    all = without_rounding(all);
+  }
   auto next = all.begin();
   for (Group& group : observations.groups) {
     for (double& value : group.values) value = *next++;

@@ -18,6 +18,7 @@
 #include "analysis/inference/csv_contents.hpp"
 #include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {
 
@@ -277,8 +278,11 @@ void add_run_notes(const CsvFile& file, const CsvRequest& request, const Content
   }
 }
 
-bool is_constant(const Group& group) {
-  const auto is_first = [&](double value) { return value == group.values.front(); };
+bool is_constant(const Group& group, bool is_log) {
+  const double first = group.values.empty() ? 0 : group.values.front();
+  const auto is_first = [&](double value) {  // one is added for logarithms near 0
+    return value == first || without_rounding(value - first, std::abs(first) + (is_log ? 1 : 0)) == 0;
+  };
   return group.values.size() > 1 && std::ranges::all_of(group.values, is_first);
 }
 
@@ -290,13 +294,16 @@ void join_equal(Observations& result, std::string_view what) {
   const auto is_other = [&](const Group& group) {
     return group.values.front() != result.groups.front().values.front();
   };
+  const auto is_constant_group = [&](const Group& group) {
+    return is_constant(group, result.scale == ValueScale::log10);
+  };
   const bool none_varies =
-      std::ranges::all_of(result.groups, is_constant) && std::ranges::any_of(result.groups, is_other);
+      std::ranges::all_of(result.groups, is_constant_group) && std::ranges::any_of(result.groups, is_other);
   const bool are_outcomes = std::ranges::all_of(
       result.groups, [&](const Group& group) { return std::ranges::all_of(group.values, is_outcome); });
   std::vector<std::string> names;
   for (Group& group : result.groups) {
-    if (!is_constant(group) || are_outcomes || !std::isfinite(group.values.front())) continue;
+    if (!is_constant_group(group) || are_outcomes || !std::isfinite(group.values.front())) continue;
     const double value = given(group.values.front());
     if (value == std::round(value) && !none_varies) continue;
     names.push_back(fmt::format("{} ({})", one_line(group.name), group.values.size()));

@@ -519,3 +519,17 @@ TEST_CASE("typical values of a CSV are geometric means of its positive values", 
   CHECK_THROWS_WITH(read_observations("solver,run,error\nA,1,1\nA,2,0\n", "a.csv", request),
                     "a.csv: row 2 below the header: 0 has no logarithm; expected positive values for typical ones");
 }
+
+TEST_CASE("the order of rows in a run does not make copies differ", "[csv]") {
+  CsvRequest request = by_solver;
+  request.run = "run";
+  const std::string rows = "a,1,.1\na,1,.1\na,1,.2\nb,0,.5\nb,0,.4\nb,0,.3\nb,1,.5\nb,1,.4\nb,1,.4\n";
+  for (const char* first : {"a,0,.1\na,0,.1\na,0,.2\n", "a,0,.2\na,0,.1\na,0,.1\n"})
+    CHECK(read("solver,run,error\n" + (first + rows), request).groups.at(0).values.size() == 1);
+}
+
+TEST_CASE("spaces around a group's name are not part of it", "[csv]") {
+  const Observations found = read("solver,error\na,1\n a,2\na ,3\nb,4\n");
+  CHECK(found.groups.size() == 2);
+  CHECK(found.groups.at(0).values == Values{1, 2, 3});
+}
