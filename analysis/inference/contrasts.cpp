@@ -95,6 +95,10 @@ bool are_constants(const Evidence& evidence, const Contrast& contrast) {
          is_constant(evidence.groups[contrast.second].described);
 }
 
+bool has_known(const Evidence& evidence, const Contrast& contrast) {
+  return evidence.groups[contrast.first].copies + evidence.groups[contrast.second].copies > 0;
+}
+
 int fewest_to_differ(const Evidence& evidence) {
   int n = 2;
   while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= evidence.plan.significance) ++n;
@@ -113,7 +117,7 @@ double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
   const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
   const int n = first.described.n, m = second.described.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
-  if (first.copies + second.copies > 0) return 2 * std::exp2(-std::max(n, m));
+  if (has_known(evidence, contrast)) return 2 * std::exp2(-std::max(n, m));
   double chance = 2;
   for (int i = 1; i <= n; ++i) chance *= static_cast<double>(i) / (m + i);
   return chance;
@@ -133,13 +137,23 @@ bool may_be_shares(const Evidence& evidence, double value) {
          std::ranges::all_of(evidence.groups, is_in_unit);
 }
 
+// Returns whether every value of a group is the known value of the other.
+bool equals_known(const Evidence& evidence, const Contrast& contrast) {
+  const Description &first = evidence.groups[contrast.first].described,
+                    &second = evidence.groups[contrast.second].described;
+  return has_known(evidence, contrast) && first.min == second.max && first.max == second.min;
+}
+
 // Judges two groups with one value each. To find no difference takes as many values as to find one, and of what may be
 // shares as many as exclude failures beyond the margin.
 void judge_constants(const Evidence& evidence, Contrast& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
-  const double alone = chance_of_unanimity(evidence, contrast), by_chance = in_family(evidence, alone);
+  contrast.is_by_order = has_known(evidence, contrast);
+  const double alone =
+      contrast.is_by_order ? chance_of_order(evidence, contrast) : chance_of_unanimity(evidence, contrast);
+  const double by_chance = in_family(evidence, alone);
   const bool are_shares = difference == 0 && may_be_shares(evidence, first.mean);
   contrast.p = difference == 0 ? 1 : by_chance;
   contrast.p_alone = difference == 0 ? 1 : std::min(1.0, alone);
@@ -154,8 +168,12 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   if (by_chance >= evidence.plan.significance) return;
   contrast.difference = {difference, difference, difference};
   if (are_shares) {
-    contrast.difference.low = -unseen_failures(evidence, first.n);
-    contrast.difference.high = unseen_failures(evidence, second.n);
+    const auto unseen = [&](std::size_t group) {
+      const GroupEvidence& of = evidence.groups[group];
+      return of.copies > 0 ? 0 : unseen_failures(evidence, of.described.n);
+    };
+    contrast.difference.low = -unseen(contrast.first);
+    contrast.difference.high = unseen(contrast.second);
   }
   measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
@@ -192,7 +210,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     judge_facts(evidence, contrast);
     return;
   }
-  if (are_constants(evidence, contrast)) {
+  if (are_constants(evidence, contrast) || equals_known(evidence, contrast)) {
     judge_constants(evidence, contrast);
     return;
   }
@@ -210,6 +228,10 @@ void judge(const Evidence& evidence, Contrast& contrast) {
   if (!std::isfinite(contrast.p)) {
     if (contrast.lacks_spread) {  // another level might have a p
       contrast.relation = Relation::undecided;
+    } else if (has_known(evidence, contrast)) {
+      const double ahead = contrast.superiority.value;
+      contrast.undefined = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"
+                                                    : "a known value has runs of the other on both sides";
     } else if (contrast.undefined.empty()) {
       contrast.undefined = "a group has fewer than two values, or values that are not finite";
     }
@@ -302,13 +324,19 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
   };
   const std::vector<double> one = logarithms(first), other = logarithms(second);
   const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
-  if (!evidence.decides_within_blocks()) {
-    return exponential(hodges_lehmann(one, other, level));
-  }
+  const auto varies = [](const std::vector<double>& values) {
+    return std::ranges::any_of(values, [&](double value) { return value != values.front(); });
+  };
+  // Where most values are tied, an interval without width would hide those that differ.
+  const auto with_width = [&](const Estimate& of, bool has_differences) {
+    return exponential(has_differences && of.low == of.high ? Estimate{.value = of.value} : of);
+  };
+  if (!evidence.decides_within_blocks())
+    return with_width(hodges_lehmann(one, other, level), varies(one) || varies(other));
   std::vector<double> differences;
   for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
   std::ranges::sort(differences);
-  return exponential(median_interval(differences, level));
+  return with_width(median_interval(differences, level), varies(differences));
 }
 
 void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contrast) {

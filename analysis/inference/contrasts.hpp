@@ -18,6 +18,8 @@ Relation relation_of(const Evidence& evidence, const Contrast& contrast, double 
 
 // Returns whether each group has one value only, so that Fisher's exact test (within blocks the sign test) judges them.
 bool are_constants(const Evidence& evidence, const Contrast& contrast);
+// Returns whether a group is a value that is known without chance (`copies`).
+bool has_known(const Evidence& evidence, const Contrast& contrast);
 // Fewest observations per group (or blocks) at which the test can find a difference at all.
 int fewest_to_differ(const Evidence& evidence);
 

@@ -308,8 +308,10 @@ void add_remark(MetricComparison& row, const std::string& remark) {
 void add_remarks(MetricComparison& row, double significance) {
   if (row.contrast.is_fact || !row.is_compared) return;
   const Contrast& contrast = row.contrast;
-  if (contrast.relation == Relation::undefined || !contrast.undefined.empty())
-    return add_remark(row, contrast.undefined);
+  if (contrast.relation == Relation::undefined || !contrast.undefined.empty()) {
+    const bool is_strict = row.level < significance && contrast.relation == Relation::undecided;
+    return add_remark(row, contrast.undefined + (is_strict ? fmt::format(", at the level {:.3g}", row.level) : ""));
+  }
   if (contrast.relation == Relation::undecided) {
     if (contrast.p >= row.level && contrast.p < significance) {
       add_remark(row, fmt::format("{} by itself, but not among all of this comparison",

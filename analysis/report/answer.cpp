@@ -108,9 +108,13 @@ std::string size_words(const Evidence& evidence, const Contrast& pair) {
 // The interval of `first` less the other of the pair, or of their ratio.
 std::string interval_words(const Evidence& evidence, const Contrast& pair, std::size_t first) {
   const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
-  const bool is_ratio = evidence.scale == ValueScale::log10;
-  const Estimate difference = first == pair.first ? pair.difference : reversed(pair.difference, is_ratio);
-  return fmt::format(words::interval, "what"_a = is_ratio ? "ratio" : "difference",
+  const bool is_ratio = evidence.scale == ValueScale::log10 || evidence.ranks_decide();
+  const Estimate& of = evidence.ranks_decide() ? pair.ratio : pair.difference;
+  const Estimate difference = first == pair.first ? of : reversed(of, is_ratio);
+  return fmt::format(words::interval,
+                     "what"_a = evidence.ranks_decide() ? "typical ratio"
+                                : is_ratio              ? "ratio"
+                                                        : "difference",
                      "low"_a = rounded_number(difference.low / unit, 3),
                      "high"_a = rounded_number(difference.high / unit, 3),
                      "unit"_a = evidence.scale == ValueScale::share ? " percentage points" : "");
@@ -269,7 +273,7 @@ class Answer {
                             "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
     if (is_one && front.is_fact) {
       text.remarks.emplace_back(have_same_bits(evidence_, front) ? words::same_bits : words::is_fact);
-    } else if (is_one && !is_short_ && front.difference.low != front.difference.high) {
+    } else if (is_one && !is_short_ && !is_point(front)) {
       text.remarks = {interval_words(evidence_, front, best_)};
     }
     say(text);
@@ -277,15 +281,16 @@ class Answer {
   void say_open(const Pairs& pairs) {
     Clause text{fmt::format(words::undecided, "first"_a = first(), "others"_a = others(pairs))};
     const Contrast& front = *pairs.front();
-    const bool has_interval = std::isfinite(front.difference.low);
+    const bool has_interval = std::isfinite((evidence_.ranks_decide() ? front.ratio : front.difference).low);
     if (pairs.size() == 1) {
       const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
       if (std::isfinite(front.p)) text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
       if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
     }
-    Pairs without_p = pairs;
+    Pairs without_p = pairs, with_reason = pairs;
     std::erase_if(without_p, [](const Contrast* pair) { return std::isfinite(pair->p); });
-    const ByReason reasons = is_short_ ? ByReason() : reasons_of(without_p);
+    std::erase_if(with_reason, [](const Contrast* pair) { return pair->undefined.empty(); });
+    const ByReason reasons = is_short_ ? ByReason() : reasons_of(with_reason);
     for (const auto& [reason, names] : reasons.items()) {
       text.remarks.push_back(names.size() == pairs.size() ? reason
                                                           : fmt::format("against {} {}", listed(names), reason));
@@ -295,9 +300,13 @@ class Answer {
     say(text, doubts(pairs));
     say_another_test(without_p);
   }
+  bool is_point(const Contrast& pair) const {
+    const Estimate& of = evidence_.ranks_decide() ? pair.ratio : pair.difference;
+    return !(of.low < of.high);
+  }
   // Says p before its correction too, if this alone would decide.
   std::string p_of_open(const Contrast& pair) const {
-    if (!(pair.p_alone < evidence_.plan.significance)) return p_words(pair.p);
+    if (!(pair.p_alone < evidence_.plan.significance) || evidence_.family() == 1) return p_words(pair.p);
     return fmt::format(words::p_in_family, "p"_a = p_words(pair.p), "pairs"_a = corrected_for(evidence_),
                        "alone"_a = rounded_number(pair.p_alone, 3));
   }
@@ -360,14 +369,13 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
 // "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
 std::string decided_by(const Evidence& evidence) {
   const auto& pairs = evidence.contrasts;
-  const auto constants =
-      std::ranges::count_if(pairs, [&](const Contrast& c) { return !c.is_fact && are_constants(evidence, c); });
+  const auto constants = std::ranges::count_if(
+      pairs, [&](const Contrast& c) { return !c.is_fact && !c.is_by_order && are_constants(evidence, c); });
   const auto by_order = std::ranges::count(pairs, true, &Contrast::is_by_order);
   const auto facts = std::ranges::count(pairs, true, &Contrast::is_fact);
   const auto same_bits = std::ranges::count_if(pairs, [&](const Contrast& c) { return have_same_bits(evidence, c); });
-  const auto against_known = std::ranges::count_if(pairs, [&](const Contrast& c) {
-    return c.is_by_order && evidence.groups[c.first].copies + evidence.groups[c.second].copies > 0;
-  });
+  const auto against_known =
+      std::ranges::count_if(pairs, [&](const Contrast& c) { return c.is_by_order && has_known(evidence, c); });
   std::vector<std::string> tests;
   if (constants + by_order + facts < std::ssize(pairs)) {
     tests.push_back(evidence.pairs > 1 ? fmt::format(words::corrected, "test"_a = pair_test_words(evidence),
@@ -423,7 +431,7 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
     parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
   }
-  const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3; };
+  const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3 && group.copies == 0; };
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Contrast::relation) > 0 &&
       std::ranges::any_of(evidence.groups, is_short)) {
     parts.emplace_back(words::more_than_two);

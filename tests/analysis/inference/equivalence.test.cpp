@@ -184,3 +184,32 @@ TEST_CASE("more blocks than are searched for are at least ten million, not the f
   CHECK(found.runs_to_decide.low == 1e7);
   CHECK(std::isinf(found.runs_to_decide.high));
 }
+
+TEST_CASE("what equals a known value is the same where so many runs are not equal to it by chance",
+          "[assessment][equivalence]") {
+  const auto against_known = [](std::vector<double> values, double known) {
+    Observations observed = with({{known}, std::move(values)});
+    observed.groups[0].copies = 20;
+    return evidence(observed, {}).contrasts.at(0);
+  };
+  // The sign test: 2 * 2^-5 = 0.0625, 2 * 2^-6 = 0.03125.
+  CHECK(against_known(std::vector<double>(5, 7.0), 7).relation == Relation::undecided);
+  CHECK(against_known(std::vector<double>(6, 7.0), 7).relation == Relation::same);
+  // What may be a share needs as many runs as exclude failures beyond the margin: 0.95^59 < 0.05.
+  CHECK(against_known(std::vector<double>(58, 1.0), 1).relation == Relation::undecided);
+  CHECK(against_known(std::vector<double>(59, 1.0), 1).relation == Relation::same);
+  const Contrast around = against_known({6, 6.5, 7.5, 8, 9, 9.5}, 7);
+  CHECK(around.relation == Relation::undefined);
+  CHECK(std::string_view(around.undefined).find("on both sides") != std::string_view::npos);
+}
+
+TEST_CASE("typical values near 1 are not kept apart by rounding", "[assessment][equivalence]") {
+  std::vector<double> below, above;
+  for (int i = 0; i < 10; ++i) {
+    below.push_back(std::log10(i % 2 == 0 ? 1 : 1 - 0x1p-53));
+    above.push_back(std::log10(i % 2 == 0 ? 1 : 1 + 0x1p-52));
+  }
+  Observations observed = with({below, above});
+  observed.scale = ValueScale::log10;
+  CHECK(is_same(evidence(observed, {})));
+}

@@ -148,3 +148,14 @@ TEST_CASE("groups that differ in spread alone are rarely called better by ranks"
   CHECK(wrong <= 20 + 18);
   CHECK(wrong_by_mann_whitney > wrong);  // what Brunner and Munzel's is for
 }
+
+TEST_CASE("ties do not make ranks call the same what differs", "[pair_ranks]") {
+  // The typical ratio is 1, with an interval from 1 to 1; but five of forty values are a hundred times as large.
+  Sets values{std::vector<double>(40, 1.0), std::vector<double>(40, 1.0)};
+  values[0][0] = 2;
+  for (std::size_t i = 0; i < 5; ++i) values[1][i] = 100;
+  const Contrast pair = tested(named_sets(values), by_ranks).contrasts.front();
+  CHECK(pair.relation == Relation::undecided);
+  CHECK(pair.ratio.value == 1);
+  CHECK(std::isnan(pair.ratio.low));
+}
