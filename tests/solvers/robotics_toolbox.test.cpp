@@ -24,8 +24,6 @@ Eigen::VectorXd residual_at(const ReachablePose& task, const Eigen::VectorXd& q,
   return e;
 }
 
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) { return A.completeOrthogonalDecomposition().pseudoInverse(); }
-
 }  // namespace
 
 TEST_CASE("a step of each method of the Robotics Toolbox is that of its equation", "[toolbox]") {
