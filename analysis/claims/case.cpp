@@ -163,7 +163,8 @@ ComparedWithOthers compared_with_others(const Evidence& evidence, const std::str
       result.own_mean = mean;
       continue;
     }
-    result.found.add((sign > 0 ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver)).relation);
+    const bool is_best = (claimed == Extreme::smallest) == (evidence.better == Better::smaller);
+    result.found.add((is_best ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver)).relation);
     if (!std::isfinite(result.nearest_mean) || sign * mean < sign * result.nearest_mean) {
       result.nearest = group.name;
       result.nearest_mean = mean;
