@@ -53,6 +53,8 @@ PrintedTable read_table(TomlReader reader) {
   reader.text("study", table.study, "");
   reader.text("table", table.table, "");
   reader.text("caption", table.caption, "");
+  reader.text("beside", table.beside, "");
+  reader.text("times_to", table.times_to, "");
   read_texts(reader, "not_attempted", table.not_attempted);
   reader.refuse_unknown_keys();
   return table;

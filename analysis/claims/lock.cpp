@@ -24,16 +24,22 @@ PrintedNumbers compared(const CsvTable& printed, std::span<const SolveRecord> so
   std::map<std::string, std::vector<Search>> searches;
   for (const SolveRecord& solve : solves) {
     const bool is_outside = solve.limit_violation_deg > 0 || solve.limit_violation_m > 0;
-    searches[solve.solver].push_back(search_of(solve.iterations, solve.restarts, solve.stop_reason, is_outside));
+    searches[solve.solver].push_back(
+        search_of(solve.iterations, solve.restarts, solve.stop_reason, solve.status, is_outside));
   }
+  const auto columns = statistics_in(printed);
+  const bool has_integers = std::ranges::any_of(columns, &SearchStatistic::is_whole);
   PrintedNumbers found;
   for (const std::vector<std::string>& row : printed.rows) {
     const std::string& solver = row[printed.column("solver")];
     if (std::ranges::find(solvers, solver) == solvers.end()) continue;
-    for (const SearchStatistic* const statistic : statistics_in(printed)) {
-      const bool does_agree = agrees(statistic->of(searches[solver]), row[printed.column(statistic->column)]);
+    for (const SearchStatistic* const statistic : columns) {
+      const std::string& digits = row[printed.column(statistic->column)];
+      const std::vector<Search>& ours = searches[solver];
+      const bool does_agree = agrees(statistic->of(ours), digits);
       ++found.numbers;
       found.agreeing += does_agree ? 1 : 0;
+      if (!has_integers && !ours.empty()) found.by_chance += can_be(range_of_chance(ours, *statistic), digits) ? 1 : 0;
       found.integers += statistic->is_whole ? 1 : 0;
       found.agreeing_integers += statistic->is_whole && does_agree ? 1 : 0;
     }

@@ -14,7 +14,6 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/draw.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::claims {
@@ -31,30 +30,10 @@ namespace {
 std::vector<Search> searches_of(const StudyResults& study, std::string_view solver) {
   std::vector<Search> all;
   for (const Solve& solve : solves_of(study, solver)) {
-    all.push_back(search_of(solve.iterations, solve.restarts, solve.stop_reason, solve.is_outside_limits));
+    all.push_back(
+        search_of(solve.iterations, solve.restarts, solve.stop_reason, solve.status, solve.is_outside_limits));
   }
   return all;
-}
-
-// The central 95 % of what the statistic would be with other targets: ours plus the difference of two resamples.
-Range range_of_chance(const std::vector<Search>& all, const SearchStatistic& statistic) {
-  constexpr int resamples = 400;
-  constexpr double level = 0.95;
-  Draws draws(1);
-  std::vector<Search> drawn(all.size());
-  const auto of_resample = [&] {
-    for (Search& search : drawn) search = all[draws.below(all.size())];
-    return statistic.of(drawn);
-  };
-  std::vector<double> differences;
-  for (int i = 0; i < resamples; ++i) {
-    const double one = of_resample();
-    differences.push_back(one - of_resample());
-  }
-  std::ranges::sort(differences);
-  const double ours = statistic.of(all);
-  const auto outside = static_cast<std::size_t>(resamples * (1 - level) / 2);
-  return {ours + differences[outside], ours + differences[differences.size() - 1 - outside]};
 }
 
 // A row so far.
@@ -81,16 +60,15 @@ Range range_of_rounding(const Compared& of, const SearchStatistic& statistic) {
 
 // Compares a printed number with ours.
 Cell compared(const Compared& of, const SearchStatistic& statistic, const std::string& printed, RowFindings& row) {
-  const double ours = statistic.of(of.ours), number = number_from(printed).value(), half = half_unit(printed);
-  const int decimals = static_cast<int>(std::max(0.0, std::round(-std::log10(2 * half))));
+  const double ours = statistic.of(of.ours);
+  const int decimals = static_cast<int>(std::max(0.0, std::round(-std::log10(2 * half_unit(printed)))));
   ++row.numbers;
   OursAndPrinted cell{.ours = ours, .printed = printed, .nearness = Nearness::within, .decimals = decimals};
   if (agrees(ours, printed)) {
     ++row.agree;
     return cell;
   }
-  const auto is_in = [&](Range range) { return range.low - half <= number && number <= range.high + half; };
-  if (const Range rounding = range_of_rounding(of, statistic); is_in(rounding)) {
+  if (const Range rounding = range_of_rounding(of, statistic); can_be(rounding, printed)) {
     ++row.by_rounding;
     cell.nearness = Nearness::near;
     cell.words = fmt::format(words::within_rounding, "range"_a = readable(rounding));
@@ -98,10 +76,11 @@ Cell compared(const Compared& of, const SearchStatistic& statistic, const std::s
     cell.nearness = Nearness::unknown;
   } else {
     const Range chance = range_of_chance(of.ours, statistic);
-    ++(is_in(chance) ? row.by_chance : row.outside);
-    cell.nearness = is_in(chance) ? Nearness::near : Nearness::far;
-    cell.words = fmt::format(fmt::runtime(is_in(chance) ? words::within_chance : words::outside_chance),
-                             "range"_a = readable(chance));
+    const bool is_in = can_be(chance, printed);
+    ++(is_in ? row.by_chance : row.outside);
+    cell.nearness = is_in ? Nearness::near : Nearness::far;
+    cell.words =
+        fmt::format(fmt::runtime(is_in ? words::within_chance : words::outside_chance), "range"_a = readable(chance));
   }
   return cell;
 }
@@ -127,19 +106,50 @@ const StudyResults* study_named(const Reported& reported, const std::string& nam
   return found == reported.companions.end() ? nullptr : &found->get();
 }
 
+// The studies that have a table's solvers.
+struct Sources {
+  const StudyResults* study;
+  const StudyResults* beside;  // may be null
+
+  const StudyResults& of(const std::string& solver) const {
+    return beside != nullptr && solves_of(*study, solver).empty() ? *beside : *study;
+  }
+  double mean_seconds(const std::string& solver) const {
+    std::vector<double> seconds;
+    for (const Solve& solve : solves_of(of(solver), solver)) seconds.push_back(solve.seconds);
+    return mean(seconds);
+  }
+};
+
+constexpr std::string_view printed_time = "us_mean";
+
+// Times of different machines are not comparable, so their ratios are shown, and not judged.
+Cell ratio_of_times(const Sources& from, const CsvTable& printed, std::size_t row, const std::string& to) {
+  const auto printed_of = [&](std::size_t i) { return number_from(printed.rows[i][printed.column(printed_time)]); };
+  for (std::size_t i = 0; i < printed.rows.size(); ++i) {
+    if (printed.rows[i][printed.column("solver")] != to) continue;
+    const std::string ratio = fmt::format("{:.2f}", printed_of(row).value() / printed_of(i).value());
+    const double ours = from.mean_seconds(printed.rows[row][printed.column("solver")]) / from.mean_seconds(to);
+    if (!std::isfinite(ours)) return ratio;
+    return OursAndPrinted{.ours = ours, .printed = ratio, .nearness = Nearness::unknown, .decimals = 2};
+  }
+  return {};
+}
+
 std::optional<Table> table_of(const Reported& reported, const std::string& paper, const PrintedTable& plan,
                               RowAgreement& found) {
-  const StudyResults* const study = study_named(reported, plan.study);
-  if (study == nullptr || study->solves.empty()) return std::nullopt;
-  const PerturbedCopies copies = copies_of(*study, reported);
+  const Sources from{study_named(reported, plan.study), study_named(reported, plan.beside)};
+  if (from.study == nullptr || from.study->solves.empty()) return std::nullopt;
   const CsvTable printed = printed_table(paper, plan.table);
   const std::vector<const SearchStatistic*> columns = statistics_in(printed);
   Table table{
       .name = "rows-" + plan.table, .caption = plan.caption + ", here and printed", .columns = {"solver", "agreement"}};
   for (const SearchStatistic* const statistic : columns) table.columns.emplace_back(statistic->heading);
+  if (!plan.times_to.empty()) table.columns.push_back(fmt::format("mean time / that of {}", plan.times_to));
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
     const std::string& solver = printed.rows[i][printed.column("solver")];
-    const std::vector<Search> all = searches_of(*study, solver);
+    const StudyResults& study = from.of(solver);
+    const std::vector<Search> all = searches_of(study, solver);
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{solver, Cell()});
     if (all.empty()) {
       const auto why = plan.not_attempted.find(solver);
@@ -147,19 +157,22 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
       for (const SearchStatistic* statistic : columns)
         row.emplace_back(printed.rows[i][printed.column(statistic->column)]);
       ++found.not_attempted;
-      continue;
+    } else {
+      std::vector<std::vector<Search>> perturbed;
+      for (const StudyResults& copy : copies_of(study, reported)) perturbed.push_back(searches_of(copy, solver));
+      const Compared both{all, perturbed};
+      RowFindings findings;
+      for (const SearchStatistic* statistic : columns) {
+        const std::string& digits = printed.rows[i][printed.column(statistic->column)];
+        row.push_back(digits.empty() ? Cell(statistic->of(all)) : compared(both, *statistic, digits, findings));
+      }
+      row[1] = graded(findings, found);
     }
-    std::vector<std::vector<Search>> perturbed;
-    for (const StudyResults& copy : copies) perturbed.push_back(searches_of(copy, solver));
-    const Compared both{all, perturbed};
-    RowFindings findings;
-    for (const SearchStatistic* statistic : columns) {
-      const std::string& digits = printed.rows[i][printed.column(statistic->column)];
-      row.push_back(digits.empty() ? Cell(statistic->of(all)) : compared(both, *statistic, digits, findings));
-    }
-    row[1] = graded(findings, found);
+    if (!plan.times_to.empty()) row.push_back(ratio_of_times(from, printed, i, plan.times_to));
   }
-  table.notes = {std::string(words::range_of_chance)};
+  const bool has_shares = std::ranges::any_of(columns, &SearchStatistic::is_percentage);
+  table.notes = {std::string(has_shares ? words::range_of_chance_of_shares : words::range_of_chance)};
+  if (!plan.times_to.empty()) table.notes.emplace_back(words::ratios_of_times);
   table.legend = words::legend_of_rows;
   return table;
 }

@@ -13,6 +13,8 @@ namespace ikbench::claims {
 // A table of results/published: the column `solver`, and statistics of solves by name (row_agreement.cpp).
 struct PrintedTable {
   std::string study, table, caption;
+  std::string beside = {};    // a companion with the same targets, which has the solvers that the study lacks
+  std::string times_to = {};  // the solver by whose mean time the printed ones (column us_mean) and ours are divided
   std::map<std::string, std::string> not_attempted = {};  // why a printed row is not repeated, by its solver
 };
 

@@ -45,34 +45,45 @@ std::vector<std::string> overrides_of(const Lock& lock, const SetUp& chosen) {
 }
 
 Table lock_table(const Lock& lock, std::span<const PrintedNumbers> found) {
-  Table table{.name = "lock", .caption = fmt::format(words::lock_caption, "study"_a = lock.study)};
+  const bool has_integers = found.front().integers > 0;
+  Table table{.name = "lock",
+              .caption = fmt::format(fmt::runtime(has_integers ? words::lock_caption : words::lock_of_chance_caption),
+                                     "study"_a = lock.study)};
   for (const SetUpPoint& point : lock.points) table.columns.emplace_back(point.open);
-  table.columns.insert(table.columns.end(), {"integers that agree", "numbers that agree"});
+  if (has_integers) table.columns.emplace_back("integers that agree");
+  table.columns.emplace_back("numbers that agree");
+  if (!has_integers) table.columns.emplace_back("within the range of chance");
   const std::vector<SetUp> all = set_ups(lock);
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back();
     for (std::size_t k = 0; k < all[i].size(); ++k) row.emplace_back(lock.points[k].alternatives[all[i][k]].where);
-    row.emplace_back(fmt::format("{} of {}", found[i].agreeing_integers, found[i].integers));
-    row.emplace_back(fmt::format("{} of {}", found[i].agreeing, found[i].numbers));
+    const auto add = [&](int agreeing, int of) { row.emplace_back(fmt::format("{} of {}", agreeing, of)); };
+    if (has_integers) add(found[i].agreeing_integers, found[i].integers);
+    add(found[i].agreeing, found[i].numbers);
+    if (!has_integers) add(found[i].by_chance, found[i].numbers);
   }
-  table.notes = {lock_sentence(lock, found), fmt::format(words::lock_note, "solvers"_a = clauses(lock.solvers))};
+  table.notes = {lock_sentence(lock, found),
+                 fmt::format(fmt::runtime(has_integers ? words::lock_note : words::lock_of_chance_note),
+                             "solvers"_a = clauses(lock.solvers))};
   return table;
 }
 
 std::string lock_sentence(const Lock& lock, std::span<const PrintedNumbers> found) {
   const std::vector<SetUp> all = set_ups(lock);
-  const auto best = std::ranges::max_element(found, {}, &PrintedNumbers::agreeing_integers);
-  const int integers = best->integers;
+  const bool has_integers = found.front().integers > 0;
+  const auto agreeing = has_integers ? &PrintedNumbers::agreeing_integers : &PrintedNumbers::by_chance;
+  const int of = has_integers ? found.front().integers : found.front().numbers;
+  const int most = (*std::ranges::max_element(found, {}, agreeing)).*agreeing;
   std::vector<std::string> opening;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (found[i].agreeing_integers == best->agreeing_integers) opening.push_back(words_of(lock, all[i]));
+    if (found[i].*agreeing == most) opening.push_back(words_of(lock, all[i]));
   }
-  const bool is_open = best->agreeing_integers == integers;
-  const auto wording = !is_open              ? words::lock_stays_shut
+  const auto wording = !has_integers         ? words::lock_of_chance
+                       : most < of           ? words::lock_stays_shut
                        : opening.size() == 1 ? words::lock_has_one_key
                                              : words::lock_has_several_keys;
-  return fmt::format(fmt::runtime(wording), "set_ups"_a = all.size(), "integers"_a = integers,
-                     "agreeing"_a = best->agreeing_integers, "keys"_a = opening.size(),
+  return fmt::format(fmt::runtime(wording), "set_ups"_a = all.size(), "integers"_a = of, "agreeing"_a = most,
+                     "keys"_a = opening.size(), "have"_a = opening.size() == 1 ? "has" : "have",
                      "where"_a = fmt::join(opening, "; or "));
 }
 

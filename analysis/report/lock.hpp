@@ -1,4 +1,5 @@
-// The lock of a paper: what its text leaves open of a study's set-up, and which set-up gives the printed integers.
+// The lock of a paper: what its text leaves open of a study's set-up, and which set-up gives the printed integers or,
+// in a table without integers, the most numbers within the range of chance.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +26,7 @@ struct SetUpPoint {
 // How many of the printed numbers ours round to.
 struct PrintedNumbers {
   int integers = 0, agreeing_integers = 0, numbers = 0, agreeing = 0;
+  int by_chance = 0;  // without integers: how many are within the range of chance
 };
 
 struct Lock {
@@ -42,7 +44,7 @@ std::vector<std::string> overrides_of(const Lock& lock, const SetUp& chosen);
 
 // `found` are the printed numbers of set_ups(lock), in their order.
 Table lock_table(const Lock& lock, std::span<const PrintedNumbers> found);
-// Which set-up the printed integers single out.
+// Which set-up the printed numbers single out.
 std::string lock_sentence(const Lock& lock, std::span<const PrintedNumbers> found);
 
 }  // namespace ikbench::report

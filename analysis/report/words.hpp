@@ -245,6 +245,8 @@ inline constexpr Template legend_of_rows =
 inline constexpr Template range_of_chance =
     "A number agrees if ours rounds to its digits. Range of chance: where the number lies in 95 % of repetitions with other "
     "targets, by a bootstrap of the targets. The most searches hang on a single target and have no such range.";
+inline constexpr Template range_of_chance_of_shares =
+    "A number agrees if ours rounds to its digits. Range of chance: Wilson's 95 % interval of our share.";
 inline constexpr Template last_bits_note =
     "Solved {copies} times more with targets (and drawn starts) that differ in the last bit of each number, up or down at "
     "random. exact: the mean is the same in all digits shown; stable: it differs, and no solve has another status; chaotic: "
@@ -261,6 +263,19 @@ inline constexpr Template lock_caption = "Which set-up of {study} gives the prin
 inline constexpr Template lock_note =
     "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because a mean can agree "
     "by chance.";
+inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
+inline constexpr Template over_arms = "Most solved poses over {arms} arms";
+inline constexpr Template over_arms_note =
+    "An arm is one observation, so that poses of one arm do not count as many. interval: of the mean over arms. a new arm: where the "
+    "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";
+inline constexpr Template over_arms_population =
+    "The verdict is about serial arms like these: {arms}. It is not about mobile or parallel ones.";
+inline constexpr Template lock_of_chance_caption = "Which set-up of {study} is near the printed numbers";
+inline constexpr Template lock_of_chance_note =
+    "Solved without a store, with {solvers}. The range of chance is Wilson's 95 % interval of our share.";
+inline constexpr Template lock_of_chance =
+    "Of {set_ups} set-ups that the text allows, {keys} {have} the most printed numbers within the range of chance, {agreeing} of "
+    "{integers}: {where}.";
 inline constexpr Template lock_has_one_key =
     "Of {set_ups} set-ups that the text allows, only one agrees with all {integers} printed integers: {where}.";
 inline constexpr Template lock_has_several_keys =
@@ -273,6 +288,8 @@ inline constexpr Template row_by_chance = "{agree} of {numbers} numbers agree; w
 inline constexpr Template row_outside = "{agree} of {numbers} numbers agree; outside the range of chance";
 inline constexpr Template within_rounding = "rounding gives {range}";
 inline constexpr Template within_chance = "chance gives {range}";
+inline constexpr Template ratios_of_times =
+    "Printed times belong to another machine, so both are divided by the time of one solver. They are not judged.";
 inline constexpr Template outside_chance = "outside, chance gives {range}";
 inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
 inline constexpr Template no_solves = "This study has no solves yet.";

@@ -57,12 +57,14 @@ TEST_CASE("the Puma 560 and the Stanford arm of the library are where Corke's to
         1e-12);
 }
 
-TEST_CASE("of the library, the iiwas, the IRB 120, the Puma and the Stanford arm have a spherical wrist", "[arms]") {
+TEST_CASE("of the library, the KUKA arms, the IRB 120, the Puma and the Stanford arm have a spherical wrist",
+          "[arms]") {
   std::vector<std::string> found;
   for (const Robot& arm : all_robots()) {
     if (SphericalWrist::fits(arm.chain)) found.push_back(arm.name);
   }
-  CHECK(found == std::vector<std::string>{"abb_irb120", "kuka_iiwa14", "kuka_iiwa7", "puma560", "stanford"});
+  CHECK(found == std::vector<std::string>{"abb_irb120", "kuka_iiwa14", "kuka_iiwa7", "kuka_iiwa7_endless", "kuka_kr6",
+                                          "puma560", "stanford"});
 }
 
 TEST_CASE("an arm of the library names its source, and fits in a line", "[arms]") {

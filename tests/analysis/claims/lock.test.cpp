@@ -81,6 +81,31 @@ TEST_CASE("solves agree with as many printed numbers as they round to", "[lock]"
   CHECK(found.agreeing_integers == 2);
 }
 
+TEST_CASE("a table without integers is held against the range of chance", "[lock]") {
+  const toml::table table = numerics::parse_toml(R"(
+study = "lloyd2022"
+table = "kr6"
+solvers = ["QuIK"]
+[[points]]
+open = "start"
+alternatives = [{ where = "it is 0" }, { set = ["start=random"], where = "it is drawn" }]
+)",
+                                                 "lock.toml");
+  const Lock lock = read_lock(numerics::TomlReader(table, "lock.toml", ""), "lloyd2022");
+  std::vector<SolveRecord> solves(1000, SolveRecord{.solver = "QuIK"});  // printed: 0.13 %
+  const PrintedNumbers near = lock.compared(solves);
+  CHECK(near.integers == 0);
+  CHECK(near.numbers == 1);
+  CHECK(near.by_chance == 1);
+  for (std::size_t i = 0; i < 100; ++i) solves[i].status = Status::tolerance_missed;
+  const PrintedNumbers far = lock.compared(solves);
+  CHECK(far.by_chance == 0);
+  CHECK(
+      lock_sentence(lock, std::vector{far, near}) ==
+      "Of 2 set-ups that the text allows, 1 has the most printed numbers within the range of chance, 1 of 1: it is drawn.");
+  CHECK(readable(lock_table(lock, std::vector{far, near}).rows[1][2]) == "1 of 1");
+}
+
 TEST_CASE("a lock names rows that are printed", "[lock]") {
   std::string text = two_points;
   text.replace(text.find("Chan 0.1"), 8, "Nobody's");

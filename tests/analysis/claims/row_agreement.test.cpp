@@ -96,6 +96,38 @@ TEST_CASE("who gave up counts as infeasible, and not in means", "[rows]") {
   CHECK(readable(row[4]).starts_with("1 (printed 0"));
 }
 
+// kr6 of lloyd2022 prints 38 us and 1 % for NR, 21 us and 0.13 % for QuIK, 5.3 % for KDL-LMA.
+TEST_CASE("shares of what is not solved are held against Wilson's interval, and times against one solver's", "[rows]") {
+  const auto with = [](const std::string& solver, int solves, int missed, double seconds) {
+    std::vector<SolveRecord> all;
+    for (int point = 1; point <= solves; ++point) {
+      SolveRecord solve{.solver = solver, .run = 1, .point = point};
+      solve.status = point <= missed ? Status::tolerance_missed : Status::ok;
+      solve.seconds = seconds;
+      all.push_back(solve);
+    }
+    return all;
+  };
+  std::vector<SolveRecord> ours = with("NR", 1000, 11, 40e-6);
+  std::ranges::copy(with("QuIK", 1000, 0, 20e-6), std::back_inserter(ours));
+  const JudgedStudy study(make_study("ours", ours)), beside(make_study("ours-kdl", with("KDL-LMA", 1000, 200, 80e-6)));
+  Reported reported{study};
+  reported.companions.emplace_back(beside);
+  const std::vector<PrintedTable> kr6{
+      {.study = "ours", .table = "kr6", .caption = "KR6", .beside = "ours-kdl", .times_to = "NR"}};
+  const ComparedRows rows = compared_rows(reported, "lloyd2022", kr6);
+  const Table& table = rows.tables.at(0);
+  CHECK(readable(row_of(table, "NR")[2]) == "1 (printed 1)");
+  CHECK(readable(row_of(table, "QuIK")[2]) == "0.00 (printed 0.13: chance gives 0 to 0.383)");  // 3.84 / (1000 + 3.84)
+  CHECK(contains(readable(row_of(table, "KDL-LMA")[2]), "outside"));
+  CHECK(readable(row_of(table, "QuIK")[3]) == "0.50 (printed 0.55)");
+  CHECK(readable(row_of(table, "KDL-LMA")[3]) == "2.00 (printed 3.89)");
+  CHECK(readable(row_of(table, "BFGS")[3]) == "0.89");
+  CHECK(rows.found.every_digit == 1);
+  CHECK(rows.found.by_chance == 1);
+  CHECK(rows.found.outside == 1);
+}
+
 TEST_CASE("the sentence on rows counts them", "[rows]") {
   CHECK(agreement_sentence({.every_digit = 2, .by_rounding = 1, .by_chance = 1, .outside = 1, .not_attempted = 3}) ==
         "2 of 5 repeated rows of the printed tables agree in every digit. Of the others 1 are within the range of "
