@@ -9,6 +9,7 @@
 #include "analysis/figures/rates_figure.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/over_arms.hpp"
 #include "analysis/report/paper.hpp"
 #include "results/published.hpp"
 
@@ -170,9 +171,13 @@ void add_rates(StudyPieces& pieces, const Reported& reported, const RatesPlan& p
   const std::vector<RatesOfArm> arms = plan.level > 0 ? solve_rates(reported, plan) : std::vector<RatesOfArm>();
   if (arms.empty()) return;
   pieces.tables.push_back(rates_table(arms, plan));
+  pieces.results = pieces.tables.back().name;
   if (!plan.iterations.empty()) pieces.tables.push_back(iterations_table(arms, plan));
   pieces.figures.push_back(rates_figure(arms, plan));
-  pieces.results = pieces.tables[pieces.tables.size() - (plan.iterations.empty() ? 1 : 2)].name;
+  OverArms over = over_arms(arms, reported.study.plan);
+  if (over.sentence.text.empty()) return;
+  pieces.tables.push_back(std::move(over.table));
+  pieces.verdict.push_back(std::move(over.sentence));
 }
 
 }  // namespace ikbench::report

@@ -292,7 +292,7 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
     RowsOfPaper rows = collection.paper->rows(reported);
     if (!rows.tables.empty()) pieces.results = rows.tables.front().name;
     std::ranges::move(rows.tables, std::back_inserter(pieces.tables));
-    pieces.agreement = std::move(rows.sentence);
+    if (!rows.sentence.empty()) pieces.verdict.push_back({"", std::move(rows.sentence)});
   }
   return pieces;
 }
@@ -354,16 +354,19 @@ Report write_report(const Store& store, const ReportRequest& request) {
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
                       reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);
-  if (!pieces.agreement.empty()) {
-    content.summary.push_back(pieces.agreement);
-    content.seen.emplace("Verdict", std::move(pieces.agreement));
+  for (const Sentence& sentence : pieces.verdict) {
+    content.summary.push_back(words_of(sentence));
+    content.seen.emplace("Verdict", words_of(sentence));
   }
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  if (content.claims.empty() && !study.solves.empty()) content.answer = own_verdict(study);
+  if (content.claims.empty() && !study.solves.empty()) {
+    content.answer = pieces.verdict;
+    std::ranges::move(own_verdict(study), std::back_inserter(content.answer));
+  }
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   add_seen(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);

@@ -11,6 +11,7 @@
 #include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/report_content.hpp"
+#include "analysis/report/sentence.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
@@ -32,7 +33,7 @@ struct StudyPieces {
   std::vector<SectionPlan> sections = {};  // places them; empty: the paper does
   std::string results = "results";         // the table that a terminal shows
   std::string path = "path";               // the figure that replaces the animated view
-  std::string agreement = {};              // how many printed rows agree with ours; may be empty
+  std::vector<Sentence> verdict = {};      // what the verdict of the report says besides
   // A sentence on what a piece shows, by its name; may be empty.
   std::map<std::string, std::string> seen = {};
 };

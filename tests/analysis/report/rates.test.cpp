@@ -72,3 +72,43 @@ TEST_CASE("an arm that is not solved yet has no row, and a study without solves 
   CHECK(table_of(pieces_of(iiwa, {none})).rows.size() == 1);
   CHECK(std::ranges::count(pieces_of(none).tables, "solve-rates", &Table::name) == 0);
 }
+
+// Differences of 10, 20 (twice), 30 (six times) and 40 %: mean 27, standard deviation 8.233, and Student's t with 9
+// degrees of freedom is 2.2622. A new arm: 27 +- 2.2622 * 8.233 * sqrt(1.1) = 27 +- 19.53.
+TEST_CASE("over arms, an arm is one observation, and a new arm has a wider interval", "[arms]") {
+  std::vector<JudgedStudy> all;
+  for (const int ahead : {1, 2, 2, 3, 3, 3, 3, 3, 3, 4})
+    all.push_back(study_of("arm" + std::to_string(all.size()), 5 + ahead, 5));
+  const StudyPieces pieces = pieces_of(all.front(), {all.begin() + 1, all.end()});
+  const Table& table = *std::ranges::find(pieces.tables, "over-arms", &Table::name);
+  REQUIRE(table.rows.size() == 1);
+  const std::vector<Cell>& row = table.rows[0];
+  CHECK(readable(row[0]) == "A");
+  CHECK(readable(row[1]) == "B");
+  CHECK(std::get<double>(row[3]) == Approx(27));
+  const Range mean = std::get<Range>(row[4]), fresh = std::get<Range>(row[6]);
+  CHECK(mean.low > fresh.low);
+  CHECK(mean.high < fresh.high);
+  CHECK(fresh.low == Approx(27 - 19.53).margin(0.01));
+  CHECK(fresh.high == Approx(27 + 19.53).margin(0.01));
+  CHECK(readable(row[7]) == "10 of 10");
+  REQUIRE(pieces.verdict.size() == 1);
+  CHECK(pieces.verdict[0].topic == "Most solved poses over 10 arms");
+}
+
+TEST_CASE("an arm without which the verdict is another is named", "[arms]") {
+  std::vector<JudgedStudy> all;
+  for (int i = 0; i < 7; ++i) all.push_back(study_of("arm" + std::to_string(i), 8 + i % 2, 5 + i % 3 % 2));
+  all.push_back(study_of("odd", 1, 8));
+  const StudyPieces pieces = pieces_of(all.front(), {all.begin() + 1, all.end()});
+  const Table& table = *std::ranges::find(pieces.tables, "over-arms", &Table::name);
+  CHECK(readable(table.rows[0][2]) == "undecided");
+  CHECK(readable(table.rows[0][8]) == "odd");
+}
+
+TEST_CASE("two arms have no verdict over arms", "[arms]") {
+  const JudgedStudy one = study_of("one", 10, 8), two = study_of("two", 9, 6);
+  const StudyPieces pieces = pieces_of(one, {two});
+  CHECK(pieces.verdict.empty());
+  CHECK(std::ranges::find(pieces.tables, "over-arms", &Table::name) == pieces.tables.end());
+}
