@@ -43,6 +43,7 @@ std::set<std::size_t> slides_of(const Json& arm) {
 StudyFacts::Stop stop_of(const Json& stop) {
   return {.tolerance_cm = number(stop, "tolerance_cm"),
           .tolerance_deg = number(stop, "tolerance_deg"),
+          .iterations = number(stop, "iterations"),
           .evaluations = number(stop, "evaluations"),
           .seconds = number(stop, "seconds")};
 }

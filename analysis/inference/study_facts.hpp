@@ -21,6 +21,7 @@ struct StudyFacts {
   struct Stop {
     double tolerance_cm = not_defined;
     double tolerance_deg = not_defined;
+    double iterations = not_defined;
     double evaluations = not_defined;
     double seconds = not_defined;
   };

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/report/table.hpp"
+
 namespace ikbench::report {
 
 // depends: the answer depends on what the paper leaves open. untested: nothing here could decide it.
@@ -34,6 +36,10 @@ struct Claim {
 std::string verdict_words(const Claim& claim);
 
 std::string evidence_text(const Claim& claim);  // all of it
+
+// One row per claim; leaves out a column that no claim fills.
+enum class EvidenceShown { whole, first_sentence };
+Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption, EvidenceShown evidence);
 
 std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims);
 

@@ -78,26 +78,6 @@ std::string latex_number(const std::string& number) {
   return number.starts_with('-') ? fmt::format("${}$", number) : number;
 }
 
-// Lets long words break, after punctuation if there is any.
-std::string breakable(std::string_view text) {
-  std::string result;
-  for (const std::string& word : words_of(text)) {
-    if (!result.empty()) result += ' ';
-    std::string chunk;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      chunk += word[i];
-      const bool inside = i + 1 < word.size() && (static_cast<unsigned char>(word[i + 1]) & 0xC0) != 0x80;
-      const bool at_sign = chunk.size() > 3 && std::string_view(",;:/_.=-").find(word[i]) != std::string_view::npos;
-      if (!inside || (!at_sign && chunk.size() < longest_chunk)) continue;
-      if (word.size() <= longest_chunk) continue;
-      result += words_in_latex(chunk) + "\\allowbreak{}";
-      chunk.clear();
-    }
-    result += words_in_latex(chunk);
-  }
-  return result;
-}
-
 struct LatexColumn {
   std::size_t index;  // index in the table
   bool is_text;
@@ -109,7 +89,7 @@ std::string cell_latex(const Cell& cell, const LatexColumn& column) {
     return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
   }
   const std::string text = readable(cell);
-  if (!is_number(cell)) return column.wraps ? breakable(text) : words_in_latex(text);
+  if (!is_number(cell)) return column.wraps ? breakable_latex(text) : words_in_latex(text);
   return text.starts_with('<') ? "$<10^{-300}$" : latex_number(text);
 }
 
@@ -189,6 +169,25 @@ bool needs_another_engine(std::string_view latex) {
 }
 
 }  // namespace
+
+std::string breakable_latex(std::string_view text) {
+  std::string result;
+  for (const std::string& word : words_of(text)) {
+    if (!result.empty()) result += ' ';
+    std::string chunk;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      chunk += word[i];
+      const bool inside = i + 1 < word.size() && (static_cast<unsigned char>(word[i + 1]) & 0xC0) != 0x80;
+      const bool at_sign = chunk.size() > 3 && std::string_view(",;:/_.=-").find(word[i]) != std::string_view::npos;
+      if (!inside || (!at_sign && chunk.size() < longest_chunk)) continue;
+      if (word.size() <= longest_chunk) continue;
+      result += words_in_latex(chunk) + "\\allowbreak{}";
+      chunk.clear();
+    }
+    result += words_in_latex(chunk);
+  }
+  return result;
+}
 
 std::string to_latex(const Table& table) {
   const std::vector<LatexColumn> columns = columns_of(table);

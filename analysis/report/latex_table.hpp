@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "analysis/report/table.hpp"
 
@@ -10,5 +11,8 @@ namespace ikbench::report {
 
 // Columns that are empty in every row are left out. Heads are words: "mean_reached_ms" becomes "mean reached [ms]".
 std::string to_latex(const Table& table);
+
+// Text whose long words may break, after punctuation if there is any.
+std::string breakable_latex(std::string_view text);
 
 }  // namespace ikbench::report

@@ -10,6 +10,7 @@
 #include "analysis/report/latex_table.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_html.hpp"
+#include "analysis/report/report_latex.hpp"
 #include "analysis/report/report_markdown.hpp"
 #include "results/files.hpp"
 
@@ -82,6 +83,7 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   const std::vector<std::string> answer = words_of(content.answer);
   report.summary.insert(report.summary.begin(), answer.begin(), answer.end());
   write_file(report.file, to_markdown(content));
+  if (!content.set_up.empty()) write_file(folder / "article.tex", to_article(content));
   if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
   write_file(report.page, to_html(content, {.figures = folder / "figures",
                                             .motion = motion,

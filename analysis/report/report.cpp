@@ -28,6 +28,7 @@
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/provenance.hpp"
 #include "analysis/report/report_content.hpp"
+#include "analysis/report/set_up.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/export.hpp"
@@ -338,6 +339,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .title = study.facts.title.empty() ? study.name : study.facts.title,
                         .answer = leader_sentences(study, Metric::position_error_cm),
                         .studied = studied(study, paper),
+                        .set_up = set_up_sentences(study, paper, sessions),
                         .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .summary = summary(reported, paper),

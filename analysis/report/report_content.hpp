@@ -54,6 +54,7 @@ struct ReportContent {
   std::string title;
   std::vector<Sentence> answer = {};      // its first sentences; may be empty
   std::vector<std::string> studied = {};  // sentences: whose paper, what was run, what was not
+  std::vector<std::string> set_up = {};   // sentences of an article's section; none: it gets no article
   std::vector<std::string> solvers = {};  // in the order of their colours
   std::vector<Claim> claims;
   std::vector<std::string> summary;

@@ -46,34 +46,17 @@ bool has_drawn(const ReportContent& content) {
   return std::ranges::any_of(content.circumstances, has_one) || std::ranges::any_of(content.results, has_one);
 }
 
-enum class Detail { whole, first_sentence };
-
-// Leaves out a column that no claim fills.
-Table table_of(const std::vector<Claim>& claims, std::string caption, Detail detail) {
-  Table table{.name = "claims",
-              .caption = std::move(caption),
-              .columns = {"claim", "here", "printed", "number", "stated in", "evidence"}};
-  for (const Claim& claim : claims) {
-    table.rows.push_back({claim.statement, verdict_words(claim),
-                          claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,
-                          claim.section,
-                          detail == Detail::whole  ? evidence_text(claim)
-                          : claim.evidence.empty() ? ""
-                                                   : claim.evidence.front()});
-  }
-  return table;
-}
-
-std::string verdict(const ReportContent& content, Detail detail) {
+std::string verdict(const ReportContent& content, EvidenceShown evidence) {
   std::string text;
   const std::vector<Claim> papers = claims_by(Claimant::paper, content.claims),
                            ours = claims_by(Claimant::us, content.claims);
   if (!papers.empty()) {
-    text +=
-        "## Verdict\n\n" + markdown(table_of(papers, fmt::format("{}", fmt::join(answers_of(content), " ")), detail));
+    text += "## Verdict\n\n" +
+            markdown(claims_table(papers, "claims", fmt::format("{}", fmt::join(answers_of(content), " ")), evidence));
   }
   if (!ours.empty()) {
-    text += "## Our own questions\n\n" + markdown(table_of(ours, "Not claims of the paper.", detail));
+    text +=
+        "## Our own questions\n\n" + markdown(claims_table(ours, "questions", "Not claims of the paper.", evidence));
   }
   return text;
 }
@@ -99,7 +82,7 @@ std::string to_markdown(const ReportContent& content) {
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
   if (!content.answer.empty()) text += markdown_text(paragraph_of(content.answer)) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(list_of(content.warnings));
-  text += verdict(content, Detail::whole) + "## Summary\n\n";
+  text += verdict(content, EvidenceShown::whole) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
@@ -113,7 +96,7 @@ std::string to_markdown(const ReportContent& content) {
 std::string verdict_markdown(const ReportContent& content) {
   std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
-  text += verdict(content, Detail::first_sentence);
+  text += verdict(content, EvidenceShown::first_sentence);
   for (const Section& section : content.results) {
     if (section.pieces.empty()) continue;
     text += fmt::format("## {}\n\n", markdown_text(section.heading));

@@ -263,6 +263,22 @@ inline constexpr Template lock_caption = "Which set-up of {study} gives the prin
 inline constexpr Template lock_note =
     "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because a mean can agree "
     "by chance.";
+inline constexpr Template set_up_solvers =
+    "We compare {count} solvers ({solvers}), which search for {goal} with the arm {arm}.";
+inline constexpr Template set_up_path =
+    "The targets are {points} points of the path {path}, the same in each of {runs} runs. A solve starts {start}. Random numbers "
+    "follow from the seed {seed}.";
+inline constexpr Template set_up_drawn =
+    "The targets are drawn anew in each of {runs} runs, {points} a run, the same for all solvers. A solve starts {start}. Random "
+    "numbers follow from the seed {seed}.";
+inline constexpr Template set_up_limits = "A solve ends after at most {limits}.";
+inline constexpr Template set_up_tolerance =
+    "It counts as solved if the verifier finds its error to be at most {tolerance}.";
+inline constexpr Template set_up_enforced = "Answers outside the joint limits are refused.";
+inline constexpr Template set_up_recorded = "Answers outside the joint limits are kept and reported.";
+inline constexpr Template set_up_test =
+    "Pairs are compared by {test}, at the level {significance} for all pairs together.";
+inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
 inline constexpr Template over_arms_note =

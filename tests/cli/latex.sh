@@ -2,7 +2,7 @@
 # Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm.
 source "$(dirname "$0")/common.sh"
 command -v pdflatex >/dev/null || exit 77
-for package in booktabs array adjustbox rotating geometry; do
+for package in booktabs array adjustbox rotating geometry placeins; do
   kpsewhich "$package.sty" >/dev/null || exit 77
 done
 command -v mf >/dev/null || exit 77 # makes fonts, and keeps them in the home folder
@@ -34,10 +34,23 @@ compiles() {
   [ -z "${IKBENCH_LATEX:-}" ] || cp all.pdf "$IKBENCH_LATEX/${folder//\//-}.pdf"
 }
 
+# writes FOLDER: its article compiles too, and has these sections.
+writes() {
+  succeeds article "$1"
+  [ "$(head -c 4 "$1/article.pdf")" = %PDF ] || fail "$1 has no article.pdf"
+  ! grep -q -e 'Overfull \\hbox' -e 'Float too large' "$1/article.log" || fail "$1: $(grep -e Overfull -e 'too large' "$1/article.log")"
+  for section in 'Experimental set-up' Results 'Flow of solves' 'Data availability'; do
+    has "$(<"$1/article.tex")" "\\section{$section}"
+  done
+  [ -z "${IKBENCH_LATEX:-}" ] || cp "$1/article.pdf" "$IKBENCH_LATEX/$1-article.pdf"
+}
+
 # With two jobs, times are not judged, and have fewer tables.
 succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 2 --no-figures --out paper
 [ "$(ls paper/tables/*.tex | wc -l)" -gt 30 ] || fail "paper/tables has few tables: $(ls paper/tables)"
 compiles paper/tables
+writes paper
+has "$(<paper/article.tex)" "Of 20 claims"
 ! grep -h -E '\$-[0-9.]+ to ' paper/tables/*.tex || fail "words in mathematics"
 
 # Labels may be anything, and long.
@@ -50,4 +63,8 @@ compiles paper/tables
 } >labels.toml
 succeeds run labels.toml --no-figures --out labels
 compiles labels/tables
+writes labels
+has "$(<labels/article.tex)" "We compare 5 solvers"
+refused "has no article.tex; write a report into it first" article nowhere
+refused "ikbench reproduce beeson2015" article beeson2015
 exit 0

@@ -24,7 +24,7 @@ succeeds report copy/theirs.sqlite --no-figures
 cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
 succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
-[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md solves.csv statistics.json tables theirs.sqlite verdict.md " ] || fail "copy/ has: $(ls copy)"
+[ "$(ls copy | sort | tr '\n' ' ')" = "article.tex figures report.html report.md solves.csv statistics.json tables theirs.sqlite verdict.md " ] || fail "copy/ has: $(ls copy)"
 
 # Opens a store by its bare name in its own folder.
 (cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."

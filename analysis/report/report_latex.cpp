@@ -1,0 +1,103 @@
+#include "analysis/report/report_latex.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/inference/text.hpp"
+#include "analysis/report/latex_table.hpp"
+
+namespace ikbench::report {
+
+using namespace inference;
+
+namespace {
+
+constexpr std::string_view article_preamble =
+    R"(% Compile it here, where tables/ and figures/ are: pdflatex article.tex, twice.
+\documentclass[a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage[margin=2.5cm]{geometry}
+\usepackage{booktabs,array,adjustbox,rotating,longtable,graphicx,placeins}
+\makeatletter\def\fps@table{!htbp}\def\fps@figure{!htbp}\makeatother  % tables and figures where they are named
+)";
+
+std::string latex_paragraph(const std::vector<std::string>& sentences) {
+  return breakable_latex(fmt::format("{}", fmt::join(sentences, " "))) + "\n\n";
+}
+
+std::string items(const std::vector<std::string>& sentences) {
+  std::string text = "\\begin{itemize}\n";
+  for (const std::string& sentence : sentences) text += fmt::format("\\item {}\n", breakable_latex(sentence));
+  return sentences.empty() ? "" : text + "\\end{itemize}\n\n";
+}
+
+std::string latex(const Table& table) { return fmt::format("\\input{{tables/{}.tex}}\n", table.name); }
+
+std::string latex(const ReportFigure& piece) {
+  if (!piece.drawn) return fmt::format("% figures/{}.pdf is not drawn\n", piece.figure.name);
+  return fmt::format(
+      "\\begin{{figure}}\n\\centering\n\\includegraphics[width=\\linewidth,height=0.4\\textheight,keepaspectratio]"
+      "{{figures/{}.pdf}}\n\\caption{{{}}}\n\\end{{figure}}\n",
+      piece.figure.name, breakable_latex(piece.figure.caption));
+}
+
+std::string latex(const Piece& piece) {
+  return std::visit([](const auto& shown) { return latex(shown); }, piece);
+}
+
+std::string latex(const std::vector<Section>& sections, const ReportContent& content) {
+  std::string text;
+  for (const Section& section : sections) {
+    if (section.pieces.empty()) continue;
+    text += fmt::format("\\subsection{{{}}}\n", latex_text(section.heading));
+    if (!section.paragraph.empty()) text += breakable_latex(section.paragraph) + "\n\n";
+    for (const Piece& piece : section.pieces) {
+      if (const std::string seen = seen_at(piece, content); !seen.empty()) text += breakable_latex(seen) + "\n\n";
+      text += latex(piece);
+    }
+    text += "\\FloatBarrier\n";
+  }
+  return text;
+}
+
+std::string claims(const ReportContent& content) {
+  std::string text;
+  for (const auto& [by, name, caption] : {std::tuple(Claimant::paper, "claims", "The claims of the paper"),
+                                          std::tuple(Claimant::us, "questions", "Our own questions")}) {
+    const std::vector<Claim> these = claims_by(by, content.claims);
+    if (!these.empty()) text += to_latex(claims_table(these, name, caption, EvidenceShown::first_sentence));
+  }
+  return text.empty() ? "" : "\\subsection{Claims}\n" + text + "\\FloatBarrier\n";
+}
+
+std::string flow(const ReportContent& content) {
+  const Piece* const piece = piece_named(content, "flow");
+  return piece == nullptr ? "" : "\\section{Flow of solves}\n" + latex(*piece) + "\\FloatBarrier\n";
+}
+
+}  // namespace
+
+std::string to_article(const ReportContent& content) {
+  std::string text(article_preamble);
+  text += fmt::format("\\title{{{}}}\n\\author{{}}\n\\begin{{document}}\n\\sloppy\n\\maketitle\n",
+                      latex_text(content.title));
+  text += "\\begin{abstract}\n" + latex_paragraph(answers_of(content)) + "\\end{abstract}\n\n";
+  text += "\\section{Experimental set-up}\n" + latex_paragraph(content.set_up);
+  text += "\\section{Results}\n" + claims(content) + latex(content.results, content);
+  text += flow(content);
+  if (!content.warnings.empty()) text += "\\section{Limitations}\n" + items(list_of(content.warnings));
+  text += "\\section{Data availability}\n";
+  text +=
+      "All solves are in \\texttt{store.sqlite}, all tables in \\texttt{tables/}, and the scripts and data of all "
+      "figures in \\texttt{figures/}.";
+  if (!content.command.empty()) {
+    text += fmt::format(
+        " The command\n\\begin{{quote}}\\raggedright\\texttt{{{}}}\\end{{quote}}\nrepeats the study, and "
+        "\\texttt{{ikbench fingerprint}} says whether the numbers are the same.",
+        breakable_latex(content.command));
+  }
+  return text + "\n\n\\end{document}\n";
+}
+
+}  // namespace ikbench::report
