@@ -266,10 +266,41 @@ Doubts effort_doubts(const StudyResults& study) {
   return {{.kind = DoubtKind::unequal_evaluations, .who = {most}, .count = few, .of = many, .what = fewest}};
 }
 
+// Evaluations of an iteration; not defined without iterations, where the suite did not count, and for a library or
+// program, one of whose iterations may be a whole search.
+double evaluations_per_iteration(const StudyResults& study, const std::string& solver) {
+  double evaluations = 0, iterations = 0;
+  if (std::ranges::find(study.external, solver) != study.external.end()) return not_defined;
+  for (const Solve& solve : solves_of(study, solver)) {
+    if (solve.counted_by != CountedBy::suite) return not_defined;
+    evaluations += static_cast<double>(solve.evaluations);
+    iterations += static_cast<double>(solve.iterations);
+  }
+  return iterations > 0 ? evaluations / iterations : not_defined;
+}
+
+// A method that follows the gradient evaluates one or a few candidates in an iteration; a population many.
+Doubts baseline_doubts(const StudyResults& study, const JudgedStudies& companions) {
+  constexpr double many = 8;
+  double fewest = not_defined;
+  const auto has_populations_only = [&](const StudyResults& each) {
+    return std::ranges::all_of(each.solvers, [&](const std::string& solver) {
+      const double here = evaluations_per_iteration(each, solver);
+      if (!(here >= fewest)) fewest = here;
+      return here >= many;
+    });
+  };
+  if (study.solvers.empty() || !has_populations_only(study)) return {};
+  const double of_study = fewest;
+  const bool have_companions_too = std::ranges::all_of(companions, has_populations_only);
+  if (!have_companions_too) return {};
+  return {{.kind = DoubtKind::populations_only, .count = of_study}};
+}
+
 }  // namespace
 
-Doubts fairness_doubts(const StudyResults& study) {
-  Doubts doubts = effort_doubts(study);
+Doubts fairness_doubts(const StudyResults& study, const JudgedStudies& companions) {
+  Doubts doubts = effort_doubts(study) + baseline_doubts(study, companions);
   const bool is_single = study.points == 1 && !study.facts.path.empty() && !study.facts.draws_targets;
   if (is_single && study.solvers.size() > 1) doubts.push_back({.kind = DoubtKind::single_target});
   return doubts;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "analysis/inference/doubt.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/study.hpp"
 #include "results/store.hpp"
 
@@ -43,8 +44,9 @@ Doubts transport_doubts(const StudyResults& study);
 Doubts batch_doubts(const StudyResults& study);
 // Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
 Doubts evaluation_doubts(const StudyResults& study);
-// Whether all solvers have the same effort, and whether the targets are more than one.
-Doubts fairness_doubts(const StudyResults& study);
+// Whether all solvers have the same effort, a gradient method is among them or in a companion, and the targets are more
+// than one.
+Doubts fairness_doubts(const StudyResults& study, const JudgedStudies& companions = {});
 constexpr std::string_view times_not_judged = "times are not comparable";
 
 // Returns the recorded CPUs, with host names if there are several machines. Two sessions ran on different machines if

@@ -74,6 +74,10 @@ constexpr std::array all_words{
     Words{K::unequal_evaluations, "Budgets differ",
           "Equal iterations are not equal evaluations: a solve of {what} makes {count:.6g}, one of {who} {of:.6g}. "
           "stop.evaluations would give all solvers the same budget."},
+    Words{
+        K::populations_only, "No gradient method is compared",
+        "Every solver evaluates many candidates in an iteration ({count:.3g} or more). A method that follows the gradient "
+        "may solve the same targets with far fewer evaluations: add solver = \"damped_least_squares\"."},
     Words{K::single_target, "There is one target",
           "All solves have the same target, so nothing is known of others: another solver may be better there."},
     Words{K::points_as_observations, "Points are no replicates",

@@ -37,6 +37,7 @@ enum class DoubtKind {
   evaluated_one_by_one,
   // what the study compares
   unequal_evaluations,
+  populations_only,
   single_target,
   // observations
   points_as_observations,

@@ -352,10 +352,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
   content.warnings =
       said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-      missing_doubts(study) + fairness_doubts(study) +
+      missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + speed_doubts(study) + load_doubts(study),
                       reported.companions) +
-      plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study);
+      plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
+      fairness_doubts(study, reported.companions);
   for (const Sentence& sentence : pieces.verdict) {
     content.summary.push_back(words_of(sentence));
     content.seen.emplace("Verdict", words_of(sentence));

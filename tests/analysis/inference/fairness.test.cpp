@@ -58,3 +58,28 @@ TEST_CASE("one target for all solves is told, and a new one in each run is not o
   study.facts.draws_targets = true;
   CHECK(fairness_doubts(study).empty());
 }
+
+TEST_CASE("a comparison of populations alone lacks a gradient method, unless a companion has one", "[fairness]") {
+  const auto with = [](int iterations_of_b) {
+    StudyResults study = study_of(100);
+    for (Solve& solve : study.solves.to_change()) solve.iterations = 10;
+    for (Solve& solve : study.solves.to_change())
+      if (solve.solver == 1) solve.iterations = static_cast<std::uint32_t>(iterations_of_b);
+    return study;
+  };
+  const StudyResults populations = with(5);  // 10 and 20 evaluations an iteration
+  CHECK(
+      words_of(fairness_doubts(populations)) ==
+      "Every solver evaluates many candidates in an iteration (10 or more). A method that follows the gradient may solve "
+      "the same targets with far fewer evaluations: add solver = \"damped_least_squares\".");
+  CHECK(fairness_doubts(with(50)).empty());  // B evaluates two
+  const JudgedStudy companion(with(50)), other(populations);
+  CHECK(fairness_doubts(populations, {companion}).empty());
+  CHECK_FALSE(fairness_doubts(populations, {other}).empty());
+  StudyResults of_library = populations;
+  of_library.external = {"B"};
+  CHECK(fairness_doubts(of_library).empty());
+  StudyResults uncounted = populations;
+  for (Solve& solve : uncounted.solves.to_change()) solve.counted_by = CountedBy::solver;
+  CHECK(fairness_doubts(uncounted).empty());
+}
