@@ -89,7 +89,7 @@ std::string cell_latex(const Cell& cell, const LatexColumn& column) {
     return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
   }
   const std::string text = readable(cell);
-  if (!is_number(cell)) return column.wraps ? breakable_latex(text) : words_in_latex(text);
+  if (!is_number(cell)) return column.wraps ? breakable_latex(text, longest_chunk) : words_in_latex(text);
   return text.starts_with('<') ? "$<10^{-300}$" : latex_number(text);
 }
 
@@ -170,7 +170,7 @@ bool needs_another_engine(std::string_view latex) {
 
 }  // namespace
 
-std::string breakable_latex(std::string_view text) {
+std::string breakable_latex(std::string_view text, std::size_t longest_word) {
   std::string result;
   for (const std::string& word : words_of(text)) {
     if (!result.empty()) result += ' ';
@@ -180,7 +180,7 @@ std::string breakable_latex(std::string_view text) {
       const bool inside = i + 1 < word.size() && (static_cast<unsigned char>(word[i + 1]) & 0xC0) != 0x80;
       const bool at_sign = chunk.size() > 3 && std::string_view(",;:/_.=-").find(word[i]) != std::string_view::npos;
       if (!inside || (!at_sign && chunk.size() < longest_chunk)) continue;
-      if (word.size() <= longest_chunk) continue;
+      if (word.size() <= longest_word) continue;
       result += words_in_latex(chunk) + "\\allowbreak{}";
       chunk.clear();
     }

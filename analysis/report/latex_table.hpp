@@ -2,6 +2,7 @@
 // its side, and a long one is split over pages. The first line lists the packages it needs.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace ikbench::report {
 // Columns that are empty in every row are left out. Heads are words: "mean_reached_ms" becomes "mean reached [ms]".
 std::string to_latex(const Table& table);
 
-// Text whose long words may break, after punctuation if there is any.
-std::string breakable_latex(std::string_view text);
+// Text whose words may break if they are longer than this, after punctuation if there is any.
+std::string breakable_latex(std::string_view text, std::size_t longest_word);
 
 }  // namespace ikbench::report

@@ -22,13 +22,19 @@ constexpr std::string_view article_preamble =
 \makeatletter\def\fps@table{!htbp}\def\fps@figure{!htbp}\makeatother  % tables and figures where they are named
 )";
 
+// Names may be longer than a line; other words have hyphens where LaTeX puts them.
+std::string prose(std::string_view text) {
+  constexpr std::size_t longest_word = 24;
+  return breakable_latex(text, longest_word);
+}
+
 std::string latex_paragraph(const std::vector<std::string>& sentences) {
-  return breakable_latex(fmt::format("{}", fmt::join(sentences, " "))) + "\n\n";
+  return prose(fmt::format("{}", fmt::join(sentences, " "))) + "\n\n";
 }
 
 std::string items(const std::vector<std::string>& sentences) {
   std::string text = "\\begin{itemize}\n";
-  for (const std::string& sentence : sentences) text += fmt::format("\\item {}\n", breakable_latex(sentence));
+  for (const std::string& sentence : sentences) text += fmt::format("\\item {}\n", prose(sentence));
   return sentences.empty() ? "" : text + "\\end{itemize}\n\n";
 }
 
@@ -39,7 +45,7 @@ std::string latex(const ReportFigure& piece) {
   return fmt::format(
       "\\begin{{figure}}\n\\centering\n\\includegraphics[width=\\linewidth,height=0.4\\textheight,keepaspectratio]"
       "{{figures/{}.pdf}}\n\\caption{{{}}}\n\\end{{figure}}\n",
-      piece.figure.name, breakable_latex(piece.figure.caption));
+      piece.figure.name, prose(piece.figure.caption));
 }
 
 std::string latex(const Piece& piece) {
@@ -51,9 +57,9 @@ std::string latex(const std::vector<Section>& sections, const ReportContent& con
   for (const Section& section : sections) {
     if (section.pieces.empty()) continue;
     text += fmt::format("\\subsection{{{}}}\n", latex_text(section.heading));
-    if (!section.paragraph.empty()) text += breakable_latex(section.paragraph) + "\n\n";
+    if (!section.paragraph.empty()) text += prose(section.paragraph) + "\n\n";
     for (const Piece& piece : section.pieces) {
-      if (const std::string seen = seen_at(piece, content); !seen.empty()) text += breakable_latex(seen) + "\n\n";
+      if (const std::string seen = seen_at(piece, content); !seen.empty()) text += prose(seen) + "\n\n";
       text += latex(piece);
     }
     text += "\\FloatBarrier\n";
@@ -95,7 +101,7 @@ std::string to_article(const ReportContent& content) {
     text += fmt::format(
         " The command\n\\begin{{quote}}\\raggedright\\texttt{{{}}}\\end{{quote}}\nrepeats the study, and "
         "\\texttt{{ikbench fingerprint}} says whether the numbers are the same.",
-        breakable_latex(content.command));
+        prose(content.command));
   }
   return text + "\n\n\\end{document}\n";
 }

@@ -277,7 +277,7 @@ inline constexpr Template set_up_tolerance =
 inline constexpr Template set_up_enforced = "Answers outside the joint limits are refused.";
 inline constexpr Template set_up_recorded = "Answers outside the joint limits are kept and reported.";
 inline constexpr Template set_up_test =
-    "Pairs are compared by {test}, at the level {significance} for all pairs together.";
+    "Pairs are compared at the level {significance} for all pairs together. Test: {test}.";
 inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
