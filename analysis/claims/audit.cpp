@@ -31,12 +31,14 @@ const Choices<std::pair<Verdict, bool>> faults{{"misprint", {Verdict::fails, tru
 // An entry of audit.toml; each row of its query is an item.
 struct AuditEntry {
   std::string id, query, holds, where, printed, follows, why;
+  std::vector<std::string> needs;                             // statements without which it is left out
   std::pair<Verdict, bool> otherwise = faults.back().second;  // if it does not hold
 };
 
 AuditEntry read_entry(TomlReader reader) {
   AuditEntry entry;
   reader.text("id", entry.id, "");
+  reader.texts("needs", entry.needs, "");
   read_prose(reader, "query", entry.query);
   read_prose(reader, "holds", entry.holds);
   for (const auto& [key, field] : {std::pair("where", &entry.where), std::pair("printed", &entry.printed),
@@ -116,6 +118,7 @@ std::vector<AuditItem> audited(std::string_view paper, std::string_view text, st
     for (const TomlReader& reader : tables_of(file, "items")) {
       at = &reader.table();
       const AuditEntry entry = read_entry(reader);
+      if (!std::ranges::all_of(entry.needs, [&](const std::string& name) { return said.contains(name); })) continue;
       for (Words& row : rows_of(database, entry.query)) {
         row.insert(said.begin(), said.end());
         AuditItem& item = items.emplace_back(item_of(entry, row));

@@ -108,7 +108,12 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
     add_claims(paper, std::move(file));
   }
   if (const EmbeddedFile* const audit = find_embedded(files, of.name + "/audit")) {
-    paper.audit = [name = of.name, audit] { return audited(name, audit->text, audit->name); };
+    paper.audit = [name = of.name, audit, general = find_embedded(files, "claims/audit")] {
+      std::vector<AuditItem> items = audited(name, audit->text, audit->name);
+      if (general == nullptr) return items;
+      std::ranges::move(audited(name, general->text, general->name), std::back_inserter(items));
+      return items;
+    };
   }
   return paper;
 }

@@ -1,11 +1,18 @@
 // Items of an audit.toml, by SQL over the printed tables of a paper; here of slim2023, whose audit has its own tests.
 #include "analysis/claims/audit.hpp"
 
+#include <SQLiteCpp/Column.h>
+#include <SQLiteCpp/Database.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "analysis/claims/printed.hpp"
 #include "analysis/claims/sql_functions.hpp"
+#include "numerics/toml_table.hpp"
+#include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -44,6 +51,37 @@ TEST_CASE("an item is consistent where its condition holds, and else what it say
   CHECK(words_of(item("holds = \"runs = 21\"\notherwise = \"misprint\"\n")) == "misprint");
   CHECK(words_of(item("holds = \"runs = 21\"\notherwise = \"not supported\"\n")) == "not supported");
   CHECK(item("holds = \"1\"\n").printed == "20");  // as statements.csv has it
+}
+
+TEST_CASE("an item whose statements a paper does not have is left out", "[audit]") {
+  CHECK(items("[[items]]\nid = \"1\"\nneeds = [\"runs\"]\nholds = \"1\"\n" + texts).size() == 1);
+  CHECK(items("[[items]]\nid = \"1\"\nneeds = [\"runs\", \"not_there\"]\nholds = \"not_there\"\n" + texts).empty());
+}
+
+// One row of statements that breaks each rule of analysis/claims/audit.toml, and one that keeps it.
+TEST_CASE("each rule that is asked of every paper holds and fails by the paper's statements", "[audit]") {
+  const std::string source = "analysis/claims/audit.toml";
+  const toml::table file = numerics::parse_toml(text_of_file(source), source);
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"0 AS gradient_methods", "1 AS gradient_methods"},
+      {"1 AS targets", "2 AS targets"},
+      {"10 AS fewest_evaluations, 20 AS most_evaluations", "10 AS fewest_evaluations, 19 AS most_evaluations"},
+      {"'not stated' AS joint_limits_as_printed", "'+-170 deg' AS joint_limits_as_printed"},
+      {"'cm2' AS unit_of_errors_as_printed", "'cm' AS unit_of_errors_as_printed"},
+      {"1e-17 AS smallest_error_m, 1 AS reach_m", "1e-15 AS smallest_error_m, 1 AS reach_m"},
+      {"1 AS smallest_averaged, 1000 AS largest_averaged", "1 AS smallest_averaged, 999 AS largest_averaged"}};
+  const toml::array& rules = *file["items"].as_array();
+  REQUIRE(rules.size() == cases.size());
+  SQLite::Database database(":memory:");
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string holds = *(*rules[i].as_table())["holds"].value<std::string>();
+    CAPTURE(holds);
+    const auto verdict = [&](const std::string& row) {
+      return database.execAndGet("SELECT (" + holds + ") FROM (SELECT " + row + ")").getInt();
+    };
+    CHECK(verdict(cases[i].first) == 0);
+    CHECK(verdict(cases[i].second) == 1);
+  }
 }
 
 TEST_CASE("an item with a number is judged by its rounding", "[audit]") {
