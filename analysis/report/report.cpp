@@ -31,6 +31,7 @@
 #include "analysis/report/set_up.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/report/words.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"
 
@@ -368,6 +369,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   if (content.claims.empty() && !study.solves.empty()) {
     content.answer = pieces.verdict;
+    if (!pieces.verdict.empty()) {
+      content.answer.push_back({"", fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});
+    }
     std::ranges::move(own_verdict(study), std::back_inserter(content.answer));
   }
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};

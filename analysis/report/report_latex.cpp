@@ -86,8 +86,9 @@ std::string flow(const ReportContent& content) {
 
 std::string to_article(const ReportContent& content) {
   std::string text(article_preamble);
-  text += fmt::format("\\title{{{}}}\n\\author{{}}\n\\begin{{document}}\n\\sloppy\\emergencystretch=10em\n\\maketitle\n",
-                      latex_text(content.title));
+  text +=
+      fmt::format("\\title{{{}}}\n\\author{{}}\n\\begin{{document}}\n\\sloppy\\emergencystretch=10em\n\\maketitle\n",
+                  latex_text(content.title));
   text += "\\begin{abstract}\n" + latex_paragraph(answers_of(content)) + "\\end{abstract}\n\n";
   text += "\\section{Experimental set-up}\n" + latex_paragraph(content.set_up);
   text += "\\section{Results}\n" + claims(content) + latex(content.results, content);

@@ -281,6 +281,7 @@ inline constexpr Template set_up_test =
 inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
+inline constexpr Template of_one_arm = "What follows is about {arm} alone.";
 inline constexpr Template over_arms_note =
     "An arm is one observation, so that poses of one arm do not count as many. interval: of the mean over arms. a new arm: where the "
     "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";

@@ -30,7 +30,7 @@ TEST_CASE("Tables 3 to 8 of the paper and its statements are in the program", "[
   CHECK(published::tables("slim2023") ==
         std::vector<std::string_view>{"statements", "table-3", "table-4", "table-5", "table-6", "table-7", "table-8"});
   CHECK(published::tables("nobody1999").empty());
-  const std::vector<std::size_t> rows = {50, 18, 3, 3,
+  const std::vector<std::size_t> rows = {53, 18, 3, 3,
                                          3,  4,  20};  // statements, 6 algorithms x 3 metrics, ANOVA, swarms, points
   for (std::size_t i = 0; i < rows.size(); ++i)
     CHECK(published::table("slim2023", published::tables("slim2023")[i]).rows.size() == rows[i]);
