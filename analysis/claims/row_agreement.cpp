@@ -123,17 +123,29 @@ struct Sources {
 
 constexpr std::string_view printed_time = "us_mean";
 
-// Times of different machines are not comparable, so their ratios are shown, and not judged.
-Cell ratio_of_times(const Sources& from, const CsvTable& printed, std::size_t row, const std::string& to) {
-  const auto printed_of = [&](std::size_t i) { return number_from(printed.rows[i][printed.column(printed_time)]); };
+double printed_us(const CsvTable& printed, std::size_t row) {
+  return number_from(printed.rows[row][printed.column(printed_time)]).value();
+}
+
+// The times of one solver, by which others are divided.
+struct TimeUnit {
+  double ours, printed;
+};
+
+TimeUnit unit_of_times(const Sources& from, const CsvTable& printed, const std::string& solver) {
+  TimeUnit unit{from.mean_seconds(solver), not_defined};
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
-    if (printed.rows[i][printed.column("solver")] != to) continue;
-    const std::string ratio = fmt::format("{:.2f}", printed_of(row).value() / printed_of(i).value());
-    const double ours = from.mean_seconds(printed.rows[row][printed.column("solver")]) / from.mean_seconds(to);
-    if (!std::isfinite(ours)) return ratio;
-    return OursAndPrinted{.ours = ours, .printed = ratio, .nearness = Nearness::unknown, .decimals = 2};
+    if (printed.rows[i][printed.column("solver")] == solver) unit.printed = printed_us(printed, i);
   }
-  return {};
+  return unit;
+}
+
+// Times of different machines are not comparable, so their ratios are shown, and not judged.
+Cell ratio_of_times(const Sources& from, const CsvTable& printed, std::size_t row, const TimeUnit& unit) {
+  const std::string ratio = fmt::format("{:.2f}", printed_us(printed, row) / unit.printed);
+  const double ours = from.mean_seconds(printed.rows[row][printed.column("solver")]) / unit.ours;
+  if (!std::isfinite(ours)) return ratio;
+  return OursAndPrinted{.ours = ours, .printed = ratio, .nearness = Nearness::unknown, .decimals = 2};
 }
 
 std::optional<Table> table_of(const Reported& reported, const std::string& paper, const PrintedTable& plan,
@@ -145,7 +157,11 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
   Table table{
       .name = "rows-" + plan.table, .caption = plan.caption + ", here and printed", .columns = {"solver", "agreement"}};
   for (const SearchStatistic* const statistic : columns) table.columns.emplace_back(statistic->heading);
-  if (!plan.times_to.empty()) table.columns.push_back(fmt::format("mean time / that of {}", plan.times_to));
+  std::optional<TimeUnit> unit;
+  if (!plan.times_to.empty()) {
+    table.columns.push_back(fmt::format("mean time / that of {}", plan.times_to));
+    unit = unit_of_times(from, printed, plan.times_to);
+  }
   for (std::size_t i = 0; i < printed.rows.size(); ++i) {
     const std::string& solver = printed.rows[i][printed.column("solver")];
     const StudyResults& study = from.of(solver);
@@ -168,11 +184,11 @@ std::optional<Table> table_of(const Reported& reported, const std::string& paper
       }
       row[1] = graded(findings, found);
     }
-    if (!plan.times_to.empty()) row.push_back(ratio_of_times(from, printed, i, plan.times_to));
+    if (unit) row.push_back(ratio_of_times(from, printed, i, *unit));
   }
   const bool has_shares = std::ranges::any_of(columns, &SearchStatistic::is_percentage);
   table.notes = {std::string(has_shares ? words::range_of_chance_of_shares : words::range_of_chance)};
-  if (!plan.times_to.empty()) table.notes.emplace_back(words::ratios_of_times);
+  if (unit) table.notes.emplace_back(words::ratios_of_times);
   table.legend = words::legend_of_rows;
   return table;
 }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <set>
 
@@ -13,6 +12,7 @@
 #include "analysis/report/answer.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/tails.hpp"
 
 namespace ikbench::report {
 
@@ -63,9 +63,7 @@ Cell of_new_arm(const std::vector<double>& differences, double level) {
   const double spread = standard_deviation(differences);
   if (!(spread > 0)) return {};
   const auto n = static_cast<double>(differences.size());
-  const boost::math::students_t distribution(n - 1);
-  const double centre = mean(differences),
-               reach = quantile(distribution, (1 + level) / 2) * spread * std::sqrt(1 + 1 / n);
+  const double centre = mean(differences), reach = t_quantile((1 + level) / 2, n - 1) * spread * std::sqrt(1 + 1 / n);
   return percentages(centre - reach, centre + reach);
 }
 

@@ -358,9 +358,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
                       reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
       fairness_doubts(study, reported.companions);
-  for (const Sentence& sentence : pieces.verdict) {
-    content.summary.push_back(words_of(sentence));
-    content.seen.emplace("Verdict", words_of(sentence));
+  if (!pieces.verdict.empty()) {
+    std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
+    content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
