@@ -13,7 +13,6 @@
 
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/inference/summaries_csv.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/statistics_report.hpp"

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 #include "analysis/inference/text.hpp"
+#include "analysis/statistics/descriptive.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 
@@ -15,139 +15,111 @@ namespace ikbench::inference {
 
 using namespace numerics;
 using namespace results;
+using namespace statistics;
 
 namespace {
 
-constexpr std::size_t longest_quotation = 60;
-constexpr std::size_t longest_slug = 60;
-constexpr std::size_t longest_list = 200;  // longest list of columns in a message [characters]
+constexpr std::size_t longest_name = 1000;  // of a group [bytes]
 
-// Refuses UTF-16, NUL bytes, and a header with semicolons or tabs but no comma, as spreadsheets in other languages
-// write it.
-void expect_text_with_commas(std::string_view text, std::string_view source) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw std::invalid_argument(fmt::format("{}: the text is UTF-16; expected UTF-8", source));
+// Refuses what is no text, and a header with semicolons or tabs, as spreadsheets in other languages write it.
+std::string_view expect_commas(std::string_view text, std::string_view source) {
+  if (text.find('\0') != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("{}: a NUL byte; expected text in UTF-8", source));
   }
-  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
-                                            1 + std::ranges::count(text.substr(0, nul), '\n')));
+  const std::string_view titles = text.substr(0, text.find_first_of("\r\n"));
+  if (titles.find_first_of(",\"") == std::string_view::npos && titles.find_first_of(";\t") != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format(
+        "{}:1: no commas between the columns; expected them (and a point, not a comma, in a number)", source));
   }
-  std::array<std::size_t, 3> found{};
-  constexpr std::string_view separators = ",;\t";
-  bool inside_quotes = false;
-  for (const char c : text.substr(0, text.find_first_of("\r\n"))) {
-    if (c == '"') inside_quotes = !inside_quotes;
-    const std::size_t separator = separators.find(c);
-    if (!inside_quotes && separator != std::string_view::npos) ++found[separator];
-  }
-  if (found[0] > 0 || (found[1] == 0 && found[2] == 0)) return;
-  throw std::invalid_argument(
-      fmt::format("{}:1: {} between the columns; expected commas (and a point, not a comma, in a number)", source,
-                  found[1] > 0 ? "semicolons" : "tabs"));
-}
-
-// Says what to write instead of an unreadable number.
-std::string remedy(std::string_view cell) {
-  const auto commas = std::ranges::count(cell, ',');
-  if (commas == 0) return "expected a number within the range of a double, or NA if it is missing";
-  std::string with_point(cell);
-  std::ranges::replace(with_point, ',', '.');
-  std::string without_commas(cell);
-  std::erase(without_commas, ',');
-  if (commas == 1 && number_from(with_point)) return fmt::format("a decimal comma; write {}", with_point);
-  if (number_from(without_commas)) return fmt::format("commas between the digits; write {}", without_commas);
-  return "expected a number with a decimal point";
+  return text;
 }
 
 }  // namespace
 
-void CsvFile::refuse(std::string_view what) const { throw std::invalid_argument(fmt::format("{}: {}", source, what)); }
-
-void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view what) const {
-  refuse(fmt::format("row {} below the header, column {}: {}, {}", row + 1, in_quotes(table.header[column]),
-                     in_quotes(table.cell(row, column)), what));
-}
-
-std::size_t CsvFile::column(std::string_view name) const {
-  const auto found = std::ranges::find(table.header, name);
-  if (found == table.header.end())
-    refuse(fmt::format("no column {}; expected one of: {}{}", in_quotes(name), columns(),
-                       numerics::did_you_mean(name, table.header)));
-  if (std::find(found + 1, table.header.end(), name) != table.header.end()) {
-    refuse(fmt::format("two columns {}; expected one", in_quotes(name)));
+CsvFile::CsvFile(std::string_view text, std::string_view source)
+    : source_(source), table_(view_csv(expect_commas(text, source), source)) {
+  for (Index row = 0; row < table_.rows(); ++row) {
+    std::size_t column = 0;
+    while (column < header().size() && cell(row, column).empty()) ++column;
+    if (column < header().size()) rows_.push_back(row);
   }
-  return static_cast<std::size_t>(found - table.header.begin());
+  if (rows_.empty()) refuse("no rows below the header; expected at least one");
 }
 
-std::string CsvFile::columns() const {
-  std::vector<std::string> titles;
-  for (const std::string& title : table.header) titles.push_back(title.empty() ? "(empty)" : title);
-  return shortened(fmt::format("{}", fmt::join(titles, ", ")), longest_list);
+double CsvFile::number(std::size_t row, std::size_t column) const {
+  const std::string_view text = cell(row, column);
+  if (is_missing(text)) return not_defined;
+  const auto value = number_from(text);
+  if (!value) refuse_cell(row, column, "expected a number with a decimal point, or NA if it is missing");
+  return *value;
 }
 
-std::string CsvFile::group_name(std::size_t row, std::size_t column) const {
-  const std::string_view name = trimmed(table.cell(row, column));
+std::string CsvFile::name_in(std::string_view text) const {
+  const std::string_view name = trimmed(text);
   if (name.size() > longest_name) {
-    refuse_cell(row, column, fmt::format("{} bytes; expected a name of at most {}", name.size(), longest_name));
+    refuse(fmt::format("{} has {} bytes; expected a name of at most {}", in_quotes(name), name.size(), longest_name));
   }
   return name.empty() ? "(empty)" : std::string(name);
 }
 
-std::optional<std::size_t> CsvFile::column_like(std::span<const std::string_view> names) const {
-  const auto found = std::ranges::find_if(table.header, [&](const std::string& title) {
-    return std::ranges::find(names, lower_case(title)) != names.end();
-  });
-  if (found == table.header.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - table.header.begin());
-}
-
-std::optional<double> CsvFile::number(std::size_t row, std::size_t column) const {
-  const std::string_view cell = table.cell(row, column);
-  if (is_missing(cell)) return std::nullopt;
-  const auto value = number_from(cell);
-  if (!value) refuse_cell(row, column, remedy(cell));
-  return std::isnan(*value) ? std::nullopt : value;
-}
-
-bool CsvFile::is_blank(std::size_t row) const { return blank[row]; }
-
-std::string CsvFile::name() const { return one_line(std::string_view(source).substr(source.find_last_of('/') + 1)); }
-
-CsvFile open_csv(std::string_view text, std::string_view source) {
-  expect_text_with_commas(text, source);
-  CsvFile file{.source = std::string(source), .table = view_csv(text, source)};
-  if (file.table.rows() == 0) file.refuse("no rows below the header; expected at least one");
-  file.blank.assign(file.table.rows(), true);
-  for (std::size_t row = 0; row < file.table.rows(); ++row) {
-    for (std::size_t column = 0; file.blank[row] && column < file.table.header.size(); ++column)
-      file.blank[row] = file.table.cell(row, column).empty();
+std::size_t CsvFile::column(std::string_view name) const {
+  const auto number = std::ranges::count(header(), name);
+  if (number > 1) refuse(fmt::format("two columns {}; expected one", in_quotes(name)));
+  if (number == 0) {
+    refuse(
+        fmt::format("no column {}; expected one of: {}{}", in_quotes(name), columns(), did_you_mean(name, header())));
   }
-  return file;
+  return static_cast<std::size_t>(std::ranges::find(header(), name) - header().begin());
 }
 
-std::string_view trimmed(std::string_view name) {
-  const std::size_t first = name.find_first_not_of(' ');
-  return first == std::string_view::npos ? std::string_view()
-                                         : name.substr(first, name.find_last_not_of(' ') + 1 - first);
+std::optional<std::size_t> CsvFile::column_like(std::initializer_list<std::string_view> names) const {
+  for (std::size_t column = 0; column < header().size(); ++column) {
+    if (std::ranges::find(names, lower_case(header()[column])) != names.end()) return column;
+  }
+  return std::nullopt;
+}
+
+std::string CsvFile::columns() const {
+  constexpr std::size_t longest_list = 200;
+  std::vector<std::string> titles = header();
+  std::ranges::replace(titles, "", "(empty)");
+  return shortened(fmt::format("{}", fmt::join(titles, ", ")), longest_list);
+}
+
+std::string CsvFile::file_name() const { return one_line(std::string_view(source_).substr(source_.rfind('/') + 1)); }
+
+void CsvFile::refuse(std::string_view what) const { throw std::invalid_argument(fmt::format("{}: {}", source_, what)); }
+
+void CsvFile::refuse_cell(std::size_t row, std::size_t column, std::string_view what) const {
+  refuse(fmt::format("row {} below the header, column {}: {}, {}", row + 1, in_quotes(header()[column]),
+                     in_quotes(cell(row, column)), what));
 }
 
 bool is_missing(std::string_view cell) {
-  constexpr std::string_view blanks = " \t";
   constexpr std::array<std::string_view, 8> words{"", "na", "n/a", "nan", "-nan", "null", "none", "<na>"};
-  cell.remove_prefix(std::min(cell.find_first_not_of(blanks), cell.size()));
-  cell = cell.substr(0, cell.find_last_not_of(blanks) + 1);
+  cell = trimmed(cell);
   return cell.size() <= 4 && std::ranges::find(words, lower_case(cell)) != words.end();
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return lower;
 }
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest_quotation = 60;
+  return fmt::format("'{}'", shortened(text, longest_quotation));
+}
+
 std::string slug(std::string_view text) {
+  constexpr std::size_t longest_slug = 60;
   std::string result;
   for (const char c : lower_case(text)) {
     const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
@@ -158,7 +130,5 @@ std::string slug(std::string_view text) {
   while (result.ends_with('-')) result.pop_back();
   return result.empty() ? "value" : result;
 }
-
-std::string in_quotes(std::string_view text) { return fmt::format("'{}'", shortened(text, longest_quotation)); }
 
 }  // namespace ikbench::inference

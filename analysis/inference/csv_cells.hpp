@@ -1,9 +1,12 @@
-// Reads a user's CSV cell by cell. Error messages say what was found, where, and what to write instead.
+// Reads a user's CSV cell by cell. Every mistake throws std::invalid_argument: one sentence with the file, the row and
+// what was expected.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,45 +15,44 @@
 
 namespace ikbench::inference {
 
-constexpr std::size_t longest_name = 1000;  // longest name of a group or a quantity [bytes]
+using Index = std::uint32_t;  // counts cells, since a text has at most max_csv_bytes
+static_assert(results::max_csv_bytes < std::numeric_limits<Index>::max());
 
-// A parsed file and its name in messages. The text must outlive it.
-struct CsvFile {
-  std::string source;
-  results::CsvView table;
-  std::vector<bool> blank = {};  // by row: all its cells are empty (cached for every column)
+// A file with commas and at least one row. The text must outlive it.
+class CsvFile {
+ public:
+  CsvFile(std::string_view text, std::string_view source);
+
+  const std::vector<std::string>& header() const { return table_.header; }
+  // Numbers of the rows below the header that have a cell with a text: spreadsheets leave empty rows below a table.
+  const std::vector<Index>& rows() const { return rows_; }
+  std::string_view cell(std::size_t row, std::size_t column) const { return table_.cell(row, column); }
+  // The number in a cell; not defined if it is missing: empty, NA, N/A, NaN, null, None or <NA>, in any case.
+  double number(std::size_t row, std::size_t column) const;
+  // A cell or a title as the name of a group, "(empty)" if there is none.
+  std::string name_in(std::string_view text) const;
+
+  std::size_t column(std::string_view name) const;  // refuses a missing one, and lists all columns
+  // The first column with one of these names, in any case; nullopt if there is none.
+  std::optional<std::size_t> column_like(std::initializer_list<std::string_view> names) const;
+  std::string columns() const;    // the names of all columns, for a message
+  std::string file_name() const;  // without folders, as one line
 
   [[noreturn]] void refuse(std::string_view what) const;
-  // Refuses a cell: the message names its row, its column and its text.
+  // Refuses a cell: the message has its row, its column and its text.
   [[noreturn]] void refuse_cell(std::size_t row, std::size_t column, std::string_view what) const;
 
-  // Index of a column. If it is missing, throws std::invalid_argument with a list of all columns.
-  std::size_t column(std::string_view name) const;
-  // The names of all columns, for a message.
-  std::string columns() const;
-  // The cell as a group's name, "(empty)" for an empty cell. Throws std::invalid_argument if it is too long.
-  std::string group_name(std::size_t row, std::size_t column) const;
-  // The first column with one of the names, in any case; nullopt if there is none.
-  std::optional<std::size_t> column_like(std::span<const std::string_view> names) const;
-
-  // The cell's number; nullopt if it is missing: empty, NA, N/A, NaN, null, None or <NA>, in any case.
-  std::optional<double> number(std::size_t row, std::size_t column) const;
-  // Returns whether all cells of the row are empty: spreadsheets leave such rows below a table.
-  bool is_blank(std::size_t row) const;
-  // The file's name without its folders, as one line.
-  std::string name() const;
+ private:
+  std::string source_;
+  results::CsvView table_;
+  std::vector<Index> rows_;
 };
 
-// Throws std::invalid_argument for a file without rows, or with another separator than commas.
-CsvFile open_csv(std::string_view text, std::string_view source);
-
 bool is_missing(std::string_view cell);
-// Without spaces at both ends.
-std::string_view trimmed(std::string_view name);
-std::string lower_case(std::string_view text);  // ASCII letters only
+std::string_view trimmed(std::string_view text);  // without blanks at both ends
+std::string lower_case(std::string_view text);    // ASCII letters only
+std::string in_quotes(std::string_view text);     // one line, shortened, for a message
 // Keeps letters, digits and '-' for names of files and anchors; "value" if nothing is left.
 std::string slug(std::string_view text);
-// Quotes a text of the file for a message: one line, shortened.
-std::string in_quotes(std::string_view text);
 
 }  // namespace ikbench::inference

@@ -21,9 +21,6 @@ struct Words {
 };
 
 constexpr std::string_view times = "Times are not comparable";
-#define SLOW_SOLVES                                                                                            \
-  "{count} of {of} solves took more than {other} times as long as usual. The worst is {what}: {value:.3g} ms " \
-  "instead of {limit:.3g} ms. For the verdict such a solve counts as usual, so it decides nothing."
 
 using K = DoubtKind;
 constexpr std::array all_words{
@@ -50,27 +47,15 @@ constexpr std::array all_words{
     Words{K::instructions_uncounted, "Instructions were not counted",
           "The instructions of {who} were not counted: the system has no counter, or forbids it "
           "(kernel.perf_event_paranoid), or a program solved."},
-    Words{
-        K::two_speeds, "The machine had two speeds",
-        "The machine had two speeds: the solves of every solver are in two groups, and an evaluation of the slow ones "
-        "took {value:.2g} times as long. Slow solves: {who}. Measure times again on a machine whose clock is fixed."},
-    Words{K::machine_loaded, "The machine was loaded", "The machine was loaded. " SLOW_SOLVES},
-    Words{K::slow_solves, "Some solves were slow", SLOW_SOLVES},
-    Words{K::interruptions, "The system interrupted the solves", "The system interrupted the solves {count} times."},
-    Words{K::stolen_time, "The host took processor time",
-          "The host kept {value:.3g} s of processor time from this machine."},
-    Words{
-        K::other_repeats, "Repeats differ",
-        "{count} of {of} solves were timed by another definition of the study: {what} repeats each instead of {value}."},
+    Words{K::slow_solves, "Some solves were slow",
+          "{count} of {of} solves took more than {other} times as long as usual. The worst is {what}: {value:.3g} ms "
+          "instead of {limit:.3g} ms. For the verdict such a solve counts as usual, so it decides nothing."},
     Words{K::mostly_transport, "Times are mostly transport",
           "At least half of the time of {who} is transport: messages to the program and back."},
     Words{
         K::solved_in_batches, "Times are shares of a batch",
         "{who} solved up to {count} problems at once. Their time of a solve is its share: it says how many solves they "
         "make in a second, not how long one takes."},
-    Words{K::evaluated_one_by_one, "Evaluations cost differently",
-          "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; "
-          "{who} (library, program or shared object) may evaluate one by one."},
     Words{K::unequal_evaluations, "Budgets differ",
           "Equal iterations are not equal evaluations: a solve of {what} makes {count:.6g}, one of {who} {of:.6g}. "
           "stop.evaluations would give all solvers the same budget."},
@@ -84,13 +69,10 @@ constexpr std::array all_words{
           "Points of one run depend on each other; used as observations because --force was given."},
     Words{K::rows_share_a_run, "Rows are no replicates",
           "{what}; points of one run depend on each other and are not replicates; used as observations anyway."},
-    Words{K::uneven_runs, "Runs differ in length", "{what}; averaged anyway."},
-    Words{K::blocks_averaged, "Values are missing",
-          "Values are missing in {what}; the remaining values of these blocks are averaged; {flattered}."},
-    Words{K::blocks_left_out, "Values are missing",
-          "Values are missing in {what}; these blocks are left out for all groups; {flattered}."},
-    Words{K::values_missing, "Values are missing", "Missing: {what}; {flattered}."},
-    Words{K::runs_incomplete, "Runs are incomplete", "Incomplete: {what}; {flattered}."},
+    Words{
+        K::values_missing, "Values are missing",
+        "Values are missing: {what}. A group that failed there looks better than it is: write Inf for a failure (-Inf "
+        "if larger is better)."},
     Words{K::no_path_for_blocks, "There are no blocks", "There are no blocks: the study does not state its path."},
     Words{K::chained_solves, "There are no blocks",
           "There are no blocks: each solve starts where the solver's previous answer left the arm."},
@@ -106,14 +88,10 @@ constexpr std::array all_words{
         K::solvers_dropped, "The study had more solvers",
         "The study had more solvers when its solves were made: {who}. The correction for several comparisons counts only "
         "those that are left."},
-    Words{K::plan_unreadable, "The analysis plan is invalid",
-          "The study's analysis plan has invalid values ({who}); the defaults replace them."},
-    Words{K::plan_not_recorded, "The analysis plan was not recorded",
-          "{count} of {of} solves come from a version that did not store the analysis plan."},
     Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
     Words{
         K::looked_before, "The study was looked at before",
-        "This is look {count} at this study: {what} were after {who} runs, and now there are {of}. So a difference counts "
+        "This is look {count} at this study: the earlier ones were after {who} runs, and now there are {of}. So a difference counts "
         "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies. "
         "In a new study ikbench compare --sequential plans the looks."},
     Words{
@@ -156,7 +134,6 @@ std::string words_of(const Doubt& doubt) {
       fmt::runtime(words_for(doubt.kind).text), fmt::arg("who", who), fmt::arg("count", doubt.count),
       fmt::arg("of", doubt.of), fmt::arg("other", doubt.other), fmt::arg("value", doubt.value),
       fmt::arg("limit", doubt.limit), fmt::arg("what", doubt.what),
-      fmt::arg("flattered", "a group that failed there looks better than it is"),
       fmt::arg("whose", doubt.is_of_all ? "those of " + who : "they"),
       fmt::arg("waited", doubt.has_programs ? ", or waited for a processor for more than a tenth of it" : ""));
   if (is_of_times(doubt.kind)) {

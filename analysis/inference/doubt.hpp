@@ -26,15 +26,9 @@ enum class DoubtKind {
   evaluations_claimed,
   instructions_uncounted,
   // disturbances of times
-  two_speeds,
-  machine_loaded,
   slow_solves,
-  interruptions,
-  stolen_time,
-  other_repeats,
   mostly_transport,
   solved_in_batches,
-  evaluated_one_by_one,
   // what the study compares
   unequal_evaluations,
   populations_only,
@@ -42,11 +36,7 @@ enum class DoubtKind {
   // observations
   points_as_observations,
   rows_share_a_run,
-  uneven_runs,
-  blocks_averaged,
-  blocks_left_out,
   values_missing,
-  runs_incomplete,
   no_path_for_blocks,
   chained_solves,
   other_targets,
@@ -56,8 +46,6 @@ enum class DoubtKind {
   // the plan
   plan_changed,
   solvers_dropped,
-  plan_unreadable,
-  plan_not_recorded,
   no_plan,
   looked_before,
   // the study, its solves, and its report

@@ -6,164 +6,261 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "analysis/inference/csv_cells.hpp"
-#include "analysis/inference/csv_contents.hpp"
 #include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {
 
-using namespace results;
 using namespace statistics;
 
 namespace {
 
-std::optional<double> mean_of(const std::vector<double>& values) {
-  return values.empty() ? std::nullopt : std::optional(mean(values));
-}
+constexpr Index no_label = std::numeric_limits<Index>::max();
 
-// Averages observations of the same group, block and run. An average is whole if it has as many values as the fullest
-// of its block. Otherwise it is missing or, if rows are taken as given, the mean of the values left.
-std::vector<Observation> averaged(std::vector<Observation> observations, bool takes_any_rows) {
-  const auto key = [](const Observation& o) { return std::tuple(o.group, o.block, o.run); };
-  std::ranges::stable_sort(observations, {}, key);
-  std::vector<Observation> result;
-  std::unordered_map<Index, Index> most;  // by block; counts observations without a value too
-  for (std::size_t first = 0, end = 0; first < observations.size(); first = end) {
-    std::vector<double> values;
-    for (end = first; end < observations.size() && key(observations[end]) == key(observations[first]); ++end) {
-      if (observations[end].value) values.push_back(*observations[end].value);
-    }
-    result.push_back(observations[first]);
-    result.back().count = static_cast<Index>(values.size());
-    result.back().value = mean_of(values);
-    most[observations[first].block] = std::max(most[observations[first].block], static_cast<Index>(end - first));
+// Texts numbered in the order of their first appearance.
+class Names {
+ public:
+  Index index_of(const std::string& name) {
+    const auto [found, is_new] = indices_.try_emplace(name, static_cast<Index>(all_.size()));
+    if (is_new) all_.push_back(name);
+    return found->second;
   }
-  for (Observation& observation : result) {
-    observation.whole = most[observation.block];
-    if (observation.count < observation.whole && !takes_any_rows) observation.value.reset();
-  }
-  return result;
-}
+  const std::vector<std::string>& all() const { return all_; }
 
-// Numbers of averaged values: "20", or "18 to 20".
-std::string counts_in_words(const std::vector<Observation>& observations) {
-  Index low = std::numeric_limits<Index>::max(), high = 0;
-  for (const Observation& observation : observations) {
-    if (!observation.value) continue;
-    low = std::min(low, observation.count);
-    high = std::max(high, observation.count);
-  }
-  return low >= high ? fmt::to_string(high) : fmt::format("{} to {}", low, high);
-}
+ private:
+  std::unordered_map<std::string, Index> indices_;
+  std::vector<std::string> all_;
+};
 
-// Number of rows of a whole run without blocks: that of most runs, or the larger of equally frequent ones. Runs with
-// more rows are refused, or reported if rows are taken as given.
-std::size_t rows_of_a_run(const CsvFile& file, const CsvRequest& request, const Contents& contents,
-                          Observations& result) {
-  const std::vector<GroupRun> keys =
-      group_runs(contents, [](const Observation& o) { return o.run; });  // each run once per row
-  std::map<std::size_t, std::size_t> counts;                             // number of runs by number of rows
-  for (std::size_t first = 0; first < keys.size(); first += rows_of(keys, keys[first])) {
-    ++counts[rows_of(keys, keys[first])];
-  }
-  std::size_t whole = counts.begin()->first;
-  for (const auto& [rows, count] : counts) whole = count >= counts[whole] ? rows : whole;
-  const auto longer = std::ranges::find_if(keys, [&](const GroupRun& key) { return rows_of(keys, key) > whole; });
-  if (longer == keys.end()) return whole;
-  const auto first_row = std::ranges::find(contents.observations, *longer, [](const Observation& o) {
-                           return GroupRun(o.group, o.run);
-                         })->row;
-  const std::string words =
-      fmt::format("{} {} of {} has {} rows where other runs have {}", one_line(request.run),
-                  shortened(file.table.cell(first_row, file.column(request.run)), 40),
-                  shortened(contents.groups.all()[longer->first], 40), rows_of(keys, *longer), whole);
-  if (!request.takes_any_rows)
-    file.refuse(words +
-                "; a row may be duplicated, or the other runs may lack rows; --force averages them as they are");
-  result.flaws.push_back({.kind = DoubtKind::uneven_runs, .what = words});
-  return whole;
-}
+// A value, or the mean of several rows or runs.
+struct Item {
+  Index group = 0, row = 0;    // the first row of it, counted below the header
+  Index block = 0, run = 0;    // 0 if there are none
+  bool is_whole = true;        // false: a value of it is missing
+  double value = not_defined;  // not defined if missing
+};
 
-// Adds absent runs without a value. Groups that share more than half of the smaller one's runs were given the same
-// runs; other groups have their own seeds, of which none is absent.
-void add_absent_runs(Contents& contents) {
-  const std::size_t groups = contents.groups.all().size();
-  const Index whole = contents.observations.front().whole;
-  using RunGroup = std::pair<Index, Index>;
-  std::vector<RunGroup> groups_of;  // sorted
-  groups_of.reserve(contents.observations.size());
-  for (const Observation& o : contents.observations) {
-    if (o.run != no_label) groups_of.emplace_back(o.run, o.group);
-  }
-  std::ranges::sort(groups_of);
-  groups_of.erase(std::unique(groups_of.begin(), groups_of.end()), groups_of.end());
-  const auto for_each_run = [&](const auto& use) {
-    for (auto first = groups_of.begin(); first != groups_of.end();) {
-      const auto end =
-          std::find_if(first, groups_of.end(), [&](const RunGroup& each) { return each.first != first->first; });
-      use(std::span<const RunGroup>(first, end));
-      first = end;
-    }
-  };
-  bool all_are_there = true;
-  for_each_run([&](std::span<const RunGroup> run) { all_are_there = all_are_there && run.size() == groups; });
-  if (all_are_there) return;
-  std::vector<std::vector<std::size_t>> shared(groups, std::vector<std::size_t>(groups));
-  for_each_run([&](std::span<const RunGroup> run) {
-    for (const RunGroup& one : run) {
-      for (const RunGroup& other : run) ++shared[one.second][other.second];
-    }
-  });
-  for_each_run([&](std::span<const RunGroup> run) {
-    for (Index group = 0; group < groups; ++group) {
-      const auto is_shared = [&](const RunGroup& other) {
-        return 2 * shared[group][other.second] > std::min(shared[group][group], shared[other.second][other.second]);
-      };
-      if (std::ranges::binary_search(run, group, {}, &RunGroup::second) || std::ranges::none_of(run, is_shared))
-        continue;
-      contents.observations.push_back({.group = group, .run = run.front().first, .count = 0, .whole = whole});
-    }
-  });
-}
-
-// For rows that are runs numbered by a column: labels the observations and adds absent runs.
-void add_absent_rows(const CsvFile& file, const CsvRequest& request, Contents& contents) {
-  const std::size_t rows = contents.observations.size();
-  for (std::size_t column = 0; column < file.table.header.size(); ++column) {
-    if (!numbers_runs(file.table.header[column], request) || contents.observations.size() > rows) continue;
-    const Labels labels = labels_of(file, column);
-    for (Observation& observation : contents.observations) observation.run = labels.of_row[observation.row];
-    add_absent_runs(contents);
-  }
-}
-
-// Counts incomplete observations by group.
+// Counts what a group lacks.
 struct Lack {
   std::size_t missing = 0, all = 0;
 };
 
-std::vector<Lack> lacks_of(const Contents& contents) {
-  std::vector<Lack> lacks(contents.groups.all().size());
-  for (const Observation& observation : contents.observations) {
-    Lack& lack = lacks[observation.group];
-    lack.missing += !observation.value || observation.count < observation.whole ? 1 : 0;
-    ++lack.all;
+struct Contents {
+  Names groups;
+  std::vector<Item> items;
+  std::vector<std::size_t> absent_runs;  // by group; empty if runs have no numbers
+};
+
+// Returns whether a column's name says that it numbers repetitions. "fold" does not count: folds of two data sets share
+// nothing but their number.
+bool names_replicates(std::string_view title) {
+  constexpr std::array<std::string_view, 7> words{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat"};
+  std::string letters = lower_case(title);
+  std::erase_if(letters, [](char c) { return c < 'a' || c > 'z'; });
+  for (const std::string_view suffix : {"id", "index", "number"}) {
+    if (letters.ends_with(suffix)) letters.resize(letters.size() - suffix.size());
   }
-  return lacks;
+  return std::ranges::find(words, letters) != words.end();
 }
 
-// "3 of 20 values of IK-BA, 1 of 20 of BA"; empty if nothing is missing.
-std::string in_words(const std::vector<Lack>& lacks, std::string_view what, const Names& groups) {
+Index group_index(const CsvFile& file, std::string_view name, Names& groups) {
+  const Index index = groups.index_of(file.name_in(name));
+  if (index >= max_groups) {
+    file.refuse(fmt::format("more than {} groups, the last {}; expected the names of the groups to compare", max_groups,
+                            in_quotes(name)));
+  }
+  return index;
+}
+
+Contents read_long(const CsvFile& file, const CsvRequest& request) {
+  if (request.value.empty()) {
+    file.refuse(fmt::format("no column of values; name one with --value: {}", file.columns()));
+  }
+  const std::size_t value = file.column(request.value);
+  const std::optional<std::size_t> group = request.group.empty() ? file.column_like({"group", "solver", "algorithm"})
+                                                                 : std::optional(file.column(request.group));
+  if (!group) file.refuse(fmt::format("no column of groups; name one with --group: {}", file.columns()));
+  Contents contents;
+  contents.items.reserve(file.rows().size());
+  for (const Index row : file.rows()) {
+    contents.items.push_back({.group = group_index(file, file.cell(row, *group), contents.groups),
+                              .row = row,
+                              .value = file.number(row, value)});
+  }
+  return contents;
+}
+
+// Returns whether a column holds row numbers, as pandas and R write them, or is empty, as spreadsheets leave it.
+bool is_index(const CsvFile& file, std::size_t column) {
+  const std::string& title = file.header()[column];
+  const auto is_empty = [&](Index row) { return file.cell(row, column).empty(); };
+  return (column == 0 && (title.empty() || title == "Unnamed: 0")) ||
+         (title.empty() && std::ranges::all_of(file.rows(), is_empty));
+}
+
+Contents read_wide(const CsvFile& file, const CsvRequest& request, std::vector<std::string>& notes) {
+  if (!request.group.empty()) {
+    file.refuse(
+        fmt::format("--group {}: with --wide every column is a group; leave out --group", in_quotes(request.group)));
+  }
+  Contents contents;
+  for (std::size_t column = 0; column < file.header().size(); ++column) {
+    const std::string& title = file.header()[column];
+    const bool is_asked_for = !title.empty() && (title == request.block || title == request.run);
+    if (is_index(file, column) || is_asked_for) continue;
+    if (names_replicates(title)) {
+      notes.push_back(fmt::format("Column {} numbers the repetitions and is not a group.", in_quotes(title)));
+      continue;
+    }
+    const std::size_t groups_before = contents.groups.all().size();
+    const Index group = group_index(file, title, contents.groups);
+    if (group < groups_before) file.refuse(fmt::format("two columns {}; expected one", in_quotes(title)));
+    for (const Index row : file.rows()) {
+      contents.items.push_back({.group = group, .row = row, .value = file.number(row, column)});
+    }
+  }
+  if (contents.items.empty()) file.refuse("no column of values; expected one for each group");
+  return contents;
+}
+
+// Refuses values without a meaning, and takes logarithms if they are asked for.
+void check_values(const CsvFile& file, const CsvRequest& request, std::vector<Item>& items) {
+  const auto is_missing_value = [](const Item& item) { return std::isnan(item.value); };
+  if (std::ranges::all_of(items, is_missing_value)) file.refuse("all values are missing; expected at least one");
+  const double best = request.better == Better::smaller ? -HUGE_VAL : HUGE_VAL;  // would beat every number
+  for (Item& item : items) {
+    if (item.value == best) {
+      file.refuse(fmt::format(
+          "row {} below the header: {}Inf, but {} values are better; expected a finite number, or {}Inf for a failure",
+          item.row + 1, best > 0 ? "" : "-", best > 0 ? "larger" : "smaller", best > 0 ? "-" : ""));
+    }
+    if (request.scale != ValueScale::log10) continue;
+    if (item.value <= 0) {
+      file.refuse(fmt::format("row {} below the header: {} has no logarithm; expected positive values for typical ones",
+                              item.row + 1, item.value));
+    }
+    item.value = std::log10(item.value);
+  }
+}
+
+// Numbers the blocks or runs (`field`) by the texts of a column, and returns these.
+std::vector<std::string> label(const CsvFile& file, std::size_t column, Index Item::*field, bool may_lack,
+                               std::vector<Item>& items) {
+  Names names;
+  for (Item& item : items) {
+    const std::string_view text = file.cell(item.row, column);
+    if (is_missing(text) && !may_lack) file.refuse_cell(item.row, column, "expected a name or a number");
+    item.*field = is_missing(text) ? no_label : names.index_of(std::string(trimmed(text)));
+  }
+  return names.all();
+}
+
+// Several items of one group with the same block or run.
+struct Shared {
+  std::ptrdiff_t count = 0;  // 0 if there are none
+  Index group = 0, label = 0;
+};
+
+Shared shared(const std::vector<Item>& items, Index Item::*field) {
+  std::vector<std::pair<Index, Index>> keys;
+  for (const Item& item : items) {
+    if (item.*field != no_label) keys.emplace_back(item.group, item.*field);
+  }
+  std::ranges::sort(keys);
+  const auto first = std::ranges::adjacent_find(keys);
+  if (first == keys.end()) return {};
+  return {.count = std::ranges::count(keys, *first), .group = first->first, .label = first->second};
+}
+
+// Counts the runs that a group lacks. Groups that have a run in common were given the same runs.
+void count_absent_runs(Contents& contents) {
+  std::vector<std::vector<Index>> runs(contents.groups.all().size());
+  std::vector<std::size_t> groups_with;  // by run
+  for (const Item& item : contents.items) {
+    if (item.run != no_label) runs[item.group].push_back(item.run);
+  }
+  for (std::vector<Index>& own : runs) {
+    std::ranges::sort(own);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    if (!own.empty()) groups_with.resize(std::max(groups_with.size(), own.back() + std::size_t{1}));
+    for (const Index run : own) ++groups_with[run];
+  }
+  const auto shares_one = [&](const std::vector<Index>& own) {
+    return std::ranges::any_of(own, [&](Index run) { return groups_with[run] > 1; });
+  };
+  std::vector<bool> is_expected(groups_with.size());
+  for (const std::vector<Index>& own : runs) {
+    if (!shares_one(own)) continue;
+    for (const Index run : own) is_expected[run] = true;
+  }
+  const auto expected = static_cast<std::size_t>(std::ranges::count(is_expected, true));
+  for (const std::vector<Index>& own : runs)
+    contents.absent_runs.push_back(shares_one(own) ? expected - own.size() : 0);
+}
+
+// Refuses rows that share a run, or tells of them if they are taken as given: they are no replicates.
+void look_for_runs(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
+  bool have_numbers = false;
+  for (std::size_t column = 0; column < file.header().size() && result.flaws.empty(); ++column) {
+    const std::string& title = file.header()[column];
+    if (!names_replicates(title) || title == request.group || title == request.value) continue;
+    have_numbers = true;
+    const std::vector<std::string> runs = label(file, column, &Item::run, true, contents.items);
+    const Shared found = shared(contents.items, &Item::run);
+    if (found.count == 0) continue;
+    const std::string run = one_line(title);
+    const std::string words =
+        fmt::format("{} rows share {} {} of {}", found.count, run, shortened(runs[found.label], 40),
+                    shortened(contents.groups.all()[found.group], 40));
+    if (!request.takes_any_rows) {
+      file.refuse(fmt::format(
+          "{0}, and are not replicates; average rows that depend on each other, such as points of a path, with --run "
+          "{1}; compare problems that were solved separately within blocks with --block COLUMN --run {1}; or use --force",
+          words, run));
+    }
+    result.flaws.push_back({.kind = DoubtKind::rows_share_a_run, .what = words});
+  }
+  if (have_numbers && result.flaws.empty()) count_absent_runs(contents);
+}
+
+// Averages the items of each group, block and run, and returns the largest number of items in one. A mean is whole if
+// it has as many values as the fullest of its block. Otherwise it is missing, unless rows are taken as given.
+std::size_t average(const CsvRequest& request, std::vector<Item>& items) {
+  const auto key = [](const Item& item) { return std::tuple(item.group, item.block, item.run); };
+  std::ranges::stable_sort(items, {}, key);
+  std::vector<Item> means;
+  std::vector<std::size_t> counts;
+  std::unordered_map<Index, std::size_t> most;  // by block; counts items without a value too
+  for (std::size_t first = 0, end = 0; first < items.size(); first = end) {
+    Item& of_all = means.emplace_back(items[first]);
+    std::vector<double> values;
+    for (end = first; end < items.size() && key(items[end]) == key(of_all); ++end) {
+      of_all.is_whole = of_all.is_whole && items[end].is_whole;
+      if (!std::isnan(items[end].value)) values.push_back(items[end].value);
+    }
+    of_all.value = mean(values);
+    counts.push_back(values.size());
+    most[of_all.block] = std::max(most[of_all.block], end - first);
+  }
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    if (counts[i] == most[means[i].block]) continue;
+    means[i].is_whole = false;
+    if (!request.takes_any_rows) means[i].value = not_defined;
+  }
+  items = std::move(means);
+  return std::ranges::max_element(most, {}, [](const auto& of_block) { return of_block.second; })->second;
+}
+
+// Adds the doubt that values are missing: "3 of 20 runs of IK-BA, 1 of 20 of BA".
+void add_lacks(const std::vector<Lack>& lacks, std::string_view what, std::string_view consequence,
+               Observations& result) {
   constexpr std::size_t most_groups = 12;
   std::string words;
   std::size_t listed = 0;
@@ -171,139 +268,36 @@ std::string in_words(const std::vector<Lack>& lacks, std::string_view what, cons
     const auto [missing, all] = lacks[group];
     if (missing == 0 || listed++ >= most_groups) continue;
     words += words.empty() ? fmt::format("{} of {} {}", missing, all, what) : fmt::format(", {} of {}", missing, all);
-    words += fmt::format(" of {}", one_line(groups.all()[group]));
+    words += fmt::format(" of {}", one_line(result.groups[group].name));
   }
   if (listed > most_groups) words += fmt::format(" and of {} more groups", listed - most_groups);
-  return words;
-}
-
-// Refuses several values of a group in one block.
-void expect_one_a_block(const CsvFile& file, const Contents& contents, const Observations& result) {
-  std::map<std::pair<Index, Index>, std::size_t> rows;  // by group and block
-  for (const Observation& observation : contents.observations) ++rows[{observation.group, observation.block}];
-  const auto several = std::ranges::find_if(rows, [](const auto& row) { return row.second > 1; });
-  if (several == rows.end()) return;
-  if (result.blocks.size() == 1) {
-    file.refuse(fmt::format("all rows are in one block, {}, within which nothing can be judged; leave out --block",
-                            in_quotes(result.blocks.front())));
+  if (listed > 0) {
+    result.flaws.push_back({.kind = DoubtKind::values_missing, .what = words.append(consequence)});
   }
-  std::string run = "COLUMN";
-  for (const std::string& title : file.table.header) {
-    if (names_replicates(title) && run == "COLUMN") run = one_line(title);
-  }
-  const auto& [group, block] = several->first;
-  file.refuse(
-      fmt::format("{} rows of {} in block {}; expected one; average the rows of a run and the runs of a block with "
-                  "--run {}, or average all rows with --force",
-                  several->second, in_quotes(result.groups[group].name), in_quotes(result.blocks[block]), run));
-}
-
-// "'p4' has 2 of 3 runs of 'B'"
-std::string lack_in_words(const Observation& cell, std::string_view what, const Observations& result) {
-  const std::string block = in_quotes(result.blocks[cell.block]), group = in_quotes(result.groups[cell.group].name);
-  if (cell.count == 0) return fmt::format("{} has no value of {}", block, group);
-  return fmt::format("{} has {} of {} {} of {}", block, cell.count, cell.whole, what, group);
-}
-
-// Fills one value per group and block; leaves out blocks that lack one. `what`: the averaged items.
-void fill_blocks(const CsvFile& file, const Contents& cells, std::string_view what, Observations& result) {
-  std::vector<std::vector<Observation>> blocks(result.blocks.size());
-  for (Index block = 0; block < blocks.size(); ++block) {
-    for (Index group = 0; group < result.groups.size(); ++group) {
-      blocks[block].push_back({.group = group, .block = block, .count = 0});
-    }
-  }
-  for (const Observation& cell : cells.observations) blocks[cell.block][cell.group] = cell;
-  std::vector<std::string> complete;
-  std::string example;
-  bool some_left = false, some_averaged = false;
-  std::vector<Lack> lacks(result.groups.size(), Lack{0, blocks.size()});
-  for (const std::vector<Observation>& block : blocks) {
-    const auto absent = std::ranges::find_if(block, [](const Observation& cell) { return !cell.value; });
-    for (const Observation& cell : block) {
-      lacks[cell.group].missing += cell.count < cell.whole ? 1 : 0;
-      some_left = some_left || (cell.count > 0 && !cell.value);
-      some_averaged = some_averaged || (cell.count < cell.whole && cell.value);
-      if (absent == block.end()) result.groups[cell.group].values.push_back(*cell.value);
-    }
-    if (absent == block.end()) complete.push_back(result.blocks[block.front().block]);
-    if (absent != block.end() && example.empty()) example = lack_in_words(*absent, what, result);
-  }
-  if (complete.empty()) {
-    file.refuse(fmt::format("no block has a value for every group: {}{}", example,
-                            some_left ? "; --force averages the values that exist" : ""));
-  }
-  if (const std::size_t left_out = blocks.size() - complete.size(); left_out > 0) {
-    result.notes.push_back(
-        fmt::format("Left out because incomplete: {} of {} blocks ({}).", left_out, blocks.size(), example));
-  }
-  if (const std::string words = in_words(lacks, "blocks", cells.groups); !words.empty()) {
-    result.flaws.push_back(
-        {.kind = some_averaged ? DoubtKind::blocks_averaged : DoubtKind::blocks_left_out, .what = words});
-  }
-  result.blocks = std::move(complete);
-}
-
-// Labels observations with blocks and runs, and names the blocks.
-std::vector<std::string> label(const CsvFile& file, const CsvRequest& request, Contents& contents) {
-  std::vector<std::string> blocks;
-  if (!request.block.empty()) {
-    const Labels labels = expect_labels(file, file.column(request.block));
-    for (Observation& observation : contents.observations) observation.block = labels.of_row[observation.row];
-    blocks = labels.names.all();
-  } else if (request.is_wide && request.rows_are_blocks) {
-    for (Observation& observation : contents.observations) observation.block = observation.row;
-    for (std::size_t row = 0; row < file.table.rows(); ++row) blocks.push_back(fmt::to_string(row + 1));
-  }
-  if (!request.run.empty()) {
-    const Labels labels = expect_labels(file, file.column(request.run));
-    for (Observation& observation : contents.observations) observation.run = labels.of_row[observation.row];
-  }
-  return blocks;
-}
-
-// Adds notes on means over a run's rows, and on runs that have none.
-void add_run_notes(const CsvFile& file, const CsvRequest& request, const Contents& runs, Observations& result) {
-  if (std::ranges::none_of(runs.observations, [](const Observation& run) { return run.value.has_value(); })) {
-    file.refuse("no run is complete; --force averages the rows that have a value");
-  }
-  const std::string rows = counts_in_words(runs.observations);
-  if (std::ranges::all_of(runs.observations, [](const Observation& run) { return run.whole == 1; })) return;
-  result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.name());
-  result.notes.push_back(
-      fmt::format("Each observation is the mean over the {} rows of a run (column {}).", rows, in_quotes(request.run)));
-  if (request.takes_any_rows) return;
-  if (const std::string words = in_words(lacks_of(runs), "runs", runs.groups); !words.empty()) {
-    result.notes.push_back(fmt::format("Left out because rows are missing: {}.", words));
-  }
-}
-
-bool is_constant(const Group& group, bool is_log) {
-  const double first = group.values.empty() ? 0 : group.values.front();
-  const auto is_first = [&](double value) {  // one is added for logarithms near 0
-    return value == first || without_rounding(value - first, std::abs(first) + (is_log ? 1 : 0)) == 0;
-  };
-  return group.values.size() > 1 && std::ranges::all_of(group.values, is_first);
 }
 
 // Joins a group's equal measurements to one: they are copies. Keeps equal whole numbers, which may be chance, unless no
 // group varies and the groups differ. Keeps outcomes of 0 and 1.
 void join_equal(Observations& result, std::string_view what) {
-  const auto given = [&](double value) { return result.scale == ValueScale::log10 ? std::pow(10, value) : value; };
-  const auto is_outcome = [&](double value) { return given(value) == 0 || given(value) == 1; };
-  const auto is_other = [&](const Group& group) {
-    return group.values.front() != result.groups.front().values.front();
-  };
-  const auto is_constant_group = [&](const Group& group) {
-    return is_constant(group, result.scale == ValueScale::log10);
+  const bool is_log = result.scale == ValueScale::log10;
+  const auto given = [&](double value) { return is_log ? std::pow(10, value) : value; };
+  const auto is_constant = [&](const Group& group) {
+    if (group.values.size() < 2) return false;
+    const double first = group.values.front();
+    return std::ranges::all_of(group.values, [&](double value) {  // one is added for logarithms near 0
+      return value == first || without_rounding(value - first, std::abs(first) + (is_log ? 1 : 0)) == 0;
+    });
   };
   const bool none_varies =
-      std::ranges::all_of(result.groups, is_constant_group) && std::ranges::any_of(result.groups, is_other);
-  const bool are_outcomes = std::ranges::all_of(
-      result.groups, [&](const Group& group) { return std::ranges::all_of(group.values, is_outcome); });
+      std::ranges::all_of(result.groups, is_constant) && std::ranges::any_of(result.groups, [&](const Group& group) {
+        return group.values.front() != result.groups.front().values.front();
+      });
+  const bool are_outcomes = std::ranges::all_of(result.groups, [&](const Group& group) {
+    return std::ranges::all_of(group.values, [&](double value) { return given(value) == 0 || given(value) == 1; });
+  });
   std::vector<std::string> names;
   for (Group& group : result.groups) {
-    if (!is_constant_group(group) || are_outcomes || !std::isfinite(group.values.front())) continue;
+    if (!is_constant(group) || are_outcomes || !std::isfinite(group.values.front())) continue;
     const double value = given(group.values.front());
     if (value == std::round(value) && !none_varies) continue;
     names.push_back(fmt::format("{} ({})", one_line(group.name), group.values.size()));
@@ -318,89 +312,100 @@ void join_equal(Observations& result, std::string_view what) {
 
 // Takes the observations of independent groups.
 void fill_groups(const CsvRequest& request, const Contents& contents, Observations& result) {
-  for (const Observation& observation : contents.observations) {
-    if (observation.value) result.groups[observation.group].values.push_back(*observation.value);
+  std::vector<Lack> lacks(result.groups.size());
+  for (std::size_t group = 0; group < contents.absent_runs.size(); ++group) {
+    lacks[group] = {contents.absent_runs[group], contents.absent_runs[group]};
   }
-  const bool are_rows = request.run.empty();
-  if (const std::string words = in_words(lacks_of(contents), are_rows ? "values" : "runs", contents.groups);
-      !words.empty()) {
-    result.flaws.push_back({.kind = are_rows ? DoubtKind::values_missing : DoubtKind::runs_incomplete, .what = words});
+  for (const Item& item : contents.items) {
+    if (!std::isnan(item.value)) result.groups[item.group].values.push_back(item.value);
+    lacks[item.group].missing += std::isnan(item.value) || !item.is_whole ? 1 : 0;
+    ++lacks[item.group].all;
   }
-  join_equal(result, are_rows ? "rows" : "runs");
+  add_lacks(lacks, request.run.empty() ? "values" : "runs", "", result);
+  join_equal(result, request.run.empty() ? "rows" : "runs");
 }
 
-// Takes one observation for each group in each block.
-void fill_paired(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
+// Takes one observation for each group in each block. Leaves out blocks that lack one.
+void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
   const std::string_view what = request.run.empty() ? "rows" : "runs";
-  if (request.run.empty() && !request.takes_any_rows) expect_one_a_block(file, contents, result);
-  for (Observation& observation : contents.observations) observation.run = 0;
-  contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
-  if (const std::string count = counts_in_words(contents.observations); count != "1") {
-    result.replicate = fmt::format("the mean over the {} {} of a block in {}", count, what, file.name());
-    result.notes.push_back(
-        fmt::format("Each observation is the mean over the {} {} of a group in a block.", count, what));
+  const Shared several = shared(contents.items, &Item::block);
+  if (several.count > 0 && request.run.empty() && !request.takes_any_rows) {
+    file.refuse(fmt::format(
+        "{} rows of {} in block {}; expected one; average rows and runs with --run COLUMN, or all rows with --force",
+        several.count, in_quotes(result.groups[several.group].name), in_quotes(result.blocks[several.label])));
   }
-  result.block = request.block.empty() ? "a row of " + file.name()
-                                       : fmt::format("a value of {} in {}", in_quotes(request.block), file.name());
-  fill_blocks(file, contents, what, result);
-}
+  for (Item& item : contents.items) item.run = 0;
+  if (const std::size_t most = average(request, contents.items); most > 1) {
+    result.replicate = fmt::format("the mean over the {} {} of a block in {}", most, what, file.file_name());
+  }
+  result.block = request.block.empty() ? "a row of " + file.file_name()
+                                       : fmt::format("a value of {} in {}", in_quotes(request.block), file.file_name());
 
-// Infinity is a failure. On the other side it would beat every number.
-void refuse_infinitely_good(const CsvFile& file, const Contents& contents, Better better) {
-  const double best = better == Better::smaller ? -HUGE_VAL : HUGE_VAL;
-  const auto found = std::ranges::find(contents.observations, best, [](const Observation& o) { return o.value; });
-  if (found == contents.observations.end()) return;
-  file.refuse(fmt::format(
-      "row {} below the header: {}, but {} values are better; expected a finite number, or {} for a failure",
-      found->row + 1, best > 0 ? "Inf" : "-Inf", better == Better::smaller ? "smaller" : "larger",
-      best > 0 ? "-Inf" : "Inf"));
+  std::vector<std::vector<double>> values(result.blocks.size(), std::vector<double>(result.groups.size(), not_defined));
+  std::vector<Lack> lacks(result.groups.size(), {result.blocks.size(), result.blocks.size()});
+  for (const Item& item : contents.items) {
+    values[item.block][item.group] = item.value;
+    lacks[item.group].missing -= item.is_whole && !std::isnan(item.value) ? 1 : 0;
+  }
+  std::vector<std::string> complete;
+  for (std::size_t block = 0; block < values.size(); ++block) {
+    if (std::ranges::any_of(values[block], [](double value) { return std::isnan(value); })) continue;
+    complete.push_back(result.blocks[block]);
+    for (std::size_t group = 0; group < result.groups.size(); ++group) {
+      result.groups[group].values.push_back(values[block][group]);
+    }
+  }
+  if (complete.empty()) file.refuse("no block has a value for every group; --force averages the values that exist");
+  add_lacks(lacks, "blocks",
+            complete.size() < result.blocks.size() ? "; these blocks are left out for all groups"
+                                                   : "; what is left is averaged",
+            result);
+  result.blocks = std::move(complete);
 }
 
 }  // namespace
 
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request) {
-  const CsvFile file = open_csv(text, source);
-  Contents contents = request.is_wide ? read_wide(file, request) : read_long(file, request);
-  refuse_infinitely_good(file, contents, request.better);
-  const bool is_typical = request.scale == ValueScale::log10;
-  if (is_typical) take_logarithms(file, contents);
-  if (std::ranges::none_of(contents.observations, [](const Observation& o) { return o.value.has_value(); })) {
-    file.refuse("all values are missing; expected at least one");
-  }
-  const std::string quantity = (is_typical ? "typical " : "") + (request.value.empty() ? "value" : request.value);
+  const CsvFile file(text, source);
+  const std::string quantity =
+      (request.scale == ValueScale::log10 ? "typical " : "") + (request.value.empty() ? "value" : request.value);
   Observations result{.name = slug(quantity),
                       .quantity = quantity,
                       .unit = split_unit(quantity).unit,
                       .better = request.better,
-                      .scale = request.scale};
-  result.notes = std::move(contents.notes);
+                      .scale = request.scale,
+                      .replicate = "a row of " + file.file_name()};
+  Contents contents = request.is_wide ? read_wide(file, request, result.notes) : read_long(file, request);
+  check_values(file, request, contents.items);
   for (const std::string& name : contents.groups.all()) result.groups.push_back({.name = name});
-  result.blocks = label(file, request, contents);
-  result.replicate = "a row of " + file.name();
-  if (request.run.empty() && request.block.empty()) {
-    if (std::string shared = rows_share_a_run(file, contents, request); !shared.empty()) {
-      result.flaws.push_back({.kind = DoubtKind::rows_share_a_run, .what = std::move(shared)});
+  if (!request.block.empty()) {
+    result.blocks = label(file, file.column(request.block), &Item::block, false, contents.items);
+  } else if (request.is_wide && request.rows_are_blocks) {
+    for (const Index row : file.rows()) result.blocks.push_back(fmt::to_string(row + 1));
+    for (Item& item : contents.items) {
+      item.block = static_cast<Index>(std::ranges::lower_bound(file.rows(), item.row) - file.rows().begin());
     }
-    if (result.flaws.empty()) add_absent_rows(file, request, contents);
   }
-  if (const std::string words = in_words(lacks_of(contents), "values", contents.groups); !words.empty()) {
-    result.notes.push_back(
-        fmt::format("Missing and left out: {}. For a failed run, write {} instead, which ranks as the worst.", words,
-                    request.better == Better::smaller ? "Inf" : "-Inf"));
-  }
-
+  if (request.run.empty() && request.block.empty()) look_for_runs(file, request, contents, result);
   if (!request.run.empty()) {
-    const std::size_t whole = result.blocks.empty() ? rows_of_a_run(file, request, contents, result) : 0;
-    contents.observations = averaged(std::move(contents.observations), request.takes_any_rows);
-    for (Observation& run : contents.observations) run.whole = whole == 0 ? run.whole : static_cast<Index>(whole);
-    if (result.blocks.empty()) add_absent_runs(contents);
-    add_run_notes(file, request, contents, result);
+    label(file, file.column(request.run), &Item::run, false, contents.items);
+    const std::size_t rows = average(request, contents.items);
+    const auto whole = std::ranges::count(contents.items, true, &Item::is_whole);
+    if (result.blocks.empty()) {
+      if (2 * whole < std::ssize(contents.items) && !request.takes_any_rows) {
+        file.refuse(
+            fmt::format("only {} of {} runs have {} values; a row may be duplicated, or rows may be missing; "
+                        "--force averages them as they are",
+                        whole, contents.items.size(), rows));
+      }
+      if (rows > 1) result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.file_name());
+      count_absent_runs(contents);
+    }
   }
-
   if (result.blocks.empty()) {
     fill_groups(request, contents, result);
   } else {
-    fill_paired(file, request, contents, result);
+    fill_blocks(file, request, contents, result);
   }
   std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
   return result;

@@ -1,6 +1,5 @@
 // The inputs of `ikbench stats`: one value per row, one group per column, published summaries.
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/inference/summaries_csv.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace ikbench;

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/assessment.hpp"
 #include "results/analysis_plan_fields.hpp"
 #include "tests/catch.hpp"

@@ -11,7 +11,6 @@
 
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/inference/summaries_csv.hpp"
 #include "analysis/report/answer.hpp"
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_tables.hpp"
