@@ -18,95 +18,85 @@ using namespace statistics;
 namespace {
 
 using SolverLabels = std::vector<std::string>;
+using SolvesOfOne = std::span<const Solve>;
 
-template <class Is>
-SolverLabels those(const StudyResults& study, Is is) {
+// The solvers whose solves are so.
+template <class Are>
+SolverLabels those(const StudyResults& study, Are are) {
   SolverLabels labels;
-  std::ranges::copy_if(study.solvers, std::back_inserter(labels), is);
+  std::ranges::copy_if(study.solvers, std::back_inserter(labels),
+                       [&](const std::string& solver) { return are(solves_of(study, solver)); });
   return labels;
 }
 
-std::ptrdiff_t timed(const StudyResults& study, Timing how) {
-  return std::ranges::count(study.solves, how, &Solve::timing);
-}
-
-bool has(std::span<const Solve> solves, CountedBy by) {
+std::ptrdiff_t timed(SolvesOfOne solves, Timing how) { return std::ranges::count(solves, how, &Solve::timing); }
+bool are_imported(SolvesOfOne solves) { return timed(solves, Timing::imported) > 0; }
+bool are_of_program(SolvesOfOne solves) { return timed(solves, Timing::process) > 0; }
+bool are_counted(SolvesOfOne solves, CountedBy by) {
   return std::ranges::find(solves, by, &Solve::counted_by) != solves.end();
 }
 
-struct Disturbed {
-  std::ptrdiff_t solves = 0, timed = 0;
-};
-
-Disturbed disturbed(std::span<const Solve> solves) {
-  const auto is_timed = [](const Solve& solve) {
-    return solve.timing == Timing::clean || solve.timing == Timing::process;
-  };
-  return {std::ranges::count_if(solves, [](const Solve& solve) { return solve.is_disturbed; }),
-          std::ranges::count_if(solves, is_timed)};
+// A single disturbed solve does not count.
+bool are_disturbed(SolvesOfOne solves) {
+  const auto disturbed = std::ranges::count(solves, true, [](const Solve& solve) { return solve.is_disturbed; });
+  return disturbed > 1 && 10 * disturbed > timed(solves, Timing::clean) + timed(solves, Timing::process);
 }
 
 // If solves end by wall time, errors depend on the machine too.
 bool errors_too(const StudyResults& study) { return study.facts.stop.seconds > 0; }
 
-Doubt imported_doubt(const StudyResults& study, const SolverLabels& labels) {
-  return {.kind = DoubtKind::times_imported,
-          .who = labels,
-          .count = static_cast<double>(timed(study, Timing::imported)),
-          .of = static_cast<double>(study.solves.size())};
-}
-
 Doubt disturbed_doubt(const StudyResults& study, const SolverLabels& labels) {
   Doubt doubt{.kind = DoubtKind::times_disturbed, .who = labels, .errors_too = errors_too(study)};
   for (const std::string& label : labels) {
-    const Disturbed own = disturbed(solves_of(study, label));
-    doubt.count += static_cast<double>(own.solves);
-    doubt.of += static_cast<double>(own.timed);
-    doubt.has_programs |= is_program(study, label);
+    const SolvesOfOne own = solves_of(study, label);
+    for (const Solve& solve : own) doubt.count += solve.is_disturbed ? 1 : 0;
+    doubt.of += static_cast<double>(timed(own, Timing::clean) + timed(own, Timing::process));
+    doubt.has_programs |= are_of_program(own);
   }
   return doubt;
 }
 
 Doubts times_left_out(const StudyResults& study) {
   Doubts doubts;
-  const SolverLabels imported = those(study, [&](const std::string& solver) { return is_imported(study, solver); });
-  if (!imported.empty()) doubts.push_back(imported_doubt(study, imported));
-  const SolverLabels disturbed =
-      those(study, [&](const std::string& solver) { return times_were_disturbed(study, solver); });
-  if (!disturbed.empty()) doubts.push_back(disturbed_doubt(study, disturbed));
-  const bool is_mixed = std::ranges::any_of(study.solvers, [&](const std::string& solver) {
-    return !solves_of(study, solver).empty() && !is_imported(study, solver) && !is_program(study, solver);
-  });
-  if (!is_mixed || study.plan.program_times == ProgramTimes::compared) return doubts;
-  const SolverLabels programs = those(study, [&](const std::string& solver) {
-    return is_program(study, solver) && !times_were_disturbed(study, solver);
-  });
+  if (const SolverLabels imported = those(study, are_imported); !imported.empty()) {
+    doubts.push_back({.kind = DoubtKind::times_imported,
+                      .who = imported,
+                      .count = static_cast<double>(timed(study.solves, Timing::imported)),
+                      .of = static_cast<double>(study.solves.size())});
+  }
+  if (const SolverLabels disturbed = those(study, are_disturbed); !disturbed.empty()) {
+    doubts.push_back(disturbed_doubt(study, disturbed));
+  }
+  const auto are_of_this_program = [](SolvesOfOne solves) {
+    return !solves.empty() && !are_imported(solves) && !are_of_program(solves);
+  };
+  if (those(study, are_of_this_program).empty() || study.plan.program_times == ProgramTimes::compared) return doubts;
+  const SolverLabels programs =
+      those(study, [](SolvesOfOne solves) { return are_of_program(solves) && !are_disturbed(solves); });
   if (!programs.empty()) doubts.push_back({.kind = DoubtKind::times_of_programs, .who = programs});
   return doubts;
 }
 
 Doubts evaluations_left_out(const StudyResults& study) {
-  const SolverLabels nobody =
-      those(study, [&](const std::string& solver) { return has(solves_of(study, solver), CountedBy::nobody); });
-  const bool is_counted_here = std::ranges::any_of(study.solvers, [&](const std::string& solver) {
-    const std::span<const Solve> solves = solves_of(study, solver);
-    return has(solves, CountedBy::suite) && !has(solves, CountedBy::nobody);
-  });
-  const SolverLabels claimed = those(study, [&](const std::string& solver) {
-    const std::span<const Solve> solves = solves_of(study, solver);
-    return is_counted_here && has(solves, CountedBy::solver) && !has(solves, CountedBy::nobody);
-  });
+  const auto by = [&](CountedBy whom) {
+    return those(study, [whom](SolvesOfOne solves) {
+      return are_counted(solves, whom) && (whom == CountedBy::nobody || !are_counted(solves, CountedBy::nobody));
+    });
+  };
   Doubts doubts;
-  if (!nobody.empty()) doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
-  if (!claimed.empty()) doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
+  if (const SolverLabels nobody = by(CountedBy::nobody); !nobody.empty()) {
+    doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
+  }
+  if (const SolverLabels claimed = by(CountedBy::solver); !claimed.empty() && !by(CountedBy::suite).empty()) {
+    doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
+  }
   return doubts;
 }
 
 Doubts instructions_left_out(const StudyResults& study) {
-  const SolverLabels uncounted = those(study, [&](const std::string& solver) {
-    return std::ranges::any_of(solves_of(study, solver), [](const Solve& solve) {
-      return !is_without_answer(solve.status) && std::isnan(instructions(solve));
-    });
+  const SolverLabels uncounted = those(study, [](SolvesOfOne solves) {
+    return std::ranges::any_of(
+        solves, [](const Solve& solve) { return !is_without_answer(solve.status) && std::isnan(instructions(solve)); });
   });
   if (uncounted.empty()) return {};
   return {{.kind = DoubtKind::instructions_uncounted, .who = uncounted}};
@@ -114,7 +104,7 @@ Doubts instructions_left_out(const StudyResults& study) {
 
 // Doubts of the whole study's times, for all solvers.
 Doubts machine_doubts(const StudyResults& study) {
-  const auto parallel = timed(study, Timing::parallel), debug = timed(study, Timing::debug_build);
+  const auto parallel = timed(study.solves, Timing::parallel), debug = timed(study.solves, Timing::debug_build);
   Doubts doubts = cpu_doubts(study.cpus);
   if (parallel + debug > 0) {
     doubts = {{.kind = DoubtKind::solved_in_parallel,
@@ -159,11 +149,6 @@ Doubts timing_doubts(const StudyResults& study) {
   return doubts;
 }
 
-Doubts timing_doubts(const StudyResults& study, std::string_view solver) {
-  if (Doubts doubts = machine_doubts(study); !doubts.empty()) return doubts;
-  return timing_doubts(of_solvers(study, [&](std::string_view name) { return name == solver; }));
-}
-
 Doubts times_doubts(const StudyResults& study) {
   Doubts doubts = timing_doubts(study);
   return doubts.empty() ? left_out(study, Metric::seconds) : doubts;
@@ -176,13 +161,7 @@ bool is_comparable(const StudyResults& study, Metric metric) {
 }
 
 bool times_were_disturbed(const StudyResults& study, std::string_view solver) {
-  const Disturbed found = disturbed(solves_of(study, solver));
-  return found.solves > 1 && 10 * found.solves > found.timed;
-}
-
-bool is_program(const StudyResults& study, std::string_view solver) {
-  const std::span<const Solve> solves = solves_of(study, solver);
-  return std::ranges::find(solves, Timing::process, &Solve::timing) != solves.end();
+  return are_disturbed(solves_of(study, solver));
 }
 
 Doubts cpu_doubts(const std::set<std::string>& cpus) {
@@ -190,48 +169,38 @@ Doubts cpu_doubts(const std::set<std::string>& cpus) {
   return {{.kind = DoubtKind::several_machines, .who = {cpus.begin(), cpus.end()}, .is_of_all = true}};
 }
 
-Doubts transport_doubts(const StudyResults& study) {
-  const SolverLabels found = those(study, [&](const std::string& solver) {
-    const std::vector<double>& shares = solver_facts(study, solver).transport_shares;
-    return !shares.empty() && median(shares) >= 0.5;
-  });
-  if (found.empty()) return {};
-  return {{.kind = DoubtKind::mostly_transport, .who = found}};
-}
-
-Doubts batch_doubts(const StudyResults& study) {
-  int largest = 1;
-  const SolverLabels found = those(study, [&](const std::string& solver) {
-    const int batch = solver_facts(study, solver).largest_batch;
-    largest = std::max(largest, batch);
-    return batch > 1;
-  });
-  if (found.empty()) return {};
-  return {{.kind = DoubtKind::solved_in_batches, .who = found, .count = static_cast<double>(largest)}};
-}
-
-Doubts evaluation_doubts(const StudyResults& measured) {
-  if (!times_are_comparable(measured)) return {};
-  const StudyResults study = compared_in(measured, Metric::seconds);
-  if (study.external.empty() || study.external.size() == study.solvers.size()) return {};
-  return {{.kind = DoubtKind::evaluated_one_by_one, .who = study.external}};
+Doubts program_doubts(const StudyResults& study) {
+  Doubt distant{.kind = DoubtKind::mostly_transport}, batched{.kind = DoubtKind::solved_in_batches};
+  for (const std::string& solver : study.solvers) {
+    const SolverFacts& facts = solver_facts(study, solver);
+    if (!facts.transport_shares.empty() && median(facts.transport_shares) >= 0.5) distant.who.push_back(solver);
+    if (facts.largest_batch > 1) batched.who.push_back(solver);
+    batched.count = std::max<double>(batched.count, facts.largest_batch);
+  }
+  Doubts doubts{distant, batched};
+  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
+  return doubts;
 }
 
 std::set<std::string> machines_of(std::span<const Session> sessions) {
-  const auto fact = [](const Session& session, const char* name) {
-    const auto found = session.environment.find(name);
-    return found == session.environment.end() ? std::string() : found->second;
+  const auto facts = [&](const std::string& name) {
+    std::vector<std::string> of_sessions;
+    for (const Session& session : sessions) {
+      const auto found = session.environment.find(name);
+      of_sessions.push_back(found == session.environment.end() ? "" : found->second);
+    }
+    return of_sessions;
   };
-  std::set<std::string> hosts, boots, machines;
-  for (const Session& session : sessions) {
-    if (fact(session, "host").empty()) continue;
-    hosts.insert(fact(session, "host"));
-    boots.insert(fact(session, "boot"));
+  const std::vector<std::string> cpus = facts("cpu"), hosts = facts("host"), boots = facts("boot");
+  std::set<std::string> all_hosts, all_boots, machines;
+  for (std::size_t i = 0; i < hosts.size(); ++i) {
+    if (hosts[i].empty()) continue;
+    all_hosts.insert(hosts[i]);
+    all_boots.insert(boots[i]);
   }
-  const bool are_several = hosts.size() > 1 && boots.size() > 1;
-  for (const Session& session : sessions) {
-    const std::string cpu = fact(session, "cpu"), host = fact(session, "host");
-    if (!cpu.empty()) machines.insert(are_several && !host.empty() ? cpu + " on " + host : cpu);
+  const bool are_several = all_hosts.size() > 1 && all_boots.size() > 1;
+  for (std::size_t i = 0; i < cpus.size(); ++i) {
+    if (!cpus[i].empty()) machines.insert(are_several && !hosts[i].empty() ? cpus[i] + " on " + hosts[i] : cpus[i]);
   }
   return machines;
 }

@@ -27,23 +27,16 @@ Doubts timing_doubts(const StudyResults& study);
 bool times_are_comparable(const StudyResults& study);
 bool is_comparable(const StudyResults& study,
                    Metric metric);  // times_are_comparable() for times; true for all other metrics
-// Reasons not to compare the times of one solver, or of the whole study; empty if they are compared.
-Doubts timing_doubts(const StudyResults& study, std::string_view solver);
 // Doubts to show beside times: timing_doubts(), or else the solvers left out of the comparison.
 Doubts times_doubts(const StudyResults& study);
 
 // Returns whether other programs disturbed a solver's solves that are recorded as clean or as a program's: many of them
 // took much longer than their CPU time, or waited long for a processor. A single one does not count.
 bool times_were_disturbed(const StudyResults& study, std::string_view solver);
-// Returns whether the solver is a separate process, whose times include its messages.
-bool is_program(const StudyResults& study, std::string_view solver);
 // Doubts that times of several CPUs cannot be compared; empty for one CPU.
 Doubts cpu_doubts(const std::set<std::string>& cpus);
-// Doubts of programs whose time is mostly that of their messages.
-Doubts transport_doubts(const StudyResults& study);
-Doubts batch_doubts(const StudyResults& study);
-// Doubts of solvers that evaluate candidates in another way than built-in solvers, if the study has both.
-Doubts evaluation_doubts(const StudyResults& study);
+// Doubts of programs whose time is mostly that of their messages, or a share of a batch.
+Doubts program_doubts(const StudyResults& study);
 // Whether all solvers have the same effort, a gradient method is among them or in a companion, and the targets are more
 // than one.
 Doubts fairness_doubts(const StudyResults& study, const JudgedStudies& companions = {});

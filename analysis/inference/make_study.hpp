@@ -35,7 +35,7 @@ class StudyMaker {
   // Takes the facts from a record (solve_data.cpp).
   Solve condensed(const results::SolveRecord& record, std::uint16_t solver);
   bool is_following(const results::SolveRecord& record, std::uint16_t solver) const;
-  void look_at_times(const results::SolveRecord& record, std::uint16_t solver, bool is_repeated);
+  void look_at_times(const results::SolveRecord& record, std::uint16_t solver);
   void look_at_answer(const results::SolveRecord& record, std::uint16_t solver);
   void keep_drawn(const results::SolveRecord& record, bool is_first_of_solver);
   std::uint16_t session_number(std::int64_t session);

@@ -166,23 +166,12 @@ std::uint16_t StudyMaker::session_number(std::int64_t session) {
   return static_cast<std::uint16_t>(known.size() - 1);
 }
 
-void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver, bool is_repeated) {
+void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) {
   SolverFacts& own = data_.of_solver[solver];
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
   }
   own.largest_batch = std::max(own.largest_batch, record.batch);
-  if (record.timing == Timing::clean) ++data_.repeats[record.repeats];
-  if (std::isfinite(record.interruptions)) {
-    data_.interruptions = data_.interruptions.value_or(0) + record.interruptions;
-  }
-  const double longest = std::fmax(record.seconds, record.largest_seconds), usual = record.smallest_seconds;
-  if (!is_repeated || !(longest > outlying * usual)) return;
-  ++own.outlying_repeats;
-  std::optional<Outlier>& worst = data_.worst_repeat;
-  if (!worst || longest / usual > worst->seconds / worst->usual) {
-    worst = Outlier{solver, record.run, record.point, longest, usual, true};
-  }
 }
 
 void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
@@ -237,7 +226,7 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
   }
   const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
   if (data_.robot.empty()) data_.robot = record.robot;
-  look_at_times(record, solver, is_repeated);
+  look_at_times(record, solver);
   look_at_answer(record, solver);
   keep_drawn(record, is_first_of_solver);
   Solve solve{.position_error_cm = record.position_error_cm,

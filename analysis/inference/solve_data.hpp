@@ -53,21 +53,10 @@ struct StraightJoint {
   double nearest_deg = std::numeric_limits<double>::infinity();
 };
 
-// A solve's longest and shortest repeat [s]. It is outlying if the longest takes more than `outlying` times the
-// shortest.
-constexpr double outlying = 3;
-struct Outlier {
-  std::uint16_t solver = 0;
-  int run = 0, point = 0;
-  double seconds = 0, usual = 0;
-  bool is_repeated = false;
-};
-
 struct SolverFacts {
   double worst_outside_deg = 0;               // excess beyond the limit, worst joint
   std::vector<double> transport_shares = {};  // message share of each time of a program
   std::vector<StraightJoint> joints = {};
-  int outlying_repeats = 0;
   int largest_batch = 1;  // problems that a program solved at once
 };
 
@@ -89,9 +78,6 @@ struct SolveData {
   std::vector<SolverFacts> of_solver = {};   // one per label
   std::vector<RunShape> shapes = {};         // by solver and run
   std::set<std::size_t> joints = {};         // numbers of angles in starts and answers
-  std::map<int, std::int64_t> repeats = {};  // number of solves by repeat count, among cleanly timed solves
-  std::optional<double> interruptions = {};  // sum over all solves; nullopt if no solve has it
-  std::optional<Outlier> worst_repeat = {};
   // Records of the first run of each solver, without traces.
   std::vector<results::SolveRecord> drawn = {};
 };

@@ -50,8 +50,7 @@ void add_notes(Table& table, const StudyResults& study, std::span<const Metric> 
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  const Doubts doubts = times_doubts(study) + speed_doubts(study) + outlier_doubts(study) + repeat_doubts(study) +
-                        transport_doubts(study) + batch_doubts(study) + evaluation_doubts(study);
+  const Doubts doubts = times_doubts(study) + outlier_doubts(study) + program_doubts(study);
   std::ranges::move(list_of(doubts), std::back_inserter(table.notes));
 }
 

@@ -264,35 +264,10 @@ TEST_CASE("times of imported solves are judged with no others, also where the fi
   CHECK_FALSE(is_comparable(study, Metric::seconds));
 }
 
-TEST_CASE("beside times it is said who may evaluate one by one", "[uncounted]") {
-  const StudyEntry entry{
-      .name = "synthetic",
-      .definition = R"({"runs": 12, "points": 2})",
-      .series = {{.key = "1", .label = "IK-BA", .algorithm = "ik_bat", .options = "{}"},
-                 {.key = "2", .label = "BA", .algorithm = "nlopt", .options = "{}"},
-                 {.key = "3", .label = "mine", .algorithm = "x", .options = R"({"process": "a"})"},
-                 {.key = "4", .label = "so", .algorithm = "y", .options = R"({"shared_object": "b"})"}}};
-  const std::vector<Session> sessions{{.id = 1, .environment = {{"library.nlopt", "NLopt 2.7.1"}}}};
-  std::vector<SolveRecord> solves =
-      synthetic::solves({.solvers = {"IK-BA", "BA", "mine", "so"}, .runs = 12, .points = 2});
-  StudyResults study = make_study(entry, solves, sessions);
-  CHECK(study.external == std::vector<std::string>{"BA", "mine", "so"});
-  CHECK(
-      words_of(evaluation_doubts(study)) ==
-      "Times depend on how candidates are evaluated: built-in swarms evaluate many at once, which costs less each; BA, "
-      "mine, so (library, program or shared object) may evaluate one by one.");
-  study = make_study(entry, solves);
-  CHECK(study.external == std::vector<std::string>{"mine", "so"});
-  study.external.clear();
-  CHECK(evaluation_doubts(study).empty());
-  for (SolveRecord& solve : solves) solve.timing = Timing::parallel;
-  CHECK(evaluation_doubts(make_study(entry, std::move(solves), sessions)).empty());
-}
-
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
   const StudyResults study = study_without_counts();
-  CHECK(words_of(transport_doubts(study)) ==
+  CHECK(words_of(program_doubts(study)) ==
         "At least half of the time of program is transport: messages to the program and back.");
   CHECK(times_are_comparable(study));
-  CHECK(transport_doubts(study_without_counts(0.3)).empty());
+  CHECK(program_doubts(study_without_counts(0.3)).empty());
 }

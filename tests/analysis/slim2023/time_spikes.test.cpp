@@ -27,8 +27,7 @@ constexpr double spike = 50;
 // Everything that is concluded from the times of a study, without the numbers that it rests on.
 std::vector<std::string> verdicts(StudyResults of) {
   const JudgedStudy study(std::move(of));
-  std::vector<std::string> all{words_of(timing_doubts(study)), words_of(load_doubts(study)),
-                               ranking_sentence(study, Metric::seconds)};
+  std::vector<std::string> all{words_of(timing_doubts(study)), ranking_sentence(study, Metric::seconds)};
   const std::string leaders = paragraph_of(leader_sentences(study, Metric::seconds));
   all.push_back(leaders.substr(0, leaders.find('(')));
   const Evidence& found = study.evidence(Metric::seconds);
