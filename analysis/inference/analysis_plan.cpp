@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -21,19 +22,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Visits the fields of a plan, and takes those that JSON says within their range.
+// Visits the fields of a plan, and takes those that JSON has. Refuses others than the program writes.
 class JsonReader {
  public:
   explicit JsonReader(const Json& object) : object_(object) {}
 
   void text(const char* key, std::string& field, std::string_view) {
-    constexpr std::size_t longest = 200;  // bytes, as in study files
-    const auto read = [&](const Json& value) {
-      if (!value.is_string() || value.get<std::string>().size() > longest) return false;
+    take(key, [&](const Json& value) {
       field = value.get<std::string>();
       return true;
-    };
-    take(key, read);
+    });
   }
   template <class Enum>
   void choice(const char* key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
@@ -48,44 +46,36 @@ class JsonReader {
   void chosen(const char* key, std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>& choices,
               std::string_view) {
     take(key, [&](const Json& value) {
-      std::vector<Enum> found;
+      field.clear();
       for (const auto& [name, choice] : choices) {
-        const auto is_it = [&chosen = name](const Json& element) { return element == chosen; };
-        if (value.is_array() && std::ranges::count_if(value, is_it) == 1) found.push_back(choice);
+        if (std::ranges::count(value, Json(name)) == 1) field.push_back(choice);
       }
-      if (found.empty() || found.size() != value.size()) return false;
-      field = std::move(found);
-      return true;
+      return !field.empty() && field.size() == value.size();
     });
   }
-  void whole(const char* key, int& field, std::pair<int, int> range, std::string_view) {
-    take(key, [&](const Json& value) {
-      if (!value.is_number_integer() || !is_within(value, range)) return false;
-      field = value.get<int>();
-      return true;
-    });
+  void whole(const char* key, int& field, std::pair<int, int> range, std::string_view meaning) {
+    double value = field;
+    number(key, value, 1, range, meaning);
+    field = static_cast<int>(value);
   }
   void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
     take(key, [&](const Json& value) {
-      if (!value.is_number() || !is_within(value, range)) return false;
-      field = value.get<double>() * unit;
-      return true;
+      const auto number = value.get<double>();
+      field = number * unit;
+      return number >= range.first && number <= range.second;
     });
   }
 
-  std::vector<std::string> unreadable;  // present fields with an invalid value: they keep the default
-
  private:
-  // Reads a double: it holds numbers beyond every integer.
-  template <class Number>
-  static bool is_within(const Json& value, std::pair<Number, Number> range) {
-    const auto number = value.get<double>();
-    return number >= range.first && number <= range.second;
-  }
   template <class Read>
   void take(const char* key, Read read) {
     const auto found = object_.find(key);
-    if (found != object_.end() && !read(*found)) unreadable.emplace_back(key);
+    if (found == object_.end()) return;
+    try {
+      if (read(*found)) return;
+    } catch (const Json::exception&) {  // another type
+    }
+    throw std::invalid_argument(fmt::format("the analysis plan of a study is damaged: {} {}", key, found->dump()));
   }
 
   const Json& object_;
@@ -136,20 +126,6 @@ Json plan_json(const StudyEntry& entry) {
   return definition.is_object() && definition.contains("analysis") ? definition["analysis"] : Json();
 }
 
-// Finds invalid fields of the plan: somebody edited the store.
-Doubts unreadable_doubts(const StudyEntry& entry) {
-  const Json json = plan_json(entry);
-  if (!json.is_object()) return {};
-  AnalysisPlan plan;
-  JsonReader reader(json);
-  list_fields(reader, plan);
-  if (!plan.control.empty() && std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) {
-    reader.unreadable.emplace_back("control");
-  }
-  if (reader.unreadable.empty()) return {};
-  return {{.kind = DoubtKind::plan_unreadable, .who = {reader.unreadable.begin(), reader.unreadable.end()}}};
-}
-
 // Finds solvers that sessions of the study solved and that it no longer has.
 Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessions) {
   std::vector<std::string> dropped;
@@ -167,42 +143,6 @@ Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessi
   }
   if (dropped.empty()) return {};
   return {{.kind = DoubtKind::solvers_dropped, .who = dropped}};
-}
-
-std::int64_t all_of(const SolvesOfSessions& solves) {
-  std::int64_t all = 0;
-  for (const auto& [session, count] : solves) all += count;
-  return all;
-}
-
-// Counts solves by the plan that their session recorded.
-struct Recorded {
-  std::int64_t nowhere = 0;
-  std::vector<std::pair<std::string, std::int64_t>>
-      changed;  // solves by changes since their plan, in the order of the sessions
-};
-
-Recorded recorded(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
-  const AnalysisPlan plan = plan_of(entry);
-  Recorded result;
-  for (const auto& [id, count] : solves) {
-    const auto session = std::ranges::find(sessions, id, &Session::id);
-    std::optional<AnalysisPlan> then;
-    if (session != sessions.end() && session->environment.contains("analysis")) {
-      then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
-    }
-    if (!then) {
-      result.nowhere += count;
-    } else if (const std::string changes = changes_between(*then, plan); !changes.empty()) {
-      const auto same = std::ranges::find(result.changed, changes, &std::pair<std::string, std::int64_t>::first);
-      if (same != result.changed.end()) {
-        same->second += count;
-      } else {
-        result.changed.emplace_back(changes, count);
-      }
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -230,24 +170,27 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 }
 
 Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
+  const AnalysisPlan plan = plan_of(entry);
   Doubts doubts;
-  for (const auto& [changes, count] : recorded(entry, sessions, solves).changed) {
-    doubts.push_back({.kind = DoubtKind::plan_changed,
-                      .count = static_cast<double>(count),
-                      .of = static_cast<double>(all_of(solves)),
-                      .what = changes});
+  double all = 0;
+  for (const auto& [id, count] : solves) {
+    all += static_cast<double>(count);
+    const auto session = std::ranges::find(sessions, id, &Session::id);
+    if (session == sessions.end() || !session->environment.contains("analysis")) continue;
+    const auto then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
+    const std::string changes = then ? changes_between(*then, plan) : "";
+    if (changes.empty()) continue;
+    auto same = std::ranges::find(doubts, changes, &Doubt::what);
+    if (same == doubts.end()) same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .what = changes});
+    same->count += static_cast<double>(count);
   }
-  return doubts + dropped_doubts(entry, sessions) + unreadable_doubts(entry);
+  for (Doubt& doubt : doubts) doubt.of = all;
+  return doubts + dropped_doubts(entry, sessions);
 }
 
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
                                     const SolvesOfSessions& solves) {
   Doubts doubts = plan_changes(entry, sessions, solves);
-  if (const std::int64_t nowhere = recorded(entry, sessions, solves).nowhere; nowhere > 0) {
-    doubts.push_back({.kind = DoubtKind::plan_not_recorded,
-                      .count = static_cast<double>(nowhere),
-                      .of = static_cast<double>(all_of(solves))});
-  }
   if (!plan_json(entry).is_object()) doubts.push_back({.kind = DoubtKind::no_plan});
   if (!doubts.empty()) return list_of(doubts);
   std::vector<std::string> values;
@@ -269,16 +212,12 @@ Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance
     if (look.runs != runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
   }
   if (earlier.empty()) return {};
-  constexpr std::size_t most_named = 5;
-  const std::size_t number_of_earlier = earlier.size();
-  if (number_of_earlier > most_named) earlier.erase(earlier.begin(), earlier.end() - most_named);
   return {{.kind = DoubtKind::looked_before,
            .who = earlier,
-           .count = static_cast<double>(number_of_earlier + 1),
+           .count = static_cast<double>(earlier.size() + 1),
            .of = static_cast<double>(runs),
            .value = level_of_look(looks, runs, significance),
-           .limit = 100 * significance,
-           .what = number_of_earlier > most_named ? "the latest before it" : "earlier ones"}};
+           .limit = 100 * significance}};
 }
 
 }  // namespace ikbench::inference

@@ -1,6 +1,6 @@
 // Reads a study's analysis plan, tells whether the plan was fixed before the solves were made, and corrects
-// significance when a study is judged again with more runs. Stores may be old or foreign: a missing or invalid field
-// takes its default.
+// significance when a study is judged again with more runs. A missing field takes its default; a damaged plan throws
+// std::invalid_argument.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ std::string changes_between(const results::AnalysisPlan& before, const results::
 // known.
 Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                     const SolvesOfSessions& solves);
-// Words plan_changes(), or says that nothing was changed; and counts the solves whose session recorded no plan.
+// Words plan_changes(), or says that nothing was changed.
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);
 

@@ -30,33 +30,26 @@ constexpr std::size_t most_solvers = 1000;
 constexpr std::size_t most_joints = 64;
 constexpr std::int64_t most_solves = 100'000'000;
 
-// A whole number of the definition, at its top or inside a part; 0 if missing.
-int defined_number(const std::string& study, const nlohmann::json& definition, const char* key, int most) {
-  const auto read = [&](const nlohmann::json& object) {
-    const auto found = object.find(key);
-    if (found == object.end() || !found->is_number_integer()) return 0;
-    const double value = found->get<double>();  // a double also holds numbers beyond every integer
-    if (value > most) {
-      throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study, key, value, most));
-    }
-    return value < 0 ? 0 : static_cast<int>(value);
-  };
-  if (!definition.is_object()) return 0;
-  if (const int top = read(definition)) return top;
-  for (const auto& part : definition) {
-    if (!part.is_object()) continue;
-    if (const int inside = read(part)) return inside;
+// A whole number of the definition; 0 if missing.
+int defined_number(const StudyEntry& study, const nlohmann::json& of, const char* key, int most) {
+  const auto found = of.is_object() ? of.find(key) : of.end();
+  if (found == of.end() || !found->is_number_integer()) return 0;
+  const auto value = found->get<double>();  // a double also holds numbers beyond every integer
+  if (value > most) {
+    throw std::invalid_argument(fmt::format("study '{}': {} {}; expected at most {}", study.name, key, value, most));
   }
-  return 0;
+  return value < 0 ? 0 : static_cast<int>(value);
 }
 
 StudyResults of_entry(const StudyEntry& entry) {
   const auto json = numerics::parsed_json(entry.definition);
+  const auto path = json.is_object() ? json.find("path") : json.end();
   StudyResults study{.name = entry.name,
-                     .runs = defined_number(entry.name, json, "runs", most_runs),
-                     .points = defined_number(entry.name, json, "points", most_points),
+                     .runs = defined_number(entry, json, "runs", most_runs),
+                     .points = defined_number(entry, json, "points", most_points),
                      .plan = plan_of(entry),
                      .facts = facts_of(json, entry.definition)};
+  if (study.points == 0 && path != json.end()) study.points = defined_number(entry, *path, "points", most_points);
   const auto is_of_task = [](const std::string& departure) { return departure == "robot" || departure == "path.kind"; };
   StudyFacts& facts = study.facts;
   if (std::ranges::any_of(facts.departures, is_of_task)) study.departed_from = std::exchange(facts.published, "");
@@ -79,27 +72,15 @@ void add_sessions(StudyResults& study, const std::vector<Series>& series, const 
       study.external.push_back(one.label);
     }
   }
-  for (const Session& session : solving) {
-    const auto stolen = session.environment.find("stolen_seconds");
-    const auto seconds = stolen != session.environment.end() ? number_from(stolen->second) : std::nullopt;
-    if (seconds) study.stolen_seconds = (std::isnan(study.stolen_seconds) ? 0 : study.stolen_seconds) + *seconds;
-  }
 }
 
 // Orders solves by solver, run and point. Solvers keep the study's order, others follow by first solve.
 void sort(std::vector<SolveRecord>& solves, const std::vector<std::string>& solvers) {
-  std::map<std::string_view, std::size_t> place;
+  std::map<std::string, std::size_t> place;
   for (const std::string& solver : solvers) place.try_emplace(solver, place.size());
   for (const SolveRecord& solve : solves) place.try_emplace(solve.solver, place.size());
-  std::vector<const SolveRecord*> order;
-  for (const SolveRecord& solve : solves) order.push_back(&solve);
-  const auto key = [&](const SolveRecord* solve) {
-    return std::tuple(place.at(solve->solver), solve->run, solve->point);
-  };
-  std::ranges::stable_sort(order, {}, key);
-  std::vector<SolveRecord> sorted;
-  for (const SolveRecord* solve : order) sorted.push_back(*solve);
-  solves = std::move(sorted);
+  std::ranges::stable_sort(
+      solves, {}, [&](const SolveRecord& solve) { return std::tuple(place.at(solve.solver), solve.run, solve.point); });
 }
 
 StudyResults made(StudyMaker maker, const std::vector<SolveRecord>& solves, const std::vector<Session>& sessions) {
@@ -116,23 +97,18 @@ StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves) : study_(of_
 StudyMaker::StudyMaker(std::string name) : study_{.name = std::move(name)} {}
 
 void StudyMaker::check(const SolveRecord& record) const {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}{}", study_.name, record.solver,
+                                            record.run, record.point, what));
+  };
   if (record.run < 1 || record.run > most_runs || record.point < 1 || record.point > most_points) {
-    throw std::invalid_argument(
-        fmt::format("study '{}', solver '{}': run {}, point {}; expected runs 1 to {} and points 1 to {}", study_.name,
-                    record.solver, record.run, record.point, most_runs, most_points));
+    refuse(fmt::format("; expected runs 1 to {} and points 1 to {}", most_runs, most_points));
   }
-  if (record.answer_rad.size() > most_joints) {
-    throw std::invalid_argument(
-        fmt::format("study '{}', solver '{}': run {}, point {} has {} joints; expected at most {}", study_.name,
-                    record.solver, record.run, record.point, record.answer_rad.size(), most_joints));
-  }
-  for (const std::vector<double>* list :
-       {&record.start_rad, &record.target_position_m, &record.target_rotation, &record.reached_position_m}) {
-    if (list->size() <= most_joints) continue;
-    throw std::invalid_argument(fmt::format(
-        "study '{}', solver '{}': run {}, point {} has a list of {} numbers in start, target or reached position; "
-        "expected at most {}",
-        study_.name, record.solver, record.run, record.point, list->size(), most_joints));
+  for (const std::vector<double>* list : {&record.answer_rad, &record.start_rad, &record.target_position_m,
+                                          &record.target_rotation, &record.reached_position_m}) {
+    if (list->size() > most_joints) {
+      refuse(fmt::format(" has a list of {} numbers; expected at most {}", list->size(), most_joints));
+    }
   }
 }
 

@@ -82,9 +82,9 @@ bool is_imported(const StudyResults& study, std::string_view solver) {
 
 const SolverFacts& solver_facts(const StudyResults& study, std::string_view solver) {
   static const SolverFacts none;
-  const SolveData& all = *study.solve_data;
-  const auto found = std::ranges::find(all.labels, solver);
-  return found == all.labels.end() ? none : all.of_solver[static_cast<std::size_t>(found - all.labels.begin())];
+  const std::vector<SolverFacts>& all = study.solve_data->of_solver;
+  const std::size_t place = place_of(study, solver);
+  return place < all.size() ? all[place] : none;
 }
 
 Problem problem_of(const StudyResults& study, const Solve& solve) { return study.solve_data->problems[solve.problem]; }
@@ -92,12 +92,10 @@ Problem problem_of(const StudyResults& study, const Solve& solve) { return study
 std::vector<const Solve*> places_of(const StudyResults& study) {
   const auto place = [](const Solve* solve) { return std::pair(solve->run, solve->point); };
   std::vector<const Solve*> all;
-  for (const std::string& solver : study.solve_data->labels) {
-    std::vector<const Solve*> own, both;
-    for (const Solve& solve : solves_of(study, solver)) own.push_back(&solve);
-    std::ranges::set_union(all, own, std::back_inserter(both), {}, place, place);
-    all = std::move(both);
-  }
+  for (const Solve& solve : study.solves) all.push_back(&solve);
+  std::ranges::stable_sort(all, {}, place);
+  const auto rest = std::ranges::unique(all, {}, place);
+  all.erase(rest.begin(), rest.end());
   return all;
 }
 
@@ -124,8 +122,6 @@ bool departs_from_paper(const StudyResults& study) {
   return !study.departed_from.empty() || !study.facts.missing_solvers.empty();
 }
 
-bool enforces_limits(const StudyResults& study) { return study.facts.enforces_limits; }
-
 double tolerance_cm(const StudyResults& study) {
   const double tolerance = study.facts.stop.tolerance_cm;
   return tolerance > 0 ? tolerance : not_defined;
@@ -138,10 +134,10 @@ double deadline_seconds(const StudyResults& study) {
 
 std::vector<Sample> samples(const StudyResults& study, Metric metric) {
   std::vector<Sample> result = samples(study, [&](Run run) { return value_of(study, run, metric); });
-  if (metric != Metric::evaluations) return result;
   for (Sample& sample : result) {
     const std::span<const Solve> solves = solves_of(study, sample.solver);
-    if (std::ranges::find(solves, CountedBy::nobody, &Solve::counted_by) != solves.end()) sample.values.clear();
+    const bool is_uncounted = std::ranges::find(solves, CountedBy::nobody, &Solve::counted_by) != solves.end();
+    if (metric == Metric::evaluations && is_uncounted) sample.values.clear();
   }
   return result;
 }
@@ -224,15 +220,11 @@ std::vector<Status> shown_statuses(const StudyResults& study) {
 }
 
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept) {
-  std::vector<std::span<const Solve>> parts;
-  std::size_t solves = 0;
-  for (const std::string& solver : study.solve_data->labels) {
-    if (is_kept(solver)) parts.push_back(solves_of(study, solver));
-    if (is_kept(solver)) solves += parts.back().size();
-  }
   std::vector<Solve> kept;
-  kept.reserve(solves);
-  for (const std::span<const Solve> part : parts) kept.insert(kept.end(), part.begin(), part.end());
+  for (const std::string& solver : study.solve_data->labels) {
+    const std::span<const Solve> own = is_kept(solver) ? solves_of(study, solver) : std::span<const Solve>();
+    kept.insert(kept.end(), own.begin(), own.end());
+  }
   study.solves = SolveList(std::move(kept));
   std::erase_if(study.solvers, std::not_fn(is_kept));
   std::erase_if(study.external, std::not_fn(is_kept));
@@ -241,61 +233,47 @@ StudyResults of_solvers(StudyResults study, const std::function<bool(std::string
 }
 
 std::vector<std::string> status_notes(const StudyResults& study) {
-  std::vector<int> by_status(status_names.size());
-  const std::vector<Status> shown = shown_statuses(study);
-  int solves = 0;
-  std::int64_t expected = 0;
-  int incomplete_runs = 0;
+  SolverCounts all;
   for (const SolverCounts& count : counts(study)) {
-    for (std::size_t i = 0; i < by_status.size(); ++i) by_status[i] += count.by_status[i];
-    solves += count.solves;
-    expected += count.expected;
-    incomplete_runs += count.incomplete_runs;
+    for (std::size_t i = 0; i < all.by_status.size(); ++i) all.by_status[i] += count.by_status[i];
+    all.solves += count.solves;
+    all.expected += count.expected;
+    all.incomplete_runs += count.incomplete_runs;
   }
-  std::string note = fmt::format("Solves: {} of {} expected; by status:", solves, expected);
-  for (const Status status : shown) {
-    note += fmt::format("{} {} {}", status == shown.front() ? "" : ",", name_of(status),
-                        by_status[static_cast<std::size_t>(status)]);
-  }
-  std::vector<std::string> notes{note + "."};
-  if (solves < expected) {
-    notes.push_back(
-        fmt::format("The study is incomplete. Runs with missing points: {}; they have no mean, and only complete runs "
-                    "are observations.",
-                    incomplete_runs));
-  }
+  const std::vector<Status> shown = shown_statuses(study);
+  std::vector<std::string> by_status;
+  for (const Status status : shown) by_status.push_back(fmt::format("{} {}", name_of(status), all.of(status)));
   const auto by_time = std::ranges::count(study.solves, StopReason::time, &Solve::stop_reason);
-  if (by_time > 0) {
-    notes.push_back(fmt::format(
-        "{} of {} solves ended by their time. Schedules that end with a solve did not end in these: they were planned "
-        "for its iterations.",
-        by_time, study.solves.size()));
+  const std::pair<bool, std::string> notes[]{
+      {true,
+       fmt::format("Solves: {} of {} expected; by status: {}.", all.solves, all.expected, fmt::join(by_status, ", "))},
+      {all.solves < all.expected,
+       fmt::format("The study is incomplete. Runs with missing points: {}; they have no mean, and only complete runs "
+                   "are observations.",
+                   all.incomplete_runs)},
+      {by_time > 0,
+       fmt::format("{} of {} solves ended by their time. Schedules that end with a solve did not end in these: they "
+                   "were planned for its iterations.",
+                   by_time, study.solves.size())},
+      {all.of(Status::refused) > 0,
+       "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its variation "
+       "is 0."},
+      {std::ranges::any_of(shown, is_without_answer),
+       "A program that crashed, timed out, broke the protocol or declined gave no answer: the arm stays where it was, "
+       "and the error that counts is the one it has there. Such a solve has no time, no evaluations and no move: in "
+       "these it ranks last."},
+      {all.of(Status::over_budget) > 0,
+       fmt::format("{} solves of programs took far more than their budget of time or evaluations (over_budget). They "
+                   "do not count as solved, but their errors are those of what they spent.",
+                   all.of(Status::over_budget))},
+      {all.of(Status::not_finite) > 0,
+       "Answers that are not finite are not left out: a run that has one has no mean error, ranks as the worst in "
+       "median and quartiles, and leaves the mean, standard deviation and maximum of its solver not defined."}};
+  std::vector<std::string> result;
+  for (const auto& [is_so, note] : notes) {
+    if (is_so) result.push_back(note);
   }
-  if (by_status[static_cast<std::size_t>(Status::refused)] > 0) {
-    notes.push_back(
-        "A refused answer leaves the arm where it was: the error that counts is the one it has there, and its "
-        "variation "
-        "is 0.");
-  }
-  if (std::ranges::any_of(shown, is_without_answer)) {
-    notes.push_back(
-        "A program that crashed, timed out, broke the protocol or declined gave no answer: the arm stays where it was, "
-        "and the error that counts is the one it has there. Such a solve has no time, no evaluations and no move: in "
-        "these it ranks last.");
-  }
-  if (const int over = by_status[static_cast<std::size_t>(Status::over_budget)]; over > 0) {
-    notes.push_back(fmt::format(
-        "{} solves of programs took far more than their budget of time or evaluations (over_budget). They do "
-        "not count as solved, but their errors are those of what they spent.",
-        over));
-  }
-  if (by_status[static_cast<std::size_t>(Status::not_finite)] > 0) {
-    notes.push_back(
-        "Answers that are not finite are not left out: a run that has one has no mean error, ranks as the worst in "
-        "median "
-        "and quartiles, and leaves the mean, standard deviation and maximum of its solver not defined.");
-  }
-  return notes;
+  return result;
 }
 
 }  // namespace ikbench::inference

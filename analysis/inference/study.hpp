@@ -31,8 +31,6 @@ struct StudyResults {
   std::string departed_from = {};         // the paper that it names but whose arm or task it does not have
   results::AnalysisPlan plan = {};        // decides how it is judged
   std::set<std::string> cpus = {};        // CPUs of its sessions, as far as recorded
-  double stolen_seconds =
-      statistics::not_defined;             // processor time that the hosts took from its sessions' virtual machines
   StudyFacts facts = {};                   // from its definition
   std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
   SolveList solves = {};
@@ -62,7 +60,6 @@ bool has_pace(const StudyResults& study, const Solve& solve);
 
 // Returns whether a solver of the paper's study is missing, or arm or task differ.
 bool departs_from_paper(const StudyResults& study);
-bool enforces_limits(const StudyResults& study);
 // The position error at which a solve ends [cm]; not defined if the study has none.
 double tolerance_cm(const StudyResults& study);
 // Time limit of a solve [s]: the study's deadline_ms, or else the wall time at which solves end; not defined without

@@ -1,6 +1,5 @@
 #include "analysis/inference/study_facts.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "numerics/json.hpp"
@@ -11,56 +10,36 @@ namespace {
 
 using Json = nlohmann::json;
 
-const Json* find(const Json& object, const std::string& key) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found == object.end() ? nullptr : &*found;
+// The value at a path of keys, such as "/stop/seconds"; null if there is none.
+Json value_at(const Json& all, const std::string& path) {
+  const Json::json_pointer pointer(path);
+  return all.is_object() && all.contains(pointer) ? all.at(pointer) : Json();
 }
 
-Json part(const Json& object, const std::string& key) {
-  const Json* const found = find(object, key);
-  return found != nullptr ? *found : Json();
+std::string text_at(const Json& all, const std::string& path) {
+  const Json value = value_at(all, path);
+  return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-std::string text(const Json& object, const std::string& key) {
-  const Json* const found = find(object, key);
-  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+double number_at(const Json& all, const std::string& path) {
+  const Json value = value_at(all, path);
+  return value.is_number() ? value.get<double>() : not_defined;
 }
 
-double number(const Json& object, const std::string& key) {
-  const Json* const found = find(object, key);
-  return found != nullptr && found->is_number() ? found->get<double>() : not_defined;
+std::vector<std::string> texts_at(const Json& all, const std::string& path) {
+  std::vector<std::string> texts;
+  for (const Json& each : value_at(all, path)) {
+    if (each.is_string()) texts.push_back(each.get<std::string>());
+  }
+  return texts;
 }
 
-std::set<std::size_t> slides_of(const Json& arm) {
+std::set<std::size_t> slides_of(const Json& links) {
   std::set<std::size_t> slides;
-  const Json links = part(arm, "links");
   for (std::size_t joint = 0; links.is_array() && joint < links.size(); ++joint) {
-    if (text(links[joint], "joint") == "slides") slides.insert(joint);
+    if (text_at(links[joint], "/joint") == "slides") slides.insert(joint);
   }
   return slides;
-}
-
-StudyFacts::Stop stop_of(const Json& stop) {
-  return {.tolerance_cm = number(stop, "tolerance_cm"),
-          .tolerance_deg = number(stop, "tolerance_deg"),
-          .iterations = number(stop, "iterations"),
-          .evaluations = number(stop, "evaluations"),
-          .seconds = number(stop, "seconds")};
-}
-
-StudyFacts::OutOfReach out_of_reach_of(const Json& targets) {
-  return {.points = number(targets, "points"),
-          .farthest_point = number(targets, "farthest_point"),
-          .farthest_cm = number(targets, "farthest_cm"),
-          .reach_cm = number(targets, "reach_cm")};
-}
-
-std::vector<std::string> texts(const Json& list) {
-  std::vector<std::string> result;
-  for (const Json& each : list.is_array() ? list : Json::array()) {
-    if (each.is_string()) result.push_back(each.get<std::string>());
-  }
-  return result;
 }
 
 }  // namespace
@@ -71,33 +50,38 @@ StudyFacts facts_of(std::string definition) {
 }
 
 StudyFacts facts_of(const Json& all, std::string definition) {
-  const std::string search = text(all, "search");
-  const Json path = part(all, "path"), arm = part(all, "arm");
+  const std::string search = text_at(all, "/search"), path = text_at(all, "/path/kind");
   return {.json = std::move(definition),
-          .title = text(all, "title"),
-          .published = text(all, "published"),
-          .robot = text(all, "robot"),
-          .start = text(all, "start"),
-          .departures = texts(part(all, "departures")),
-          .missing_solvers = texts(part(all, "missing_solvers")),
-          .enforces_limits = text(all, "limits") == "enforced",
-          .draws_targets = text(path, "targets") == "drawn" || text(path, "kind") == "random",
+          .title = text_at(all, "/title"),
+          .published = text_at(all, "/published"),
+          .robot = text_at(all, "/robot"),
+          .start = text_at(all, "/start"),
+          .departures = texts_at(all, "/departures"),
+          .missing_solvers = texts_at(all, "/missing_solvers"),
+          .enforces_limits = text_at(all, "/limits") == "enforced",
+          .draws_targets = text_at(all, "/path/targets") == "drawn" || path == "random",
           .orientation = search != "all_joints",
           .pose = search == "pose",
           .wrist = search == "wrist",
-          .slides = slides_of(arm),
-          .seed = number(all, "seed"),
-          .repeats = number(all, "repeats"),
-          .perturbed = number(all, "perturbed"),
-          .deadline_ms = number(all, "deadline_ms"),
-          .stop = stop_of(part(all, "stop")),
-          .path = text(path, "kind"),
-          .out_of_reach = out_of_reach_of(part(all, "out_of_reach")),
-          .arm = arm};
+          .slides = slides_of(value_at(all, "/arm/links")),
+          .seed = number_at(all, "/seed"),
+          .perturbed = number_at(all, "/perturbed"),
+          .deadline_ms = number_at(all, "/deadline_ms"),
+          .stop = {.tolerance_cm = number_at(all, "/stop/tolerance_cm"),
+                   .tolerance_deg = number_at(all, "/stop/tolerance_deg"),
+                   .iterations = number_at(all, "/stop/iterations"),
+                   .evaluations = number_at(all, "/stop/evaluations"),
+                   .seconds = number_at(all, "/stop/seconds")},
+          .path = path,
+          .out_of_reach = {.points = number_at(all, "/out_of_reach/points"),
+                           .farthest_point = number_at(all, "/out_of_reach/farthest_point"),
+                           .farthest_cm = number_at(all, "/out_of_reach/farthest_cm"),
+                           .reach_cm = number_at(all, "/out_of_reach/reach_cm")},
+          .arm = value_at(all, "/arm")};
 }
 
 std::string text_option(std::string_view options, const std::string& name) {
-  return text(numerics::parsed_json(options), name);
+  return text_at(numerics::parsed_json(options), "/" + name);
 }
 
 }  // namespace ikbench::inference

@@ -14,7 +14,6 @@
 
 namespace ikbench::inference {
 
-using results::decide_no_solve;
 using statistics::not_defined;
 
 struct StudyFacts {
@@ -47,7 +46,6 @@ struct StudyFacts {
   bool wrist = false;                 // the solver searches for the wrist's centre
   std::set<std::size_t> slides = {};  // indices of prismatic joints, from 0
   double seed = not_defined;
-  double repeats = not_defined;
   double perturbed = not_defined;  // number of the copy whose targets differ in their last bits
   double deadline_ms = not_defined;
   Stop stop = {};

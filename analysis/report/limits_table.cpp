@@ -192,8 +192,8 @@ std::optional<Table> limits_table(const JudgedStudies& studies) {
   for (const JudgedStudy& other : studies) {
     const bool in_common =
         std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
-    if (enforces_limits(other) == enforces_limits(reported) || !in_common) continue;
-    return enforces_limits(other) ? table_of(reported, other) : table_of(other, reported);
+    if (other.facts.enforces_limits == reported.facts.enforces_limits || !in_common) continue;
+    return other.facts.enforces_limits ? table_of(reported, other) : table_of(other, reported);
   }
   return std::nullopt;
 }
