@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "analysis/inference/run_metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
@@ -94,9 +93,10 @@ Doubts evaluations_left_out(const StudyResults& study) {
 }
 
 Doubts instructions_left_out(const StudyResults& study) {
-  const SolverLabels uncounted = those(study, [](SolvesOfOne solves) {
-    return std::ranges::any_of(
-        solves, [](const Solve& solve) { return !is_without_answer(solve.status) && std::isnan(instructions(solve)); });
+  const SolverLabels uncounted = those(study, [&](SolvesOfOne solves) {
+    return std::ranges::any_of(solves, [&](const Solve& solve) {
+      return !is_without_answer(solve.status) && std::isnan(value_of(study, solve, Metric::instructions));
+    });
   });
   if (uncounted.empty()) return {};
   return {{.kind = DoubtKind::instructions_uncounted, .who = uncounted}};

@@ -67,45 +67,42 @@ const Solve* solve_at(std::span<const Solve> solves, const Place& place) {
   return found == solves.end() || place_in(*found) != place ? nullptr : &*found;
 }
 
+namespace {
+
+// The places whose solves make one value.
+struct Block {
+  std::string name;  // "run 2, point 1"
+  std::vector<Place> places;
+};
+
+// The blocks of the runs that are complete for all solvers; empty for Blocks::none.
 std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
-  const std::vector<int> runs = common_runs(study);
-  std::vector<Block> result;
-  if (blocks == Blocks::path_targets && !runs.empty()) {
+  std::map<Place, Block> by_place;  // with 0 for all runs or all points
+  if (blocks == Blocks::none) return {};
+  for (const int run : common_runs(study)) {
     for (int point = 1; point <= study.points; ++point) {
-      Block block{.name = fmt::format("point {}", point), .places = {}};
-      for (const int run : runs) block.places.emplace_back(run, point);
-      result.push_back(std::move(block));
-    }
-  } else if (blocks == Blocks::runs) {
-    for (const int run : runs) {
-      Block block{.name = fmt::format("run {}", run), .places = {}};
-      for (int point = 1; point <= study.points; ++point) block.places.emplace_back(run, point);
-      result.push_back(std::move(block));
-    }
-  } else if (blocks == Blocks::drawn_targets) {
-    for (const int run : runs) {
-      for (int point = 1; point <= study.points; ++point) {
-        result.push_back({.name = fmt::format("run {}, point {}", run, point), .places = {{run, point}}});
-      }
+      const int of_run = blocks == Blocks::path_targets ? 0 : run, of_point = blocks == Blocks::runs ? 0 : point;
+      Block& block = by_place[{of_run, of_point}];
+      block.name = of_run == 0     ? fmt::format("point {}", point)
+                   : of_point == 0 ? fmt::format("run {}", run)
+                                   : fmt::format("run {}, point {}", run, point);
+      block.places.emplace_back(run, point);
     }
   }
+  std::vector<Block> result;
+  for (auto& [place, block] : by_place) result.push_back(std::move(block));
   return result;
 }
 
-namespace {
-
-// `average`: the average of several solves: "mean", "geometric mean", "share".
-std::string replicate_of(const StudyResults& study, Unit unit, std::string_view average) {
-  if (unit == Unit::point) return "one point of a run";
+// One observation in words. `average`: the average of several solves: "mean", "geometric mean", "share".
+std::string replicate_of(const StudyResults& study, Blocks blocks, std::string_view average) {
+  if (blocks == Blocks::drawn_targets) return "the only solve of a target";
+  if (blocks == Blocks::path_targets) {
+    const std::size_t runs = common_runs(study).size();
+    return runs == 1 ? "the only solve of a target" : fmt::format("the {} of a target over {} runs", average, runs);
+  }
   return study.points == 1 ? "the only solve of a run"
                            : fmt::format("the {} of a run over its {} points", average, study.points);
-}
-
-std::string replicate_of(const StudyResults& study, Blocks blocks, std::string_view average) {
-  if (blocks == Blocks::runs) return replicate_of(study, Unit::run, average);
-  if (blocks == Blocks::drawn_targets) return "the only solve of a target";
-  const std::size_t runs = common_runs(study).size();
-  return runs == 1 ? "the only solve of a target" : fmt::format("the {} of a target over {} runs", average, runs);
 }
 
 std::string block_of(Blocks blocks) {
@@ -114,17 +111,10 @@ std::string block_of(Blocks blocks) {
   return "a target of the path, which all solvers start from the same configuration";
 }
 
-Observations without_groups(const Quantity& quantity) {
-  return {.name = quantity.name,
-          .quantity = quantity.text,
-          .unit = quantity.unit,
-          .better = quantity.better,
-          .scale = quantity.scale,
-          .counting = quantity.notes};
-}
-
-void fill_blocks(Observations& result, const StudyResults& study, const std::vector<Block>& blocks,
-                 const Quantity& quantity) {
+void fill_blocks(Observations& result, const StudyResults& study, Blocks kind, const Quantity& quantity) {
+  const std::vector<Block> blocks = layout(study, kind);
+  result.block = block_of(kind);
+  result.block_noun = kind == Blocks::runs ? "runs" : "targets";
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
     const std::span<const Solve> solves = solves_of(study, solver);
@@ -194,38 +184,49 @@ void add_bits(Observations& result, const StudyResults& study, Metric metric) {
   }
 }
 
-void add_notes(Observations& result, const StudyResults& study, Metric metric) {
-  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
-  if (info_of(metric).kind != Kind::time) return;
-  if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
+// Takes a solver's runs or points. Tells of solvers that repeat themselves or lack points.
+void fill_samples(Observations& result, const StudyResults& study, const Quantity& quantity) {
+  std::vector<std::string> repeating, incomplete;
+  for (Sample& sample : samples(study, quantity.value)) {
+    const std::string name = one_line(sample.solver);
+    if (sample.equal_runs > 0) repeating.push_back(fmt::format("{} ({} runs)", name, sample.equal_runs));
+    if (sample.incomplete_runs > 0) {
+      incomplete.push_back(
+          fmt::format("{}: {} of its runs lack points and give no observation.", name, sample.incomplete_runs));
+    }
+    const int copies = sample.values.size() == 1 ? sample.equal_runs : 0;
+    result.groups.push_back({.name = sample.solver,
+                             .values = std::move(sample.values),
+                             .copies = copies,
+                             .place = place_of(study, sample.solver)});
+  }
+  if (!repeating.empty()) {
+    result.notes.push_back(fmt::format(
+        "Equal runs are one observation: {} gave the same answers in every run, to the last bit. So the value on these "
+        "targets is known without chance: two such values are compared without a test, and the runs of another solver "
+        "by the sign test. To say something of other targets, give every run targets of its own (path.kind = "
+        "\"random\"), or start every solve from the same configuration (start = \"initial\"), so that a target is an "
+        "observation.",
+        fmt::join(repeating, ", ")));
+  }
+  std::ranges::move(incomplete, std::back_inserter(result.notes));
 }
 
-// A note on solvers that repeat themselves; empty if none does.
-std::string copies_note(const std::vector<Sample>& samples) {
-  std::vector<std::string> names;
-  for (const Sample& sample : samples) {
-    if (sample.equal_runs > 0) names.push_back(fmt::format("{} ({} runs)", one_line(sample.solver), sample.equal_runs));
-  }
-  if (names.empty()) return "";
-  return fmt::format(
-      "Equal runs are one observation: {} gave the same answers in every run, to the last bit. So the value on these "
-      "targets is known without chance: two such values are compared without a test, and the runs of another solver by "
-      "the sign test. To say something of other targets, give every run targets of its own (path.kind = \"random\"), or "
-      "start every solve from the same configuration (start = \"initial\"), so that a target is an observation.",
-      fmt::join(names, ", "));
+StudyResults without_solvers(const StudyResults& study, const std::set<std::string_view>& without) {
+  return of_solvers(study, [&](std::string_view solver) { return !without.contains(solver); });
 }
 
 // Finds imports that lack a run which the other solvers share: blocks of all solvers would lose that run.
 std::set<std::string_view> partial_imports(const StudyResults& study) {
-  const auto is_other = [&](std::string_view solver) { return !is_imported(study, solver); };
-  const auto number = std::ranges::count_if(study.solvers, is_other);
-  std::set<std::string_view> found;
-  if (number < 2 || number == std::ssize(study.solvers)) return found;
-  const auto runs = common_runs(of_solvers(study, is_other));
+  std::set<std::string_view> imported, found;
   for (const std::string& solver : study.solvers) {
+    if (is_imported(study, solver)) imported.insert(solver);
+  }
+  if (imported.empty() || imported.size() + 2 > study.solvers.size()) return found;
+  const std::vector<int> runs = common_runs(without_solvers(study, imported));
+  for (const std::string_view solver : imported) {
     const auto is_this = [&](std::string_view name) { return name == solver; };
-    if (is_imported(study, solver) && !std::ranges::includes(common_runs(of_solvers(study, is_this)), runs))
-      found.insert(solver);
+    if (!std::ranges::includes(common_runs(of_solvers(study, is_this)), runs)) found.insert(solver);
   }
   return found;
 }
@@ -234,7 +235,7 @@ std::set<std::string_view> partial_imports(const StudyResults& study) {
 
 Doubts why_not_blocked(const StudyResults& study) {
   if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty())
-    return why_not_blocked(of_solvers(study, [&](std::string_view solver) { return !partial.contains(solver); }));
+    return why_not_blocked(without_solvers(study, partial));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
     return {{study.facts.path.empty() ? DoubtKind::no_path_for_blocks : DoubtKind::chained_solves}};
@@ -245,63 +246,44 @@ Doubts why_not_blocked(const StudyResults& study) {
   return {{count == 0 ? DoubtKind::no_common_run : DoubtKind::single_block}};
 }
 
-std::optional<Observations> blocked_observations(const StudyResults& study, Metric metric, Estimand estimand) {
-  if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty()) {
-    const auto is_kept = [&](std::string_view solver) { return !partial.contains(solver); };
-    std::optional<Observations> result = blocked_observations(of_solvers(study, is_kept), metric, estimand);
-    if (result) {
-      result->notes.push_back(fmt::format(
-          "Left out: {}, imported without runs that the others have. ikbench compare compares two solvers over the runs "
-          "that both have.",
-          one_line(fmt::format("{}", fmt::join(partial, ", ")))));
-    }
-    return result;
-  }
-  if (!why_not_blocked(study).empty()) return std::nullopt;
-  const Blocks blocks = blocks_of(study);
-  const Quantity quantity = quantity_of(study, metric, estimand);
-  Observations result = without_groups(quantity);
-  result.replicate = replicate_of(study, blocks, quantity.average);
-  result.block = block_of(blocks);
-  result.block_noun = blocks == Blocks::runs ? "runs" : "targets";
-  fill_blocks(result, study, layout(study, blocks), quantity);
-  add_decades(result, study, metric, estimand);
-  add_bits(result, study, metric);
-  add_notes(result, study, metric);
-  return result;
-}
-
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
   if (const Doubts without = left_out(study, metric); is_comparable(study, metric) && !without.empty()) {
     Observations result = observations(compared_in(study, metric), metric, estimand);
     result.notes.push_back(words_of(without));
     return result;
   }
-  const Unit unit = study.plan.unit;
-  if (unit == Unit::run) {
-    if (std::optional<Observations> blocked = blocked_observations(study, metric, estimand)) return std::move(*blocked);
+  const bool are_runs = study.plan.unit == Unit::run;
+  const Doubts unblocked = why_not_blocked(study);
+  if (const auto partial = partial_imports(study); are_runs && unblocked.empty() && !partial.empty()) {
+    Observations result = observations(without_solvers(study, partial), metric, estimand);
+    result.notes.push_back(fmt::format(
+        "Left out: {}, imported without runs that the others have. ikbench compare compares two solvers over the runs "
+        "that both have.",
+        one_line(fmt::format("{}", fmt::join(partial, ", ")))));
+    return result;
   }
+  const Blocks blocks = are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none;
   const Quantity quantity = quantity_of(study, metric, estimand);
-  Observations result = without_groups(quantity);
-  result.replicate = replicate_of(study, unit, quantity.average);
-  if (unit == Unit::point) result.flaws = {{DoubtKind::points_as_observations}};
-  if (unit == Unit::run) result.notes.push_back(words_of(why_not_blocked(study)));
-  std::vector<Sample> all = samples(study, quantity.value);
-  result.notes.push_back(copies_note(all));
-  for (Sample& sample : all) {
-    if (sample.incomplete_runs > 0) {
-      result.notes.push_back(fmt::format("{}: {} of its runs lack points and give no observation.", sample.solver,
-                                         sample.incomplete_runs));
-    }
-    const int copies = sample.values.size() == 1 ? sample.equal_runs : 0;
-    const std::size_t place = place_of(study, sample.solver);
-    result.groups.push_back(
-        {.name = std::move(sample.solver), .values = std::move(sample.values), .copies = copies, .place = place});
+  Observations result{.name = quantity.name,
+                      .quantity = quantity.text,
+                      .unit = quantity.unit,
+                      .better = quantity.better,
+                      .scale = quantity.scale,
+                      .replicate = are_runs ? replicate_of(study, blocks, quantity.average) : "one point of a run",
+                      .counting = quantity.notes};
+  if (blocks != Blocks::none) {
+    fill_blocks(result, study, blocks, quantity);
+  } else {
+    if (!are_runs) result.flaws = {{DoubtKind::points_as_observations}};
+    if (are_runs) result.notes.push_back(words_of(unblocked));
+    fill_samples(result, study, quantity);
   }
-  std::erase(result.notes, "");
   add_decades(result, study, metric, estimand);
   add_bits(result, study, metric);
-  add_notes(result, study, metric);
+  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
+  if (info_of(metric).kind == Kind::time) {
+    if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
+  }
   return result;
 }
 

@@ -66,15 +66,6 @@ ValueOf penalised(ValueOf counted, Metric metric, double most) {
   };
 }
 
-// Sets the cost of a whole run in a study with a tolerance.
-void count_solved_runs(Quantity& result, const StudyResults& study, Metric metric) {
-  result.value = [&study, metric](Run run) {
-    return std::ranges::any_of(run, [](const Solve* solve) { return is_ok(*solve); }) ? value_of(study, run, metric)
-                                                                                      : not_defined;
-  };
-  result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
-}
-
 // Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
 ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, ValueOf counted) {
   const MetricInfo& info = info_of(metric);
@@ -92,72 +83,65 @@ ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, Val
   return penalised(std::move(counted), metric, most > 0 ? most : 1);
 }
 
-std::string tolerance_note(double least, std::string_view unit) {
-  return fmt::format("An error below the tolerance of {0} {1} counts as {0} {1}: below it solvers are the same.",
-                     rounded_number(least, 4), unit);
+// The value of a whole run.
+OfRun run_value(const StudyResults& study, Metric metric) {
+  return [&study, metric, least = least_of(study, metric), only_solved = is_penalised(study, metric)](Run run) {
+    if (only_solved && std::ranges::none_of(run, [](const Solve* solve) { return is_ok(*solve); })) return not_defined;
+    const double value = value_of(study, run, metric);
+    return value < least ? least : value;
+  };
 }
 
-std::string rounding_note(const MetricInfo& info) {
-  return fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
-                     rounded_number(info.rounding, 3), info.unit);
-}
-
-Quantity mean_quantity(const StudyResults& study, Metric metric) {
+// Says which small values count as the tolerance, or as rounding.
+void add_note_on_small_values(Quantity& result, const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
-  Quantity result{.name = std::string(info.slug),
+  const auto is_small = [&](const Solve& solve) { return value_of(study, solve, metric) < info.rounding; };
+  if (const double tolerance = tolerance_of(study, metric); std::isfinite(tolerance)) {
+    result.notes.push_back(
+        fmt::format("An error below the tolerance of {0} {1} counts as {0} {1}: below it solvers are the same.",
+                    rounded_number(tolerance, 4), info.unit));
+  } else if (info.rounding > 0 &&
+             (result.scale == ValueScale::log10 || (is_error(metric) && std::ranges::any_of(study.solves, is_small)))) {
+    result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
+                                       rounded_number(info.rounding, 3), info.unit));
+  }
+}
+
+Quantity average_quantity(const StudyResults& study, Metric metric, Estimand estimand) {
+  const MetricInfo& info = info_of(metric);
+  const bool is_typical = estimand == Estimand::typical, is_time = info.kind == Kind::time;
+  Quantity result{.name = is_typical && !is_time ? fmt::format("{}-typical", info.slug) : std::string(info.slug),
                   .text = quantity(metric),
                   .unit = std::string(info.unit),
                   .better = info.better,
-                  .scale = info.kind == Kind::share ? ValueScale::share : ValueScale::plain,
-                  .average = is_of_run(metric) ? "value" : std::string(average_name(metric)),
-                  .value = [&study, metric](Run run) { return value_of(study, run, metric); }};
-  if (is_penalised(study, metric) && is_of_run(metric)) {
-    count_solved_runs(result, study, metric);
-  } else if (is_penalised(study, metric)) {
-    result.value = averaged(penalise(result, study, metric, counted_value(study, metric)), average_of(metric));
-  }
-  const double least = least_of(study, metric);
-  if (!std::isfinite(least)) return result;
-  if (std::isfinite(tolerance_of(study, metric))) {
-    result.notes.push_back(tolerance_note(least, info.unit));
-  } else if (std::ranges::any_of(study.solves,
-                                 [&](const Solve& solve) { return value_of(study, solve, metric) < least; })) {
-    result.notes.push_back(rounding_note(info));
-  }
+                  .scale = is_typical                 ? ValueScale::log10
+                           : info.kind == Kind::share ? ValueScale::share
+                                                      : ValueScale::plain,
+                  .average = is_of_run(metric)        ? "value"
+                             : is_typical && !is_time ? "geometric mean"
+                                                      : std::string(average_name(metric))};
   if (is_of_run(metric)) {
-    result.value = [&study, metric, least](Run run) {
-      const double value = value_of(study, run, metric);
-      return value < least ? least : value;
-    };
+    result.value = run_value(study, metric);
+    if (is_penalised(study, metric)) {
+      result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
+    }
   } else {
-    result.value = averaged(counted_value(study, metric));
-  }
-  return result;
-}
-
-Quantity typical_quantity(const StudyResults& study, Metric metric) {
-  const MetricInfo& info = info_of(metric);
-  const bool is_average = average_estimand(metric) == Estimand::typical;
-  Quantity result{.name = is_average ? std::string(info.slug) : fmt::format("{}-typical", info.slug),
-                  .text = quantity(metric),
-                  .unit = std::string(info.unit),
-                  .better = info.better,
-                  .scale = ValueScale::log10,
-                  .average = is_average ? std::string(average_name(metric)) : "geometric mean"};
-  ValueOf counted = counted_value(study, metric);
-  if (is_penalised(study, metric)) counted = penalise(result, study, metric, std::move(counted));
-  result.text = "typical " + result.text;
-  result.value = averaged(
-      [counted = std::move(counted), least = info.rounding](const Solve& solve) {
+    ValueOf counted = counted_value(study, metric);
+    if (is_penalised(study, metric)) {
+      counted = penalise(result, study, metric, std::move(counted));
+    } else if (is_time && !is_typical) {
+      counted = [&study, metric](const Solve& solve) { return value_of(study, solve, metric); };
+    }
+    if (is_typical) {
+      counted = [counted = std::move(counted), least = info.rounding](const Solve& solve) {
         const double value = counted(solve);
         return std::log10(value < least ? least : value);
-      },
-      is_average ? average_of(metric) : mean);
-  if (const double least = tolerance_of(study, metric); std::isfinite(least)) {
-    result.notes.push_back(tolerance_note(least, info.unit));
-  } else if (info.rounding > 0) {
-    result.notes.push_back(rounding_note(info));
+      };
+    }
+    result.value = averaged(std::move(counted), is_typical && !is_time ? mean : average_of(metric));
   }
+  if (is_typical) result.text = "typical " + result.text;
+  add_note_on_small_values(result, study, metric);
   return result;
 }
 
@@ -242,14 +226,8 @@ std::vector<Estimand> estimands_of(const StudyResults& study, Metric metric) {
 }
 
 Quantity quantity_of(const StudyResults& study, Metric metric, Estimand estimand) {
-  switch (estimand) {
-    case Estimand::typical:
-      return typical_quantity(study, metric);
-    case Estimand::reliability:
-      return reliability_quantity(study, metric);
-    default:
-      return mean_quantity(study, metric);
-  }
+  return estimand == Estimand::reliability ? reliability_quantity(study, metric)
+                                           : average_quantity(study, metric, estimand);
 }
 
 }  // namespace ikbench::inference

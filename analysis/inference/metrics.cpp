@@ -2,17 +2,98 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
-#include "analysis/inference/run_metrics.hpp"
 #include "analysis/inference/study.hpp"
 #include "numerics/units.hpp"
+#include "results/orientation.hpp"
 
 namespace ikbench::inference {
+
+using namespace results;
+using namespace statistics;
 
 namespace {
 
 constexpr double rounding_deg = 1e-9 / numerics::degree;
+
+// Metrics that are no column of the record. One without meaning in the study is not defined.
+
+double of_answer(const Solve& solve, double value) {
+  return results::is_without_answer(solve.status) ? not_defined : value;
+}
+
+double orientation_error_deg(const Solve& solve, const StudyResults& study) {
+  return study.facts.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
+}
+
+double variation_m(const Solve& solve) { return solve.extras == nullptr ? 0 : solve.extras->variation_m; }
+
+double instructions(const Solve& solve) { return solve.extras == nullptr ? not_defined : solve.extras->instructions; }
+
+// Mean, over the targets that are beyond the arm's reach, of the position error less its least possible value.
+double excess_error_cm(Run run, const StudyResults& study) {
+  std::vector<double> excess;
+  for (const Solve* solve : run) {
+    const double unavoidable = problem_of(study, *solve).unavoidable_error_cm;
+    if (unavoidable > 0) excess.push_back(solve->position_error_cm - unavoidable);
+  }
+  return excess.empty() ? not_defined : mean(excess);
+}
+
+// The metrics below describe how the arm follows a path, from the first answer of a run to the last, without the move
+// to the first point. They need an answer to each solve, starts from the previous answer, and targets on a path.
+bool is_followed(Run run, const StudyResults& study) {
+  if (study.facts.draws_targets || run.size() < 2) return false;
+  if (std::ranges::any_of(run, is_without_answer, &Solve::status)) return false;
+  for (std::size_t k = 1; k < run.size(); ++k) {
+    const Solve &before = *run[k - 1], &solve = *run[k];
+    if (solve.run != before.run || solve.point != before.point + 1 || !solve.is_following) return false;
+    if (!std::isfinite(solve.largest_move_deg)) return false;
+  }
+  return true;
+}
+
+// Sums a value over the moves between points.
+template <class ValueOf>
+double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
+  if (!is_followed(run, study)) return not_defined;
+  double sum = 0;
+  for (const Solve* solve : run.subspan(1)) sum += value_of(*solve);
+  return sum;
+}
+
+// Shape of a run that follows a path; not defined if it has one solve only.
+RunShape shape_of(Run run, const StudyResults& study) {
+  if (!is_followed(run, study)) return {};
+  const std::vector<RunShape>& all = study.solve_data->shapes;
+  const auto place = [](const auto& of) { return std::pair(of.solver, of.run); };
+  const auto found = std::ranges::lower_bound(all, place(*run.front()), {}, place);
+  return found != all.end() && place(*found) == place(*run.front()) ? *found : RunShape{};
+}
+
+double path_length_deg(Run run, const StudyResults& study) {
+  return sum_of_moves(run, study, [](const Solve& solve) { return solve.variation_deg; });
+}
+
+double path_length_m(Run run, const StudyResults& study) { return sum_of_moves(run, study, variation_m); }
+
+double largest_jump_deg(Run run, const StudyResults& study) {
+  if (!is_followed(run, study)) return not_defined;
+  return (*std::ranges::max_element(run.subspan(1), {}, &Solve::largest_move_deg))->largest_move_deg;
+}
+
+double jumps(Run run, const StudyResults& study) {
+  return sum_of_moves(run, study,
+                      [&](const Solve& solve) { return solve.largest_move_deg > study.plan.jump_deg ? 1 : 0; });
+}
+
+double second_difference_deg(Run run, const StudyResults& study) { return shape_of(run, study).second_difference_deg; }
+
+double return_deg(Run run, const StudyResults& study) { return shape_of(run, study).return_deg; }
 
 constexpr std::array infos{
 #define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                               \
@@ -53,6 +134,18 @@ std::vector<Metric> metrics_shown(std::initializer_list<ShownIn> ways) {
   std::vector<Metric> metrics = all_metrics();
   std::erase_if(metrics, [&](Metric metric) { return std::ranges::find(ways, row(metric).shown) == ways.end(); });
   return metrics;
+}
+
+// Returns whether a metric differs between the observations of a study, by more than its rounding.
+bool differs(const StudyResults& study, Metric metric) {
+  std::vector<double> values;
+  for (const Sample& sample : samples(study, metric)) {
+    std::ranges::copy_if(sample.values, std::back_inserter(values), [](double value) { return !std::isnan(value); });
+  }
+  if (values.empty()) return false;
+  const auto [least, most] = std::ranges::minmax(values);
+  const bool is_none = std::max(std::fabs(least), std::fabs(most)) <= info_of(metric).rounding;
+  return !is_none && (values.size() == 1 || least != most);
 }
 
 }  // namespace
@@ -102,6 +195,16 @@ std::vector<Metric> compared_metrics() {
   std::vector<Metric> metrics = metrics_shown({ShownIn::everywhere, ShownIn::in_comparisons});
   std::ranges::stable_sort(metrics, {}, [](Metric metric) { return row(metric).kind; });
   return metrics;
+}
+
+ShownMetrics shown_metrics(const StudyResults& study) {
+  ShownMetrics shown{.judged = reported_metrics(), .listed = {}};
+  if (!study.facts.published.empty()) return shown;
+  for (const Metric metric : metrics_shown({ShownIn::where_it_tells, ShownIn::in_tables})) {
+    if (!differs(study, metric)) continue;
+    (info_of(metric).shown == ShownIn::in_tables ? shown.listed : shown.judged).push_back(metric);
+  }
+  return shown;
 }
 
 }  // namespace ikbench::inference

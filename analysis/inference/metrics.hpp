@@ -31,7 +31,7 @@ enum class Metric : std::size_t {
 enum class Kind { number, count, time, share };
 
 // everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. The other two appear in
-// reports of studies without a paper if they differ between runs (shown_metrics.hpp), and in comparisons that name
+// reports of studies without a paper if they differ between runs (shown_metrics), and in comparisons that name
 // them: where_it_tells in tables, figures and statistics, in_tables as numbers only. if_named: only in comparisons and
 // claims that name it.
 enum class ShownIn { everywhere, in_comparisons, where_it_tells, in_tables, if_named };
@@ -72,5 +72,13 @@ std::vector<Metric> all_metrics();
 std::vector<Metric> reported_metrics();
 // Default metrics of `ikbench compare`: first those that do not depend on the machine, then times, then shares.
 std::vector<Metric> compared_metrics();
+
+// The metrics of a study's report. A study with a paper has those of every report. Any other study also has each metric
+// that differs between its runs.
+struct ShownMetrics {
+  std::vector<Metric> judged;  // in tables, figures and statistics
+  std::vector<Metric> listed;  // as numbers only
+};
+ShownMetrics shown_metrics(const StudyResults& study);
 
 }  // namespace ikbench::inference

@@ -13,7 +13,6 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
-#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/answer.hpp"

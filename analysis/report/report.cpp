@@ -17,7 +17,6 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"

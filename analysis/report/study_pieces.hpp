@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "analysis/inference/shown_metrics.hpp"
+#include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/sentence.hpp"

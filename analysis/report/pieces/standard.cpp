@@ -20,9 +20,7 @@ std::vector<Figure> overview_figures(const StudyResults& study, const ShownMetri
 }
 
 std::vector<Table> results_tables(const StudyResults& study, const ShownMetrics& metrics) {
-  Table table = results_table(study, metrics.judged);
-  if (!metrics.left_out.empty()) table.notes.push_back(metrics.left_out);
-  return {table};
+  return {results_table(study, metrics.judged)};
 }
 
 std::vector<Table> solved_tables(const StudyResults& study, const ShownMetrics&) {

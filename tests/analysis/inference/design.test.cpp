@@ -84,7 +84,7 @@ TEST_CASE("on a chained path observations are run means in independent groups, a
   CHECK(found.notes ==
         Names{"There are no blocks: each solve starts where the solver's previous answer left the arm."});
   CHECK(found.flaws.empty());
-  CHECK(!blocked_observations(study, metric_of_errors, Estimand::mean));
+  CHECK(observations(study, metric_of_errors, Estimand::mean).blocks.empty());
   CHECK(words_of(why_not_blocked(study)) == found.notes.front());
 }
 
@@ -136,19 +136,17 @@ TEST_CASE("a definition says whether targets were drawn, of any kind of path, ol
 
 TEST_CASE("targets drawn anew in every run make a block of each run", "[design]") {
   const StudyResults study = study_of({.path = "random", .runs = 3});
-  for (const Observations& found :
-       {observations(study, metric_of_errors), *blocked_observations(study, metric_of_errors, Estimand::mean)}) {
-    CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
-    CHECK(found.groups[0].values == Values{102, 202, 302});
-    CHECK(found.groups[1].values == Values{204, 404, 604});
-    CHECK(found.replicate == "the mean of a run over its 3 points");
-    CHECK(found.block == "a run with its own random targets, the same for all solvers");
-  }
+  const Observations found = observations(study, metric_of_errors);
+  CHECK(found.blocks == Names{"run 1", "run 2", "run 3"});
+  CHECK(found.groups[0].values == Values{102, 202, 302});
+  CHECK(found.groups[1].values == Values{204, 404, 604});
+  CHECK(found.replicate == "the mean of a run over its 3 points");
+  CHECK(found.block == "a run with its own random targets, the same for all solvers");
 }
 
 TEST_CASE("drawn targets that are solved from the same configuration are blocks each", "[design]") {
   const StudyResults study = study_of({.path = "random", .start = "initial", .runs = 1});
-  const Observations found = *blocked_observations(study, metric_of_errors, Estimand::mean);
+  const Observations found = observations(study, metric_of_errors, Estimand::mean);
   CHECK(found.blocks == Names{"run 1, point 1", "run 1, point 2", "run 1, point 3"});
   CHECK(found.groups[1].values == Values{202, 204, 206});
   CHECK(found.replicate == "the only solve of a target");
@@ -159,7 +157,7 @@ TEST_CASE("drawn targets that are solved from the same configuration are blocks 
 TEST_CASE("targets of a path that are solved from the same configuration are blocks, with the mean over the runs",
           "[design]") {
   const StudyResults study = study_of({.start = "initial"});
-  const Observations found = *blocked_observations(study, metric_of_errors, Estimand::mean);
+  const Observations found = observations(study, metric_of_errors, Estimand::mean);
   CHECK(found.blocks == Names{"point 1", "point 2", "point 3"});
   CHECK(found.groups[0].values == Values{151, 152, 153});  // of 101 and 201, ...
   CHECK(found.replicate == "the mean of a target over 2 runs");
@@ -177,7 +175,7 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
     std::vector<SolveRecord> solves = solves_of(shape);
     solves.pop_back();  // B's last point of run 3
     const StudyResults study = study_of(shape, solves);
-    const Observations found = *blocked_observations(study, metric_of_errors, Estimand::mean);
+    const Observations found = observations(study, metric_of_errors, Estimand::mean);
     CHECK(found.groups[0].values == (shape.path == "random" ? Values{102, 202} : Values{151, 152, 153}));
     CHECK(found.groups[0].values.size() == found.blocks.size());
     CHECK(found.notes == Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
@@ -199,13 +197,13 @@ TEST_CASE("an import takes no run from several other solvers, whichever it lacks
       solve.timing = Timing::imported;
       solves.push_back(solve);
     }
-    const Observations found = *blocked_observations(study_of(shape, solves), metric_of_errors, Estimand::mean);
+    const Observations found = observations(study_of(shape, solves), metric_of_errors, Estimand::mean);
     REQUIRE(found.groups.size() == 2);
     CHECK(found.groups[0].values == Values{201, 202, 203});  // the means over three runs
     REQUIRE(found.notes.size() == 1);
     CHECK(found.notes.front().starts_with("Left out: C, imported without runs that the others have."));
     std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "B"; });
-    CHECK(blocked_observations(study_of(shape, solves), metric_of_errors, Estimand::mean)->notes ==
+    CHECK(observations(study_of(shape, solves), metric_of_errors, Estimand::mean).notes ==
           Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
   }
 }
@@ -234,7 +232,7 @@ TEST_CASE("a store that claims the same targets for all, and has others, has no 
         "There are no blocks: the solvers did not have the same targets.");
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
-  CHECK(!blocked_observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean));
+  CHECK(observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean).blocks.empty());
 }
 
 TEST_CASE("what is not finite stays in its place and is counted, and times that are not clean are said", "[design]") {

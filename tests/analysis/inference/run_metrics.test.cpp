@@ -1,6 +1,6 @@
 // Metrics of whole runs, of turned answers and of targets beyond the reach, by hand; and the metrics that a report
 // shows.
-#include "analysis/inference/run_metrics.hpp"
+#include "analysis/inference/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/shown_metrics.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -173,16 +172,10 @@ TEST_CASE("a report shows what differs between runs, and names what it leaves ou
   CHECK_FALSE(has(shown.judged, "limit_margin"));
   CHECK_FALSE(has(shown.judged, "orientation_error_deg"));
   CHECK_FALSE(has(shown.listed, "manipulability"));
-  CHECK(
-      shown.left_out ==
-      "Left out: orientation error, slides variation, slide path length, smallest singular value of the Jacobian, product "
-      "of the Jacobian's singular values (always the same); position error beyond the unavoidable, distance of the angles "
-      "after a closed path (no meaning in this study).");
   StudyResults of_paper = study;
   of_paper.facts.published = "slim2023";
   CHECK(shown_metrics(of_paper).judged == reported_metrics());
   CHECK(shown_metrics(of_paper).listed.empty());
-  CHECK(shown_metrics(of_paper).left_out.empty());
 }
 
 TEST_CASE("solved solves are counted with Wilson's interval, by what is independent", "[run_metrics]") {
