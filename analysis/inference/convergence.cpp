@@ -21,7 +21,8 @@ namespace {
 
 constexpr double largest_target_cm = 10;
 constexpr double smallest_target_cm = 1e-8;
-constexpr std::size_t target_count = 51;  // as COCO has
+constexpr std::size_t target_count = 51;     // as COCO has
+constexpr std::size_t most_positions = 200;  // more cannot be told apart in a figure
 
 double or_censored(double value) { return std::isfinite(value) ? value : censored; }
 
@@ -48,8 +49,20 @@ double error_at(const StudyResults& study, const Solve& solve, double evaluation
 }
 
 double ratio_of(double cost, double smallest) {
-  if (cost == censored) return censored;
-  return cost == smallest ? 1 : cost / smallest;
+  return cost == censored ? censored : cost == smallest ? 1 : cost / smallest;
+}
+
+// `count` numbers from `first` to `last`, both exact and positive; a single number if they are equal.
+std::vector<double> log_spaced(double first, double last, std::size_t count) {
+  std::vector<double> numbers{first};
+  if (first == last) return numbers;
+  const double steps = static_cast<double>(count - 1);
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    numbers.push_back(std::pow(10, (1 - part) * std::log10(first) + part * std::log10(last)));
+  }
+  numbers.push_back(last);
+  return numbers;
 }
 
 // Stairs, ascending and not negative in `at`, at no more than most_positions.
@@ -210,50 +223,33 @@ Profile performance_profile(const StudyResults& study, const CostOf& cost_of) {
   return profile;
 }
 
-std::vector<double> log_spaced(double first, double last, std::size_t count) {
-  std::vector<double> numbers{first};
-  if (first == last) return numbers;
-  const double steps = static_cast<double>(count - 1);
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const double part = static_cast<double>(i) / steps;
-    numbers.push_back(std::pow(10, (1 - part) * std::log10(first) + part * std::log10(last)));
-  }
-  numbers.push_back(last);
-  return numbers;
-}
-
 std::string closest_point_by_point(const StudyResults& study) {
   if (std::isfinite(tolerance_cm(study))) return "";
   const Profile profile = performance_profile(study, final_error_cm);
-  const auto is_closest = [&](std::size_t solver, std::size_t problem) {
-    return !profile.ratios[solver].empty() && profile.ratios[solver][problem] <= 1;
-  };
-  std::vector<int> wins(study.solvers.size());  // alone: a tie counts for nobody
-  int tied = 0;
-  for (std::size_t problem = 0; problem < static_cast<std::size_t>(profile.problems); ++problem) {
-    std::vector<std::size_t> closest;
-    for (std::size_t i = 0; i < wins.size(); ++i) {
-      if (is_closest(i, problem)) closest.push_back(i);
+  std::vector<std::pair<double, std::string>> wins;  // alone: a tie counts for nobody
+  std::vector<int> closest(static_cast<std::size_t>(profile.problems));
+  for (const std::vector<double>& ratios : profile.ratios) {
+    for (std::size_t problem = 0; problem < ratios.size(); ++problem) closest[problem] += ratios[problem] <= 1 ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < study.solvers.size(); ++i) {
+    const std::vector<double>& ratios = profile.ratios[i];
+    if (ratios.empty()) continue;
+    auto& [won, solver] = wins.emplace_back(0, one_line(study.solvers[i]));
+    for (std::size_t problem = 0; problem < ratios.size(); ++problem) {
+      won += ratios[problem] <= 1 && closest[problem] == 1 ? 1 : 0;
     }
-    if (closest.size() == 1) ++wins[closest.front()];
-    if (closest.size() > 1) ++tied;
   }
-  const auto share_of = [&](int problems) { return percent(static_cast<double>(problems) / profile.problems); };
-  std::vector<std::pair<int, std::string>> winners;
-  for (std::size_t i = 0; i < wins.size(); ++i) {
-    if (!profile.ratios[i].empty()) winners.emplace_back(wins[i], one_line(study.solvers[i]));
-  }
-  if (winners.size() < 2 || profile.problems == 0) return "";
-  std::ranges::stable_sort(winners, std::greater{}, &std::pair<int, std::string>::first);
-  std::string list;
-  for (const auto& [problems, solver] : winners) {
-    list += fmt::format("{}{} in {}", list.empty() ? "" : ", ", solver, share_of(problems));
-  }
-  if (tied > 0) list += fmt::format("; {} are ties", share_of(tied));
+  if (wins.size() < 2 || profile.problems == 0) return "";
+  std::ranges::stable_sort(wins, std::greater{}, &std::pair<double, std::string>::first);
+  std::vector<std::string> list;
+  for (const auto& [won, solver] : wins)
+    list.push_back(fmt::format("{} in {}", solver, percent(won / profile.problems)));
+  const auto tied = std::ranges::count_if(closest, [](int solvers) { return solvers > 1; });
   return fmt::format(
-      "Point by point, over {} solves each, the closest to the target is {}. (The worst points of a run decide its "
+      "Point by point, over {} solves each, the closest to the target is {}{}. (The worst points of a run decide its "
       "mean.)",
-      profile.problems, list);
+      profile.problems, fmt::join(list, ", "),
+      tied > 0 ? fmt::format("; {} are ties", percent(static_cast<double>(tied) / profile.problems)) : "");
 }
 
 }  // namespace ikbench::inference

@@ -17,8 +17,6 @@ namespace ikbench::inference {
 
 // The cost of a target that is not reached, and the error of an answer that is not finite.
 constexpr double censored = std::numeric_limits<double>::infinity();
-// More positions on an axis cannot be told apart in a figure.
-constexpr std::size_t most_positions = 200;
 
 // `cost`, here and below: Metric::evaluations or Metric::seconds. Censored where it is not finite; 0 where it is
 // negative.
@@ -65,7 +63,7 @@ struct Share {
   double high = statistics::not_defined;
 };
 
-// The empirical distribution function, at every value or at most_positions log-spaced ones. Censored values count in
+// The empirical distribution function, at every value or at 200 log-spaced ones. Censored values count in
 // the whole and nowhere else.
 std::vector<Share> shares_within(std::vector<double> values);
 
@@ -89,8 +87,5 @@ Profile performance_profile(const StudyResults& study, const CostOf& cost_of);
 // worst points decide them. Empty if fewer than two solvers share a problem, and if solves end at a tolerance, because
 // within it solvers are the same.
 std::string closest_point_by_point(const StudyResults& study);
-
-// `count` numbers from `first` to `last`, both exact and positive; a single number if they are equal.
-std::vector<double> log_spaced(double first, double last, std::size_t count);
 
 }  // namespace ikbench::inference

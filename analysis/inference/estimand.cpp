@@ -145,6 +145,16 @@ Quantity average_quantity(const StudyResults& study, Metric metric, Estimand est
   return result;
 }
 
+// The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;
+// of times the study's deadline, not defined if it has none.
+double distance_of(const StudyResults& study, Metric metric) {
+  if (metric == Metric::position_error_cm) {
+    const double tolerance = tolerance_cm(study);
+    return std::isfinite(tolerance) ? tolerance : study.plan.within_cm;
+  }
+  return metric == Metric::seconds ? deadline_seconds(study) : not_defined;
+}
+
 Quantity reliability_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   Quantity result{.name = fmt::format("{}-reliability", info.slug),
@@ -191,14 +201,6 @@ bool is_penalised(const StudyResults& study, Metric metric) { return is_cost(met
 std::string penalty_words(const StudyResults& study, Metric metric) {
   return fmt::format("failures: {:g} times {}", penalty,
                      std::isnan(limit_of(study, metric)) ? "the dearest solve" : "the limit");
-}
-
-double distance_of(const StudyResults& study, Metric metric) {
-  if (metric == Metric::position_error_cm) {
-    const double tolerance = tolerance_cm(study);
-    return std::isfinite(tolerance) ? tolerance : study.plan.within_cm;
-  }
-  return metric == Metric::seconds ? deadline_seconds(study) : not_defined;
 }
 
 std::string within_words(const StudyResults& study, Metric metric) {

@@ -56,10 +56,6 @@ std::string penalty_words(const StudyResults& study, Metric metric);  // "failur
 // answer counts 0.
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
-// The distance of reliability, in the metric's unit: the study's tolerance, or the plan's within_cm where it has none;
-// of times the study's deadline, not defined if it has none.
-double distance_of(const StudyResults& study, Metric metric);
-
 // "within 0.01 cm", of poses without a tolerance "within 0.01 cm, however turned"; with a tolerance "within 0.01 cm and
 // inside the joint limits", and of times "solved within 0.005 s".
 std::string within_words(const StudyResults& study, Metric metric);

@@ -48,21 +48,19 @@ class PairJudge {
 };
 
 // Summarises the runs' means or, for typical, their logarithms; values below rounding count as rounding.
-GroupSummary summary_of(const std::vector<double>& values, Metric metric, Estimand by) {
-  if (by == Estimand::mean) return summarise(values);
-  std::vector<double> logarithms;
-  for (const double value : values) logarithms.push_back(std::log10(std::max(value, info_of(metric).rounding)));
-  return summarise(logarithms);
+GroupSummary summary_of(const Multiverse::ChosenSolver& own, std::size_t seed, const MultiverseClaim& claim) {
+  std::vector<double> values = values_of(own, claim.metric)[seed];
+  if (claim.by == Estimand::mean) return summarise(values);
+  for (double& value : values) value = std::log10(std::max(value, info_of(claim.metric).rounding));
+  return summarise(values);
 }
 
-// Relations of a solver to each choice of its rivals, for one seed and one choice of the study: by its own choice,
-// rival, rival's choice.
-using Answers = std::vector<std::vector<std::vector<Relation>>>;
-
+using AnswersOfOne = std::vector<std::vector<Relation>>;    // by solver and its choice; empty for the solver itself
 using Summarised = std::vector<std::vector<GroupSummary>>;  // by solver and its choice
 
-Answers answers_of(const Summarised& groups, std::size_t solver, const PairJudge& judge) {
-  Answers answers;
+// Relations of a solver to each choice of its rivals, for one seed and one choice of the study, by its own choice.
+std::vector<AnswersOfOne> answers_of(const Summarised& groups, std::size_t solver, const PairJudge& judge) {
+  std::vector<AnswersOfOne> answers;
   for (const GroupSummary& ours : groups[solver]) {
     auto& of_own = answers.emplace_back(groups.size());
     for (std::size_t rival = 0; rival < groups.size(); ++rival) {
@@ -80,7 +78,7 @@ Summarised summaries_of(const Multiverse::OfStudy& study, std::size_t seed, cons
   for (const std::vector<Multiverse::ChosenSolver>& of_solver : study.solvers) {
     groups.emplace_back();
     for (const Multiverse::ChosenSolver& own : of_solver) {
-      groups.back().push_back(summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by));
+      groups.back().push_back(summary_of(own, seed, claim));
     }
   }
   return groups;
@@ -108,53 +106,34 @@ UniverseCounts product_of(const std::vector<RivalCounts>& rivals, double weight)
 }
 
 // Counts a claim in all universes of one choice of the study and one of the solver.
-class OwnCount {
- public:
-  OwnCount(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed)
-      : into_(into), study_(study), seed_(seed), weight_(study.weight / study.universes()) {}
-
-  // `answers` by solver and its choice; empty for the solver itself.
-  void add(const Multiverse::ChosenSolver& own, const std::vector<std::vector<Relation>>& answers) {
-    std::vector<RivalCounts> rivals;
-    for (const std::vector<Relation>& of_rival : answers) {
-      if (of_rival.empty()) continue;
-      RivalCounts& against = rivals.emplace_back();
-      for (const Relation answer : of_rival) against += answer;
-    }
-    const UniverseCounts counts = product_of(rivals, weight_);
-    into_.all += counts;
-    into_.seeds[seed_] += counts;
-    for (const auto* chosen : {&study_.chosen, &own.chosen}) {
-      for (const Multiverse::Choice& each : *chosen) into_.alternatives[each.dimension][each.alternative] += counts;
-    }
-    std::size_t place = 0;
-    for (std::size_t rival = 0; rival < answers.size(); ++rival) {
-      if (answers[rival].empty()) continue;
-      add_rival(rival, answers[rival], rivals, place++);
-    }
+void add_universes(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed,
+                   const Multiverse::ChosenSolver& own, const AnswersOfOne& answers) {
+  const double weight = study.weight / study.universes();  // of a universe
+  std::vector<RivalCounts> rivals(answers.size(), {.all = 1, .better = 1});
+  for (std::size_t rival = 0; rival < answers.size(); ++rival) {
+    if (!answers[rival].empty()) rivals[rival] = {};
+    for (const Relation answer : answers[rival]) rivals[rival] += answer;
   }
-
- private:
-  // Counts a rival's choices by alternative, one rival after the other.
-  void add_rival(std::size_t rival, const std::vector<Relation>& answers, std::vector<RivalCounts> rivals,
-                 std::size_t place) {
-    std::map<std::pair<std::size_t, std::size_t>, RivalCounts> restricted;
-    for (std::size_t b = 0; b < answers.size(); ++b) {
-      for (const Multiverse::Choice& each : study_.solvers[rival][b].chosen) {
-        restricted[{each.dimension, each.alternative}] += answers[b];
+  const UniverseCounts counts = product_of(rivals, weight);
+  into.all += counts;
+  into.seeds[seed] += counts;
+  for (const auto* chosen : {&study.chosen, &own.chosen}) {
+    for (const Multiverse::Choice& each : *chosen) into.alternatives[each.dimension][each.alternative] += counts;
+  }
+  for (std::size_t rival = 0; rival < answers.size(); ++rival) {
+    std::map<std::pair<std::size_t, std::size_t>, RivalCounts> by_alternative;
+    for (std::size_t b = 0; b < answers[rival].size(); ++b) {
+      for (const Multiverse::Choice& each : study.solvers[rival][b].chosen) {
+        by_alternative[{each.dimension, each.alternative}] += answers[rival][b];
       }
     }
-    for (const auto& [choice, against] : restricted) {
-      rivals[place] = against;
-      into_.alternatives[choice.first][choice.second] += product_of(rivals, weight_);
+    std::vector<RivalCounts> restricted = rivals;
+    for (const auto& [choice, against] : by_alternative) {
+      restricted[rival] = against;
+      into.alternatives[choice.first][choice.second] += product_of(restricted, weight);
     }
   }
-
-  ClaimCounts& into_;
-  const Multiverse::OfStudy& study_;
-  std::size_t seed_;
-  double weight_;  // weight of a universe
-};
+}
 
 std::optional<std::size_t> place_of_solver(const Multiverse& multiverse, std::string_view label) {
   const auto found = std::ranges::find(multiverse.solvers, label);
@@ -172,8 +151,8 @@ ClaimCounts no_counts(const Multiverse& multiverse, const MultiverseClaim& claim
 }
 
 // The same answer for every choice of every rival.
-std::vector<std::vector<Relation>> alike(const Multiverse::OfStudy& study, std::size_t solver, Relation answer) {
-  std::vector<std::vector<Relation>> answers;
+AnswersOfOne alike(const Multiverse::OfStudy& study, std::size_t solver, Relation answer) {
+  AnswersOfOne answers;
   for (const auto& of_solver : study.solvers) answers.emplace_back(of_solver.size(), answer);
   answers[solver].clear();
   return answers;
@@ -187,16 +166,15 @@ void count_ranking(const Multiverse& multiverse, const std::vector<ClaimCounts*>
   if (!solver) return;
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
-      const Answers answers = answers_of(summaries_of(study, seed, first), *solver, judge);
+      const std::vector<AnswersOfOne> answers = answers_of(summaries_of(study, seed, first), *solver, judge);
       for (ClaimCounts* counts : alike_judged) {
         const std::string& named = counts->claim.rival;
         const std::optional<std::size_t> rival = place_of_solver(multiverse, named);
         if (!named.empty() && !rival) continue;
-        OwnCount into(*counts, study, seed);
         for (std::size_t own = 0; own < answers.size(); ++own) {
-          std::vector<std::vector<Relation>> held = rival ? alike(study, *solver, Relation::better) : answers[own];
+          AnswersOfOne held = rival ? alike(study, *solver, Relation::better) : answers[own];
           if (rival) held[*rival] = answers[own][*rival];
-          into.add(study.solvers[*solver][own], held);
+          add_universes(*counts, study, seed, study.solvers[*solver][own], held);
         }
       }
     }
@@ -225,10 +203,7 @@ Relation effect_between(const Multiverse::ChosenSolver& usual, const Multiverse:
   if (usual.error_cm[seed] == other.error_cm[seed] && usual.variation_deg[seed] == other.variation_deg[seed]) {
     return Relation::worse;
   }
-  const auto summary = [&](const Multiverse::ChosenSolver& own) {
-    return summary_of(values_of(own, claim.metric)[seed], claim.metric, claim.by);
-  };
-  return judge(summary(usual), summary(other));
+  return judge(summary_of(usual, seed, claim), summary_of(other, seed, claim));
 }
 
 void count_effect(const Multiverse& multiverse, ClaimCounts& counts, const PairJudge& judge) {
@@ -238,11 +213,11 @@ void count_effect(const Multiverse& multiverse, ClaimCounts& counts, const PairJ
   const auto place = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
-      OwnCount into(counts, study, seed);
       for (const Multiverse::ChosenSolver& own : study.solvers[*solver]) {
         const Multiverse::ChosenSolver* twin = twin_of(study.solvers[*solver], own, place);
         if (twin == nullptr) continue;
-        into.add(own, alike(study, *solver, effect_between(*twin, own, seed, counts.claim, judge)));
+        add_universes(counts, study, seed, own,
+                      alike(study, *solver, effect_between(*twin, own, seed, counts.claim, judge)));
       }
     }
   }
