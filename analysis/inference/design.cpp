@@ -264,13 +264,8 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   }
   const Blocks blocks = are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none;
   const Quantity quantity = quantity_of(study, metric, estimand);
-  Observations result{.name = quantity.name,
-                      .quantity = quantity.text,
-                      .unit = quantity.unit,
-                      .better = quantity.better,
-                      .scale = quantity.scale,
-                      .replicate = are_runs ? replicate_of(study, blocks, quantity.average) : "one point of a run",
-                      .counting = quantity.notes};
+  Observations result = quantity.described;
+  result.replicate = are_runs ? replicate_of(study, blocks, quantity.average) : "one point of a run";
   if (blocks != Blocks::none) {
     fill_blocks(result, study, blocks, quantity);
   } else {

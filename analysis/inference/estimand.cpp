@@ -67,13 +67,13 @@ ValueOf penalised(ValueOf counted, Metric metric, double most) {
 }
 
 // Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
-ValueOf penalise(Quantity& result, const StudyResults& study, Metric metric, ValueOf counted) {
+ValueOf penalise(Observations& result, const StudyResults& study, Metric metric, ValueOf counted) {
   const MetricInfo& info = info_of(metric);
-  result.text = text_of({fmt::format("{} ({})", info.name, penalty_words(study, metric)), result.unit});
+  result.quantity = text_of({fmt::format("{} ({})", info.name, penalty_words(study, metric)), result.unit});
   const double most = most_of(study, metric, counted);
   const std::string_view space = info.unit.empty() ? "" : " ";
   const std::string value = fmt::format("{}{}{}", rounded_number(most, 6), space, info.unit);
-  result.notes.push_back(fmt::format(
+  result.counting.push_back(fmt::format(
       "For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver gains by answers that solve "
       "nothing.",
       info.name, penalty,
@@ -93,42 +93,43 @@ OfRun run_value(const StudyResults& study, Metric metric) {
 }
 
 // Says which small values count as the tolerance, or as rounding.
-void add_note_on_small_values(Quantity& result, const StudyResults& study, Metric metric) {
+void add_note_on_small_values(Observations& result, const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
   const auto is_small = [&](const Solve& solve) { return value_of(study, solve, metric) < info.rounding; };
   if (const double tolerance = tolerance_of(study, metric); std::isfinite(tolerance)) {
-    result.notes.push_back(
+    result.counting.push_back(
         fmt::format("An error below the tolerance of {0} {1} counts as {0} {1}: below it solvers are the same.",
                     rounded_number(tolerance, 4), info.unit));
   } else if (info.rounding > 0 &&
              (result.scale == ValueScale::log10 || (is_error(metric) && std::ranges::any_of(study.solves, is_small)))) {
-    result.notes.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
-                                       rounded_number(info.rounding, 3), info.unit));
+    result.counting.push_back(fmt::format("A value below {0} {1} counts as {0} {1}, because below that it is rounding.",
+                                          rounded_number(info.rounding, 3), info.unit));
   }
 }
 
 Quantity average_quantity(const StudyResults& study, Metric metric, Estimand estimand) {
   const MetricInfo& info = info_of(metric);
   const bool is_typical = estimand == Estimand::typical, is_time = info.kind == Kind::time;
-  Quantity result{.name = is_typical && !is_time ? fmt::format("{}-typical", info.slug) : std::string(info.slug),
-                  .text = quantity(metric),
-                  .unit = std::string(info.unit),
-                  .better = info.better,
-                  .scale = is_typical                 ? ValueScale::log10
-                           : info.kind == Kind::share ? ValueScale::share
-                                                      : ValueScale::plain,
+  Quantity result{.described = {.name = fmt::format("{}{}", info.slug, is_typical && !is_time ? "-typical" : ""),
+                                .quantity = quantity(metric),
+                                .unit = std::string(info.unit),
+                                .better = info.better,
+                                .scale = is_typical                 ? ValueScale::log10
+                                         : info.kind == Kind::share ? ValueScale::share
+                                                                    : ValueScale::plain},
                   .average = is_of_run(metric)        ? "value"
                              : is_typical && !is_time ? "geometric mean"
                                                       : std::string(average_name(metric))};
+  Observations& described = result.described;
   if (is_of_run(metric)) {
     result.value = run_value(study, metric);
     if (is_penalised(study, metric)) {
-      result.notes.emplace_back("A run counts if at least one of its solves has status ok.");
+      described.counting.emplace_back("A run counts if at least one of its solves has status ok.");
     }
   } else {
     ValueOf counted = counted_value(study, metric);
     if (is_penalised(study, metric)) {
-      counted = penalise(result, study, metric, std::move(counted));
+      counted = penalise(described, study, metric, std::move(counted));
     } else if (is_time && !is_typical) {
       counted = [&study, metric](const Solve& solve) { return value_of(study, solve, metric); };
     }
@@ -140,8 +141,8 @@ Quantity average_quantity(const StudyResults& study, Metric metric, Estimand est
     }
     result.value = averaged(std::move(counted), is_typical && !is_time ? mean : average_of(metric));
   }
-  if (is_typical) result.text = "typical " + result.text;
-  add_note_on_small_values(result, study, metric);
+  if (is_typical) described.quantity = "typical " + described.quantity;
+  add_note_on_small_values(described, study, metric);
   return result;
 }
 
@@ -157,11 +158,12 @@ double distance_of(const StudyResults& study, Metric metric) {
 
 Quantity reliability_quantity(const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
-  Quantity result{.name = fmt::format("{}-reliability", info.slug),
-                  .text = fmt::format("share of solves {}", within_words(study, metric)),
-                  .better = Better::larger,
-                  .scale = ValueScale::share,
+  Quantity result{.described = {.name = fmt::format("{}-reliability", info.slug),
+                                .quantity = fmt::format("share of solves {}", within_words(study, metric)),
+                                .better = Better::larger,
+                                .scale = ValueScale::share},
                   .average = "share"};
+  std::vector<std::string>& notes = result.described.counting;
   const double most = distance_of(study, metric) + info.rounding;
   const bool is_solved = has_tolerance(study), is_position = metric == Metric::position_error_cm;
   result.value = averaged([&study, metric, most, is_solved, is_position](const Solve& solve) {
@@ -169,14 +171,14 @@ Quantity reliability_quantity(const StudyResults& study, Metric metric) {
     return counts && ((is_position && is_solved) || value_of(study, solve, metric) <= most) ? 1.0 : 0.0;
   });
   if (is_solved) {
-    result.notes.emplace_back("Only a solve with status ok counts: inside the joint limits and within the tolerance.");
+    notes.emplace_back("Only a solve with status ok counts: inside the joint limits and within the tolerance.");
     return result;
   }
   if (is_position) {
-    result.notes.emplace_back(
+    notes.emplace_back(
         "The study has no tolerance, so an answer counts by its position alone, inside the joint limits or not.");
   }
-  result.notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
+  notes.emplace_back("An answer that was refused, is not finite or is missing is not within.");
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/metrics.hpp"
+#include "analysis/inference/observations.hpp"
 #include "analysis/inference/study.hpp"
 #include "results/analysis_plan.hpp"
 
@@ -14,15 +15,11 @@ namespace ikbench::inference {
 
 constexpr double penalty = 10;
 
+// What observations by an estimand are, and how a run becomes one.
 struct Quantity {
-  std::string name;  // for files and anchors: "error", "error-typical", "error-reliability"
-  std::string text;  // with its unit in brackets: "typical position error [cm]"
-  std::string unit = {};
-  Better better = Better::smaller;
-  ValueScale scale = ValueScale::plain;
-  std::string average = "mean";         // average of an observation's solves, in words
-  OfRun value = {};                     // the value of a run
-  std::vector<std::string> notes = {};  // say how failures and small values count
+  Observations described;        // name, quantity, unit, better, scale and counting, without groups
+  std::string average = "mean";  // average of an observation's solves, in words
+  OfRun value = {};              // the value of a run
 };
 
 // The estimand that averages a metric: the typical value for times, because one interruption would decide a mean; else
