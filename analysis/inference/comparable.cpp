@@ -207,27 +207,34 @@ std::set<std::string> machines_of(std::span<const Session> sessions) {
 
 namespace {
 
-// Mean evaluations of a solver whose solves the limit of iterations ends, nearly all; else not defined.
-double evaluations_of_iterations(const StudyResults& study, const std::string& solver) {
-  constexpr double nearly_all = 0.9;
-  double sum = 0, limited = 0, count = 0;
+// What all solves of a solver took; not defined unless the suite counted its evaluations.
+struct Effort {
+  double evaluations = 0, iterations = 0, solves = 0;
+  double limited = 0;  // number of solves that the limit of iterations ended
+};
+
+Effort effort_of(const StudyResults& study, const std::string& solver) {
+  Effort effort;
   for (const Solve& solve : solves_of(study, solver)) {
-    if (solve.counted_by != CountedBy::suite || is_without_answer(solve.status)) return not_defined;
-    sum += static_cast<double>(solve.evaluations);
-    limited += solve.stop_reason == StopReason::iterations ? 1 : 0;
-    ++count;
+    const bool is_counted = solve.counted_by == CountedBy::suite && !is_without_answer(solve.status);
+    effort.evaluations += is_counted ? static_cast<double>(solve.evaluations) : not_defined;
+    effort.iterations += static_cast<double>(solve.iterations);
+    effort.limited += solve.stop_reason == StopReason::iterations ? 1 : 0;
+    ++effort.solves;
   }
-  return limited >= nearly_all * count && count > 0 ? sum / count : not_defined;
+  return effort;
 }
 
+// Compares solvers whose solves the limit of iterations ends, nearly all.
 Doubts effort_doubts(const StudyResults& study) {
-  constexpr double much = 2;
+  constexpr double nearly_all = 0.9, much = 2;
   if (study.facts.stop.evaluations > 0 || study.facts.stop.seconds > 0) return {};
   std::string fewest, most;
   double few = not_defined, many = not_defined;
   for (const std::string& solver : study.solvers) {
-    const double mean = evaluations_of_iterations(study, solver);
-    if (std::isnan(mean)) continue;
+    const Effort effort = effort_of(study, solver);
+    const double mean = effort.evaluations / effort.solves;
+    if (effort.limited < nearly_all * effort.solves || std::isnan(mean)) continue;
     if (!(mean >= few)) few = mean, fewest = solver;
     if (!(mean <= many)) many = mean, most = solver;
   }
@@ -235,34 +242,23 @@ Doubts effort_doubts(const StudyResults& study) {
   return {{.kind = DoubtKind::unequal_evaluations, .who = {most}, .count = few, .of = many, .what = fewest}};
 }
 
-// Evaluations of an iteration; not defined without iterations, where the suite did not count, and for a library or
-// program, one of whose iterations may be a whole search.
-double evaluations_per_iteration(const StudyResults& study, const std::string& solver) {
-  double evaluations = 0, iterations = 0;
-  if (std::ranges::find(study.external, solver) != study.external.end()) return not_defined;
-  for (const Solve& solve : solves_of(study, solver)) {
-    if (solve.counted_by != CountedBy::suite) return not_defined;
-    evaluations += static_cast<double>(solve.evaluations);
-    iterations += static_cast<double>(solve.iterations);
-  }
-  return iterations > 0 ? evaluations / iterations : not_defined;
-}
-
-// A method that follows the gradient evaluates one or a few candidates in an iteration; a population many.
+// A method that follows the gradient evaluates one or a few candidates in an iteration; a population many. An iteration
+// of a library or program may be a whole search, so nothing is known of it.
 Doubts baseline_doubts(const StudyResults& study, const JudgedStudies& companions) {
   constexpr double many = 8;
   double fewest = not_defined;
   const auto has_populations_only = [&](const StudyResults& each) {
     return std::ranges::all_of(each.solvers, [&](const std::string& solver) {
-      const double here = evaluations_per_iteration(each, solver);
+      const bool is_external = std::ranges::find(each.external, solver) != each.external.end();
+      const Effort effort = effort_of(each, solver);
+      const double here = is_external || effort.iterations == 0 ? not_defined : effort.evaluations / effort.iterations;
       if (!(here >= fewest)) fewest = here;
       return here >= many;
     });
   };
   if (study.solvers.empty() || !has_populations_only(study)) return {};
   const double of_study = fewest;
-  const bool have_companions_too = std::ranges::all_of(companions, has_populations_only);
-  if (!have_companions_too) return {};
+  if (!std::ranges::all_of(companions, has_populations_only)) return {};
   return {{.kind = DoubtKind::populations_only, .count = of_study}};
 }
 
