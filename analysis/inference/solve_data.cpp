@@ -53,36 +53,24 @@ double norm_deg(std::size_t joints, const std::set<std::size_t>& slides, Element
   return std::sqrt(sum) / numerics::degree;
 }
 
-double angle_deg(const std::vector<double>& answer, std::size_t joint) {
-  return joint < answer.size() ? answer[joint] / numerics::degree : not_defined;
-}
-
-using JointAngles = std::vector<std::vector<double>>;
-
-double second_difference_deg(const JointAngles& answers, const std::set<std::size_t>& slides) {
-  const bool is_even = std::ranges::all_of(
-      answers, [&](const std::vector<double>& answer) { return answer.size() == answers.front().size(); });
-  if (answers.size() < 3 || !is_even) return not_defined;
+// Fills the second differences, if all answers have the same number of joints.
+void add_second_differences(RunShape& shape, const std::vector<std::vector<double>>& answers,
+                            const std::set<std::size_t>& slides) {
+  const std::size_t joints = answers.front().size();
+  const auto has_all = [&](const std::vector<double>& answer) { return answer.size() == joints; };
+  if (answers.size() < 3 || !std::ranges::all_of(answers, has_all)) return;
   double sum = 0;
-  for (std::size_t k = 1; k + 1 < answers.size(); ++k) {
-    const std::vector<double>&before = answers[k - 1], &here = answers[k], &after = answers[k + 1];
-    sum += norm_deg(here.size(), slides,
-                    [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
-  }
-  return sum / static_cast<double>(answers.size() - 2);
-}
-
-double mean_bend_deg(const JointAngles& answers) {
-  std::size_t joints = 0;
-  for (const std::vector<double>& answer : answers) joints = std::max(joints, answer.size());
   std::vector<double> bends;
   for (std::size_t k = 1; k + 1 < answers.size(); ++k) {
+    const std::vector<double>&before = answers[k - 1], &here = answers[k], &after = answers[k + 1];
+    sum += norm_deg(joints, slides, [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
     for (std::size_t joint = 0; joint < joints; ++joint) {
-      bends.push_back(std::abs(angle_deg(answers[k - 1], joint) - 2 * angle_deg(answers[k], joint) +
-                               angle_deg(answers[k + 1], joint)));
+      bends.push_back(std::abs(before[joint] / numerics::degree - 2 * (here[joint] / numerics::degree) +
+                               after[joint] / numerics::degree));
     }
   }
-  return mean(bends);
+  shape.second_difference_deg = sum / static_cast<double>(answers.size() - 2);
+  shape.mean_bend_deg = mean(bends);
 }
 
 // Returns whether a clean solve took more than 10 % longer than its CPU time. A program may wait for other reasons, so
@@ -117,19 +105,12 @@ std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
   asked_.insert(asked_.end(), solve.target_position_m.begin(), solve.target_position_m.end());
   asked_.insert(asked_.end(), solve.target_rotation.begin(), solve.target_rotation.end());
   if (has_start) asked_.insert(asked_.end(), solve.start_rad.begin(), solve.start_rad.end());
-  const auto is_same = [](double a, double b) {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-  };
-  const std::size_t hash = hash_of(asked_);
-  const auto [begin, end] = index_.equal_range(hash);
-  for (auto known = begin; known != end; ++known) {
-    if (std::ranges::equal(list(known->second), asked_, is_same)) return known->second;
+  const auto [known, is_new] = index_.try_emplace(hash_of(asked_), static_cast<std::uint32_t>(ends_.size()));
+  if (is_new) {
+    numbers_.insert(numbers_.end(), asked_.begin(), asked_.end());
+    ends_.push_back(numbers_.size());
   }
-  const auto number = static_cast<std::uint32_t>(ends_.size());
-  numbers_.insert(numbers_.end(), asked_.begin(), asked_.end());
-  ends_.push_back(numbers_.size());
-  index_.emplace(hash, number);
-  return number;
+  return known->second;
 }
 
 void Problems::forget_index() { index_ = {}; }
@@ -200,11 +181,9 @@ void StudyMaker::keep_drawn(const SolveRecord& record, bool is_first_of_solver) 
 
 void StudyMaker::end_run() {
   if (answers_.size() > 1) {
-    RunShape shape{.solver = solves_.back().solver,
-                   .run = solves_.back().run,
-                   .points = static_cast<int>(answers_.size()),
-                   .second_difference_deg = second_difference_deg(answers_, study_.facts.slides),
-                   .mean_bend_deg = mean_bend_deg(answers_)};
+    RunShape shape{
+        .solver = solves_.back().solver, .run = solves_.back().run, .points = static_cast<int>(answers_.size())};
+    add_second_differences(shape, answers_, study_.facts.slides);
     const std::vector<double>&first = answers_.front(), &last = answers_.back();
     if (first.size() == last.size() && is_near(first_.position_m, last_.position_m) &&
         is_near(first_.rotation, last_.rotation)) {

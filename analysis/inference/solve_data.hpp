@@ -43,7 +43,7 @@ class Problems {
 
   std::vector<double> numbers_, asked_;  // all lists joined, and the list that number_of() looks up
   std::vector<std::size_t> ends_;
-  std::unordered_multimap<std::size_t, std::uint32_t> index_;  // by a hash of the bits
+  std::unordered_map<std::uint64_t, std::uint32_t> index_;  // by a hash of 64 bits
 };
 
 // Counts answers in which a joint is nearly straight: within near_deg of a multiple of 180 degrees.
@@ -75,9 +75,9 @@ struct SolveData {
   std::string robot = {};
   Problems problems = {};
   std::deque<RareData> extras = {};
-  std::vector<SolverFacts> of_solver = {};   // one per label
-  std::vector<RunShape> shapes = {};         // by solver and run
-  std::set<std::size_t> joints = {};         // numbers of angles in starts and answers
+  std::vector<SolverFacts> of_solver = {};  // one per label
+  std::vector<RunShape> shapes = {};        // by solver and run
+  std::set<std::size_t> joints = {};        // numbers of angles in starts and answers
   // Records of the first run of each solver, without traces.
   std::vector<results::SolveRecord> drawn = {};
 };
