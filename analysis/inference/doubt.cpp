@@ -91,7 +91,7 @@ constexpr std::array all_words{
     Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
     Words{
         K::looked_before, "The study was looked at before",
-        "This is look {count} at this study: the earlier ones were after {who} runs, and now there are {of}. So a difference counts "
+        "This is look {count} at this study: earlier ones were after {who} runs, and now there are {of}. So a difference counts "
         "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies. "
         "In a new study ikbench compare --sequential plans the looks."},
     Words{
