@@ -116,7 +116,9 @@ Estimate Clusters::estimate(double value, std::vector<double> replicates) const 
   return expanded_percentiles(value, std::move(replicates), drawn_at_once_, level());
 }
 
-bool Clusters::are_copies(std::string_view solver) const { return are_runs_ && repeats_itself(study_, solver); }
+bool Clusters::are_copies(std::size_t solver) const {
+  return are_runs_ && repeats_itself(study_, study_.solvers[solver]);
+}
 
 void judge(std::vector<Finding>& family, std::span<const std::vector<double>> replicates, Better better,
            const Clusters& clusters) {
@@ -127,7 +129,6 @@ void judge(std::vector<Finding>& family, std::span<const std::vector<double>> re
   for (std::size_t i = 0; i < family.size(); ++i) {
     Finding& finding = family[i];
     finding.estimate = estimates[i];
-    finding.method = fmt::format("bootstrap of the {}", clusters.noun());
     const auto& [value, low, high] = finding.estimate;
     if (std::isnan(low)) {
       finding.why = clusters.undefined().empty() ? "not every sample has a value" : clusters.undefined();
@@ -155,17 +156,17 @@ std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, con
     const auto at = std::ranges::lower_bound(positions, of.values[i]);
     if (at != positions.end()) ++cluster.at_position[static_cast<std::size_t>(at - positions.begin())];
   }
-  std::vector<std::vector<double>> result;
+  std::vector<std::vector<double>> result(positions.size());
+  std::vector<double> shares;
   for (const std::vector<double>& drawn : clusters.replicates()) {
-    std::vector<double>& shares = result.emplace_back(positions.size());
-    double all = 0;
+    shares.assign(positions.size(), 0);
+    double all = 0, within = 0;
     for (std::size_t c = 0; c < drawn.size(); ++c) {
       if (drawn[c] == 0) continue;
       all += drawn[c] * counted[c].all;
       for (std::size_t p = 0; p < positions.size(); ++p) shares[p] += drawn[c] * counted[c].at_position[p];
     }
-    double within = 0;
-    for (double& share : shares) share = (within += share) / all;
+    for (std::size_t p = 0; p < positions.size(); ++p) result[p].push_back((within += shares[p]) / all);
   }
   return result;
 }
@@ -174,11 +175,9 @@ std::vector<Share> banded_shares(const ClusteredValues& of, const Clusters& clus
   std::vector<Share> shares = shares_within(of.values);
   std::vector<double> positions;
   for (const Share& share : shares) positions.push_back(share.at);
-  const std::vector<std::vector<double>> replicates = resampled_shares(of, clusters, positions);
+  std::vector<std::vector<double>> replicates = resampled_shares(of, clusters, positions);
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    std::vector<double> values;
-    for (const std::vector<double>& replicate : replicates) values.push_back(replicate[i]);
-    const Estimate share = clusters.estimate(shares[i].share, std::move(values));
+    const Estimate share = clusters.estimate(shares[i].share, std::move(replicates[i]));
     shares[i].low = share.low;
     shares[i].high = share.high;
   }

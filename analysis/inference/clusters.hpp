@@ -45,7 +45,7 @@ class Clusters {
 
   double level() const;  // of intervals, as the plan of the study has it
   // Whether the clusters are runs, and those of the solver copies of one.
-  bool are_copies(std::string_view solver) const;
+  bool are_copies(std::size_t solver) const;
 
   // A statistic with the expanded_percentiles of its replicates.
   Estimate estimate(double value, std::vector<double> replicates) const;
@@ -72,7 +72,7 @@ struct ClusteredValues {
   std::vector<std::size_t> clusters;
 };
 
-// The share of values at or below each position (ascending): in every replicate, [replicate][position].
+// The share of values at or below each position (ascending), in every replicate: [position][replicate].
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,
                                                   std::span<const double> positions);
 

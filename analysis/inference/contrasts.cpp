@@ -66,7 +66,7 @@ double in_family(const Evidence& evidence, double chance) {
   return std::min(1.0, chance * static_cast<double>(evidence.family()));
 }
 
-double chance_of_unanimity(const Evidence& evidence, const Contrast& contrast) {
+double chance_of_unanimity(const Evidence& evidence, const Finding& contrast) {
   return chance_of_unanimity(evidence, evidence.groups[contrast.first].described.n,
                              evidence.groups[contrast.second].described.n);
 }
@@ -77,7 +77,7 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 
 // Returns whether an exact test of order replaces the bootstrap: the groups do not overlap, or differ in one direction
 // in every block, and one group has a single value or the bootstrap has no spread to judge by.
-bool has_order(const Evidence& evidence, const Contrast& contrast) {
+bool has_order(const Evidence& evidence, const Finding& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
   if (!evidence.method->resamples) return false;
@@ -90,12 +90,12 @@ bool has_order(const Evidence& evidence, const Contrast& contrast) {
 
 }  // namespace
 
-bool are_constants(const Evidence& evidence, const Contrast& contrast) {
+bool are_constants(const Evidence& evidence, const Finding& contrast) {
   return !evidence.from_summaries && !evidence.of_outcomes && is_constant(evidence.groups[contrast.first].described) &&
          is_constant(evidence.groups[contrast.second].described);
 }
 
-bool has_known(const Evidence& evidence, const Contrast& contrast) {
+bool has_known(const Evidence& evidence, const Finding& contrast) {
   return evidence.groups[contrast.first].copies + evidence.groups[contrast.second].copies > 0;
 }
 
@@ -105,7 +105,7 @@ int fewest_to_differ(const Evidence& evidence) {
   return evidence.method->resamples ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
-Relation relation_of(const Evidence& evidence, const Contrast& contrast, double p) {
+Relation relation_of(const Evidence& evidence, const Finding& contrast, double p) {
   return relation_of(contrast.ahead, p, evidence.plan.significance, contrast.is_within_margin());
 }
 
@@ -113,7 +113,7 @@ namespace {
 
 // Two-sided probability that two groups from one distribution do not overlap: by the sign test within blocks and
 // against a known value, else by Mann and Whitney's exact test.
-double chance_of_order(const Evidence& evidence, const Contrast& contrast) {
+double chance_of_order(const Evidence& evidence, const Finding& contrast) {
   const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
   const int n = first.described.n, m = second.described.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
@@ -138,7 +138,7 @@ bool may_be_shares(const Evidence& evidence, double value) {
 }
 
 // Returns whether every value of a group is the known value of the other.
-bool equals_known(const Evidence& evidence, const Contrast& contrast) {
+bool equals_known(const Evidence& evidence, const Finding& contrast) {
   const Description &first = evidence.groups[contrast.first].described,
                     &second = evidence.groups[contrast.second].described;
   return has_known(evidence, contrast) && first.min == second.max && first.max == second.min;
@@ -146,7 +146,7 @@ bool equals_known(const Evidence& evidence, const Contrast& contrast) {
 
 // Judges two groups with one value each. To find no difference takes as many values as to find one, and of what may be
 // shares as many as exclude failures beyond the margin.
-void judge_constants(const Evidence& evidence, Contrast& contrast) {
+void judge_constants(const Evidence& evidence, Finding& contrast) {
   const Description& first = evidence.groups[contrast.first].described;
   const Description& second = evidence.groups[contrast.second].described;
   const double difference = first.mean - second.mean;
@@ -158,22 +158,22 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
   contrast.p = difference == 0 ? 1 : by_chance;
   contrast.p_alone = difference == 0 ? 1 : std::min(1.0, alone);
   contrast.ahead = ahead_by_means(evidence, difference);
-  contrast.undefined.clear();
-  contrast.difference = {.value = difference};
+  contrast.why.clear();
+  contrast.estimate = {.value = difference};
   contrast.relation = Relation::undecided;
   const double level = evidence.plan.significance / static_cast<double>(evidence.family());
   const double fewest = fewest_to_differ(evidence);
   contrast.runs_to_decide.value =
       are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), level), fewest) : fewest;
   if (by_chance >= evidence.plan.significance) return;
-  contrast.difference = {difference, difference, difference};
+  contrast.estimate = {difference, difference, difference};
   if (are_shares) {
     const auto unseen = [&](std::size_t group) {
       const GroupEvidence& of = evidence.groups[group];
       return of.copies > 0 ? 0 : unseen_failures(evidence, of.described.n);
     };
-    contrast.difference.low = -unseen(contrast.first);
-    contrast.difference.high = unseen(contrast.second);
+    contrast.estimate.low = -unseen(contrast.first);
+    contrast.estimate.high = unseen(contrast.second);
   }
   measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
@@ -181,7 +181,7 @@ void judge_constants(const Evidence& evidence, Contrast& contrast) {
 }
 
 // Compares two known values, or two groups that are equal bit for bit.
-void judge_facts(const Evidence& evidence, Contrast& contrast) {
+void judge_facts(const Evidence& evidence, Finding& contrast) {
   const double worst = (evidence.better == Better::smaller ? 1 : -1) * std::numeric_limits<double>::infinity();
   const auto known = [&](std::size_t group) {
     const double value = evidence.groups[group].described.max;
@@ -191,8 +191,8 @@ void judge_facts(const Evidence& evidence, Contrast& contrast) {
   const double difference = first == second ? 0 : first - second;
   contrast.is_fact = true;
   contrast.p = contrast.p_alone = not_defined;
-  contrast.undefined.clear();
-  contrast.difference = {difference, difference, difference};
+  contrast.why.clear();
+  contrast.estimate = {difference, difference, difference};
   contrast.ahead = ahead_by_means(evidence, difference);
   if (std::isfinite(difference)) {
     measure_extent(evidence, contrast);
@@ -202,10 +202,10 @@ void judge_facts(const Evidence& evidence, Contrast& contrast) {
   contrast.relation = first == second || contrast.is_within_margin() ? Relation::same
                       : contrast.ahead > 0                           ? Relation::better
                                                                      : Relation::worse;
-  contrast.difference = {.value = difference};
+  contrast.estimate = {.value = difference};
 }
 
-void judge(const Evidence& evidence, Contrast& contrast) {
+void judge(const Evidence& evidence, Finding& contrast) {
   if (is_fact(evidence.groups[contrast.first], evidence.groups[contrast.second])) {
     judge_facts(evidence, contrast);
     return;
@@ -220,7 +220,7 @@ void judge(const Evidence& evidence, Contrast& contrast) {
     if (by_chance < evidence.plan.significance) {
       contrast.p = by_chance;
       contrast.p_alone = alone;
-      contrast.ahead = ahead_by_means(evidence, contrast.difference.value);
+      contrast.ahead = ahead_by_means(evidence, contrast.estimate.value);
       contrast.is_by_order = true;
       contrast.lacks_spread = false;
     }
@@ -230,21 +230,21 @@ void judge(const Evidence& evidence, Contrast& contrast) {
       contrast.relation = Relation::undecided;
     } else if (has_known(evidence, contrast)) {
       const double ahead = contrast.superiority.value;
-      contrast.undefined = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"
+      contrast.why = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"
                                                     : "a known value has runs of the other on both sides";
-    } else if (contrast.undefined.empty()) {
-      contrast.undefined = "a group has fewer than two values, or values that are not finite";
+    } else if (contrast.why.empty()) {
+      contrast.why = "a group has fewer than two values, or values that are not finite";
     }
     return;
   }
-  contrast.undefined.clear();
+  contrast.why.clear();
   measure_extent(evidence, contrast);
   contrast.relation = relation_of(evidence, contrast, contrast.p);
 }
 
 // Observations needed to find a difference as large as the margin, for the spread seen and for plausible spreads. The
 // seen difference does not enter: it may be chance. Signs have no size: for them it is the fewest that the test needs.
-Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, const Groups& groups) {
+Estimate runs_to_decide(const Evidence& evidence, const Finding& contrast, const Groups& groups) {
   const std::span summaries = groups.summaries;
   const std::span values = groups.values;
   if (evidence.of_outcomes) return runs_to_decide_shares(evidence, contrast, values);
@@ -272,34 +272,17 @@ Estimate runs_to_decide(const Evidence& evidence, const Contrast& contrast, cons
           .high = std::fmax(runs(1 - outside), fewest)};
 }
 
-// Lists the pairs to compare, first < second, in order: all, or those with the reference.
-std::vector<Contrast> shown_pairs(Evidence& evidence) {
-  const std::size_t k = evidence.groups.size();
-  evidence.pairs = k * (k - 1) / 2;
-  evidence.reference = reference_of(evidence);
-  std::vector<Contrast> all;
-  all.reserve(evidence.pairs);
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = i + 1; j < k; ++j) all.push_back({.first = i, .second = j});
-  }
-  if (evidence.reference) {
-    std::erase_if(all,
-                  [&](const Contrast& c) { return c.first != *evidence.reference && c.second != *evidence.reference; });
-  }
-  return all;
-}
-
 // Judges two groups with equal values in every block.
-void judge_equal_blocks(const Evidence& evidence, Contrast& contrast) {
+void judge_equal_blocks(const Evidence& evidence, Finding& contrast) {
   contrast.p = contrast.p_alone = 1;
-  contrast.undefined.clear();
+  contrast.why.clear();
   if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance)
-    contrast.difference = {0, 0, 0};
+    contrast.estimate = {0, 0, 0};
 }
 
-void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Contrast>& contrasts) {
+void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Finding>& contrasts) {
   if (evidence.method->compares != Compares::means || groups.values.empty()) return;
-  const std::vector<Contrast> ranks = rank_method(evidence).pairs(evidence, groups);
+  const std::vector<Finding> ranks = rank_method(evidence).pairs(evidence, groups);
   for (std::size_t i = 0; i < contrasts.size(); ++i) {
     contrasts[i].p_ranks = ranks[i].p;
     contrasts[i].ahead_by_ranks = ranks[i].ahead;
@@ -339,7 +322,7 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
   return with_width(median_interval(differences, level), varies(differences));
 }
 
-void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contrast) {
+void add_effects(const Evidence& evidence, const Groups& groups, Finding& contrast) {
   if (evidence.of_outcomes) return;
   contrast.g = hedges_g(groups.summaries[contrast.first], groups.summaries[contrast.second]);
   if (groups.values.empty()) return;
@@ -352,18 +335,21 @@ void add_effects(const Evidence& evidence, const Groups& groups, Contrast& contr
 }  // namespace
 
 void add_contrasts(Evidence& evidence, const Groups& groups) {
-  evidence.contrasts = shown_pairs(evidence);
+  const std::size_t k = evidence.groups.size();
+  evidence.pairs = k * (k - 1) / 2;
+  evidence.reference = reference_of(evidence);
+  evidence.contrasts = unjudged_pairs(k, evidence.reference);
   if (evidence.method->compares != Compares::means || evidence.decides_within_blocks()) {
     evidence.fewest = fewest_to_differ(evidence);
   }
-  std::vector<Contrast> results = evidence.method->pairs(evidence, groups);
+  std::vector<Finding> results = evidence.method->pairs(evidence, groups);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    Contrast& contrast = evidence.contrasts[i];
+    Finding& contrast = evidence.contrasts[i];
     results[i].first = contrast.first;
     results[i].second = contrast.second;
     contrast = std::move(results[i]);
-    if (std::isnan(contrast.difference.value)) {
-      contrast.difference.value = groups.summaries[contrast.first].mean - groups.summaries[contrast.second].mean;
+    if (std::isnan(contrast.estimate.value)) {
+      contrast.estimate.value = groups.summaries[contrast.first].mean - groups.summaries[contrast.second].mean;
     }
     add_effects(evidence, groups, contrast);
     const bool is_paired = evidence.decides_within_blocks() && !evidence.of_outcomes;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -42,7 +41,7 @@ void name_group(Reason& reason, const std::vector<GroupEvidence>& groups) {
 
 void name_groups(Evidence& evidence) {
   for (TestResult& test : evidence.tests) name_group(test.undefined, evidence.groups);
-  for (Contrast& contrast : evidence.contrasts) name_group(contrast.undefined, evidence.groups);
+  for (Finding& contrast : evidence.contrasts) name_group(contrast.why, evidence.groups);
 }
 
 void check_control(const Evidence& evidence) {
@@ -203,12 +202,6 @@ Samples rankable(const Observations& observations) {
 
 }  // namespace
 
-std::string_view name_of(Relation relation) {
-  constexpr std::array<std::string_view, 5> names{"first is better", "second is better", "same within the margin",
-                                                  "undecided", "not defined"};
-  return names[static_cast<std::size_t>(relation)];
-}
-
 bool Evidence::ranks_decide() const { return method != nullptr && method->compares == Compares::ranks; }
 
 bool Evidence::decides_within_blocks() const { return blocks > 0 && method != nullptr && method->within_blocks; }
@@ -331,8 +324,9 @@ Evidence in_unit_of_values(Evidence found) {
     for (double* value : {&of.mean, &of.median, &of.min, &of.max, &group.q1, &group.q3}) *value = std::pow(10, *value);
     for (Estimate* each : {&group.mean, &group.median}) *each = power_of_ten(*each);
   }
-  for (Contrast& contrast : found.contrasts) {
-    contrast.difference = power_of_ten(contrast.difference);
+  for (Finding& contrast : found.contrasts) {
+    contrast.is_ratio = true;
+    contrast.estimate = power_of_ten(contrast.estimate);
   }
   return found;
 }
@@ -352,22 +346,22 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
   AnalysisPlan plan = evidence.plan;
   plan.control.clear();
   plan.significance /= family;
-  for (Contrast& contrast : evidence.contrasts) {
+  for (Finding& contrast : evidence.contrasts) {
     const Group &first = observations.groups[contrast.first], &second = observations.groups[contrast.second];
     if (contrast.is_fact || first.copies + second.copies > 0 || count_not_finite(first) + count_not_finite(second) == 0)
       continue;
     Observations pair = observations;
     pair.groups = {first, second};
-    const Contrast found = contrast_with_not_finite(pair, plan);
+    const Finding found = contrast_with_not_finite(pair, plan);
     contrast.p = std::min(1.0, family * found.p);
     contrast.p_alone = found.p;
     contrast.ahead = found.ahead;
-    contrast.difference = found.difference;
+    contrast.estimate = found.estimate;
     contrast.runs_to_decide = found.runs_to_decide;
     contrast.relation = found.relation;
     contrast.size = found.size;
     contrast.margin = found.margin;
-    contrast.undefined = found.undefined;
+    contrast.why = found.why;
   }
 }
 

@@ -46,46 +46,6 @@ struct TestResult : statistics::Test {
   std::string without = {};  // names the groups that it had to leave out
 };
 
-struct Contrast {
-  std::size_t first = 0, second = 0;
-  double p = statistics::not_defined;        // p of the deciding test, corrected for all pairs
-  double p_alone = statistics::not_defined;  // the same for this pair alone
-  // The groups do not overlap, and an exact rank test decides (within blocks, or against a known value, the sign test),
-  // because a group has one value only or the bootstrap has no spread to judge by.
-  bool is_by_order = false;
-  bool is_fact = false;      // there is no chance in the relation (is_fact of the groups), and no p
-  int ahead = 0;             // direction of the deciding test: 1 favours first, -1 second
-  Estimate difference = {};  // mean of first - mean of second (Evidence::scale), simultaneous over all pairs
-  // p, corrected as planned, and direction of the rank test shown beside a test of means (rank_method).
-  double p_ranks = statistics::not_defined;
-  int ahead_by_ranks = 0;
-  Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
-  // Typical ratio first / second, defined if ranks decide and all values have one sign. Within blocks: the median of
-  // the ratios, with the sign test's interval from order statistics. Else: Hodges and Lehmann's estimate, with the
-  // interval of Mann and Whitney's test.
-  Estimate ratio = {};
-  double g = statistics::not_defined;  // Hedges' g; positive if the mean of first is larger
-  // Observations per group (or blocks) needed to decide an undecided pair: to find a difference as large as the margin
-  // with the planned power. The value assumes the spread seen here, the interval plausible spreads. At least as many as
-  // the test needs.
-  Estimate runs_to_decide = {};
-  Relation relation = Relation::undefined;
-  // The sizes that the interval of the difference holds, beside the plan's margin. `low` is not defined if the interval
-  // does not favour the better group.
-  Estimate size = {};
-  double margin = statistics::not_defined;
-  statistics::Reason undefined = {};  // why p is not defined
-  bool lacks_spread = false;          // the test has no p because the values are too alike for its level: undecided
-
-  bool is_within_margin() const { return size.high <= margin; }
-  bool is_beyond_margin() const { return size.low > margin; }
-  // Its interval favours the better group, and lies on both sides of the margin.
-  bool is_across_margin() const { return size.low <= margin && size.high > margin; }
-};
-
-// Returns whether one of the two is better.
-inline bool is_decided(const Contrast& contrast) { return is_difference(contrast.relation); }
-
 struct Evidence {
   std::string name, quantity, unit = {};
   Better better = Better::smaller;
@@ -109,7 +69,7 @@ struct Evidence {
   double critical_difference = statistics::not_defined;  // Nemenyi's, for average ranks
   // Pairs with first < second, in order. With a control or more than most_groups_in_pairs groups, only pairs with the
   // group `reference`.
-  std::vector<Contrast> contrasts = {};
+  std::vector<Finding> contrasts = {};
   std::optional<std::size_t> reference = {};
   std::size_t pairs = 0;  // number of pairs of all groups
   int fewest = 0;         // fewest per group (or blocks) to tell a pair apart; 0 if means decide: two suffice
@@ -121,8 +81,6 @@ struct Evidence {
   // Number of pairs that p-values and intervals are corrected for: those with the control, else all.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
 };
-
-constexpr std::size_t most_groups_in_pairs = 20;
 
 // The difference of equal groups: 0, or the ratio 1 on a log10 scale.
 constexpr double no_difference(const Evidence& evidence) { return evidence.scale == ValueScale::log10 ? 1 : 0; }

@@ -31,32 +31,12 @@ Relation relation_of(int ahead, double p, double significance, bool is_within_ma
 
 Finding judge(const Evidence& evidence, std::string_view first, std::string_view second) {
   const std::size_t one = place_of(evidence, first), other = place_of(evidence, second);
-  // Contrasts have the smaller index first.
-  if (one > other) return reversed(judge(evidence, second, first));
-  Finding result{.quantity = evidence.quantity,
-                 .first = std::string(first),
-                 .second = std::string(second),
-                 .is_ratio = evidence.scale == ValueScale::log10,
-                 .method = std::string(pair_test_words(evidence))};
+  const auto not_judged = [&](std::string why) { return Finding{.first = one, .second = other, .why = std::move(why)}; };
   for (const auto& [place, name] : {std::pair(one, first), std::pair(other, second)}) {
-    if (place < evidence.groups.size()) continue;
-    result.why = fmt::format("{} is left out of the comparison", name);
-    return result;
+    if (place == evidence.groups.size()) return not_judged(fmt::format("{} is left out of the comparison", name));
   }
-  const auto found = std::ranges::find_if(
-      evidence.contrasts, [&](const Contrast& contrast) { return contrast.first == one && contrast.second == other; });
-  if (!evidence.flaws.empty()) {
-    result.why = words_of(evidence.flaws);
-  } else if (found == evidence.contrasts.end()) {
-    result.why = "the plan does not compare the two";
-  } else {
-    result.relation = found->relation;
-    result.p = found->p;
-    result.estimate = found->difference;
-    result.is_fact = found->is_fact;
-    result.why = found->undefined;
-  }
-  return result;
+  if (!evidence.flaws.empty()) return not_judged(words_of(evidence.flaws));
+  return finding_of(evidence.contrasts, one, other).value_or(not_judged("the plan does not compare the two"));
 }
 
 Finding judge(const GroupSummary& first, const GroupSummary& second, Better better, const AnalysisPlan& plan) {

@@ -25,7 +25,7 @@ std::string margin_words(double margin, double absolute_margin, std::string_view
   return margin > 0 ? fmt::format("{} or {}", percent(margin), absolute) : absolute;
 }
 
-double margin_of(const Evidence& evidence, const Contrast& contrast) {
+double margin_of(const Evidence& evidence, const Finding& contrast) {
   if (evidence.scale == ValueScale::share) return evidence.plan.margin;
   if (evidence.scale == ValueScale::log10) return std::log10(1 + evidence.plan.margin);
   const double first = std::abs(evidence.groups[contrast.first].described.mean),
@@ -67,9 +67,9 @@ void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
   refuse_negative(std::ranges::any_of(summaries.groups, is_below), summaries.quantity, summaries.margin, plan);
 }
 
-void measure_extent(const Evidence& evidence, Contrast& contrast) {
+void measure_extent(const Evidence& evidence, Finding& contrast) {
   const bool is_of_ranks = evidence.ranks_decide();  // ranks compare no means, and within blocks they have no scale
-  const Estimate& of = is_of_ranks ? contrast.ratio : contrast.difference;
+  const Estimate& of = is_of_ranks ? contrast.ratio : contrast.estimate;
   const auto scaled = [&](double value) { return is_of_ranks ? std::log(value) : value; };
   const double value = scaled(of.value), low = scaled(of.low), high = scaled(of.high);
   const double margin = is_of_ranks ? std::log1p(evidence.plan.margin) : margin_of(evidence, contrast);
@@ -83,7 +83,7 @@ void measure_extent(const Evidence& evidence, Contrast& contrast) {
   }
 }
 
-void put_beyond_any_margin(Contrast& contrast) {
+void put_beyond_any_margin(Finding& contrast) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   contrast.size = {.value = infinite, .low = infinite, .high = infinite};
   contrast.margin = 0;

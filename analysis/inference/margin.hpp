@@ -23,11 +23,11 @@ void check_margin(const Observations& observations, const results::AnalysisPlan&
 void check_margin(const Summaries& summaries, const results::AnalysisPlan& plan);
 
 // The margin as a difference of a pair's means; NaN if a mean is NaN.
-double margin_of(const Evidence& evidence, const Contrast& contrast);
+double margin_of(const Evidence& evidence, const Finding& contrast);
 
 // Sets the extent of the contrast's interval, seen from the group that is ahead.
-void measure_extent(const Evidence& evidence, Contrast& contrast);
+void measure_extent(const Evidence& evidence, Finding& contrast);
 // Gives the contrast an infinite size: no margin makes up for a failure.
-void put_beyond_any_margin(Contrast& contrast);
+void put_beyond_any_margin(Finding& contrast);
 
 }  // namespace ikbench::inference

@@ -100,22 +100,22 @@ void correct(const Evidence& evidence, std::vector<double>& p) {
   }
 }
 
-void correct(const Evidence& evidence, std::vector<Contrast>& pairs) {
+void correct(const Evidence& evidence, std::vector<Finding>& pairs) {
   std::vector<double> p;
-  for (const Contrast& pair : pairs) p.push_back(pair.p_alone);
+  for (const Finding& pair : pairs) p.push_back(pair.p_alone);
   correct(evidence, p);
   for (std::size_t i = 0; i < p.size(); ++i) pairs[i].p = p[i];
 }
 
-std::vector<Contrast> of_means(const Evidence& evidence, const std::vector<MeanDifference>& differences) {
+std::vector<Finding> of_means(const Evidence& evidence, const std::vector<MeanDifference>& differences) {
   const int sign = evidence.better == Better::smaller ? -1 : 1;
-  std::vector<Contrast> result;
+  std::vector<Finding> result;
   for (const MeanDifference& each : differences) {
     result.push_back({.p = each.p,
                       .p_alone = each.p_alone,
                       .ahead = sign * sign_of(each.difference.value),
-                      .difference = each.difference,
-                      .undefined = each.undefined,
+                      .estimate = each.difference,
+                      .why = each.undefined,
                       .lacks_spread = each.lacks_spread});
   }
   return result;

@@ -38,7 +38,7 @@ struct Method {
   // Draws resamples. With few or equal values an exact test of order replaces it.
   bool resamples = false;
   // Returns one result per Evidence::contrasts, in that order: p, p_alone, ahead, difference, undefined.
-  std::vector<Contrast> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
+  std::vector<Finding> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
   // The test of all groups; null if the method has none.
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;
 };
@@ -64,10 +64,10 @@ const Method& paper_method();
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
 // Fills p of each result with the corrected p_alone.
-void correct(const Evidence& evidence, std::vector<Contrast>& pairs);
+void correct(const Evidence& evidence, std::vector<Finding>& pairs);
 
 // Shared by several rows.
-std::vector<Contrast> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
+std::vector<Finding> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
 // Number of bootstrap resamples that so many values allow; 0 if there are too many values.
 int resamples_of(const Evidence& evidence);
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);

@@ -29,8 +29,8 @@ Observations finiteness(Observations observations) {
 }
 
 // Doubles p, because each of two tests has half the level.
-Contrast doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
-  Contrast result = tested(pair, plan).contrasts.front();
+Finding doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
+  Finding result = tested(pair, plan).contrasts.front();
   if (!std::isnan(result.p)) result.p = std::min(1.0, 2 * result.p);
   return result;
 }
@@ -70,15 +70,15 @@ Observations of_finite(const Observations& all) {
   return result;
 }
 
-Contrast contrast_with_not_finite(const Observations& pair, const AnalysisPlan& planned) {
+Finding contrast_with_not_finite(const Observations& pair, const AnalysisPlan& planned) {
   AnalysisPlan plan = planned;
   plan.significance /= 2;
-  Contrast of_numbers = doubled_contrast(finiteness(pair), plan);
+  Finding of_numbers = doubled_contrast(finiteness(pair), plan);
   const Observations finite = of_finite(pair);
   const bool has_values =
       std::ranges::all_of(finite.groups, [](const Group& group) { return group.values.size() > 1; });
-  Contrast of_values =
-      has_values ? doubled_contrast(finite, plan) : Contrast{.second = 1, .undefined = "too few values are finite"};
+  Finding of_values =
+      has_values ? doubled_contrast(finite, plan) : Finding{.second = 1, .why = "too few values are finite"};
   const auto has_none = [](const Group& group) { return group.values.empty(); };
   if (of_values.relation == Relation::undefined && !std::ranges::all_of(finite.groups, has_none)) {
     if (!is_decided(of_numbers)) of_numbers.relation = Relation::undecided;
@@ -86,16 +86,16 @@ Contrast contrast_with_not_finite(const Observations& pair, const AnalysisPlan& 
     const bool is_against = is_decided(of_values) && of_numbers.ahead != 0 && of_values.ahead != of_numbers.ahead;
     // The better one may have as many failures that were not seen.
     if (of_values.relation == Relation::same || is_against) of_values.relation = Relation::undecided;
-    if (is_against) of_values.undefined = contradiction;
+    if (is_against) of_values.why = contradiction;
     return of_values;
   }
   // The level is fixed: otherwise a stricter plan could decide more.
   constexpr double level_of_conflict = 0.05;
   if (of_values.p < level_of_conflict && of_values.ahead == -of_numbers.ahead) {
     of_numbers.relation = Relation::undecided;
-    of_numbers.undefined = contradiction;
+    of_numbers.why = contradiction;
   }
-  of_numbers.difference = {.value = of_values.difference.value};
+  of_numbers.estimate = {.value = of_values.estimate.value};
   put_beyond_any_margin(of_numbers);
   return of_numbers;
 }

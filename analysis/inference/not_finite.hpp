@@ -23,6 +23,6 @@ Observations of_finite(const Observations& observations);
 // Judges two groups. A value that is not finite is worse than any number, but one such run in eight may be chance, and
 // says nothing of the other seven. So the number of such values and the finite ones are tested separately, each at half
 // the level, and the better group in one must not be worse in the other. p covers both tests.
-Contrast contrast_with_not_finite(const Observations& pair, const results::AnalysisPlan& plan);
+Finding contrast_with_not_finite(const Observations& pair, const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::inference

@@ -62,7 +62,7 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
   return counts;
 }
 
-Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
+Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
                                std::span<const std::vector<double>> values) {
   const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
   const PowerGoal goal{.power = evidence.plan.power,

@@ -27,8 +27,8 @@ statistics::PairedSuccesses paired_successes(const std::vector<double>& first, c
 // Replaces means by shares with Wilson's intervals.
 void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values);
 
-// Observations needed to find a difference of shares as large as the margin (Contrast::runs_to_decide).
-Estimate runs_to_decide_shares(const Evidence& evidence, const Contrast& contrast,
+// Observations needed to find a difference of shares as large as the margin (Finding::runs_to_decide).
+Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
                                std::span<const std::vector<double>> values);
 
 // "20 runs can miss what happens in up to 14 % of them", such as a failure

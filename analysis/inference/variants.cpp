@@ -307,10 +307,10 @@ void add_remark(MetricComparison& row, const std::string& remark) {
 
 void add_remarks(MetricComparison& row, double significance) {
   if (row.contrast.is_fact || !row.is_compared) return;
-  const Contrast& contrast = row.contrast;
-  if (contrast.relation == Relation::undefined || !contrast.undefined.empty()) {
+  const Finding& contrast = row.contrast;
+  if (contrast.relation == Relation::undefined || !contrast.why.empty()) {
     const bool is_strict = row.level < significance && contrast.relation == Relation::undecided;
-    return add_remark(row, contrast.undefined + (is_strict ? fmt::format(", at the level {:.3g}", row.level) : ""));
+    return add_remark(row, contrast.why + (is_strict ? fmt::format(", at the level {:.3g}", row.level) : ""));
   }
   if (contrast.relation == Relation::undecided) {
     if (contrast.p >= row.level && contrast.p < significance) {
@@ -331,7 +331,7 @@ bool is_regression(const MetricComparison& metric) {
 
 bool is_open(const MetricComparison& metric) {
   if (!metric.is_compared) return metric.is_counted;
-  const Contrast& contrast = metric.contrast;
+  const Finding& contrast = metric.contrast;
   return contrast.relation == Relation::undecided || contrast.relation == Relation::undefined ||
          (contrast.relation == Relation::better && !contrast.is_within_margin() && !contrast.is_beyond_margin());
 }

@@ -46,7 +46,7 @@ struct MetricComparison {
   int n_a = 0, n_b = 0;
   double mean_a = statistics::not_defined, mean_b = statistics::not_defined;
   std::string_view observation = "run";    // unit of one value: "run" or "target"
-  Contrast contrast = {};                  // A is first, B second; p is not corrected
+  Finding contrast = {};                  // A is first, B second; p is not corrected
   double level = statistics::not_defined;  // the two differ if p is below it; the interval has the level 1 - level
   bool is_compared = true;                 // if false, `remark` says why
   bool is_by_ranks = false;                // the test compares ranks, not means

@@ -25,15 +25,15 @@ using namespace fmt::literals;
 
 namespace {
 
-using Pairs = std::vector<const Contrast*>;
+using Pairs = std::vector<const Finding*>;
 using Label = std::function<std::string(std::size_t group)>;
 
-std::size_t better_of(const Contrast& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
-std::size_t other_than(std::size_t group, const Contrast& pair) {
+std::size_t better_of(const Finding& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
+std::size_t other_than(std::size_t group, const Finding& pair) {
   return pair.first == group ? pair.second : pair.first;
 }
 
-bool have_same_bits(const Evidence& evidence, const Contrast& pair) {
+bool have_same_bits(const Evidence& evidence, const Finding& pair) {
   const std::size_t bits = evidence.groups[pair.first].bits;
   return bits > 0 && bits == evidence.groups[pair.second].bits;
 }
@@ -53,14 +53,14 @@ class ByReason {
   std::vector<Items> items_ = {};
 };
 
-bool includes_none(const Evidence& evidence, const Contrast& pair) {
-  return pair.difference.low < no_difference(evidence) && pair.difference.high > no_difference(evidence);
+bool includes_none(const Evidence& evidence, const Finding& pair) {
+  return pair.estimate.low < no_difference(evidence) && pair.estimate.high > no_difference(evidence);
 }
 
 // Returns whether a number that is positive where the first is ahead contradicts the deciding test.
-bool is_against(const Contrast& pair, double for_first) { return sign_of(for_first) == -pair.ahead; }
+bool is_against(const Finding& pair, double for_first) { return sign_of(for_first) == -pair.ahead; }
 
-bool is_against(const Evidence& evidence, const Contrast& pair, double Description::*average) {
+bool is_against(const Evidence& evidence, const Finding& pair, double Description::*average) {
   const double first = evidence.groups[pair.first].described.*average,
                second = evidence.groups[pair.second].described.*average;
   const double difference = without_rounding(second - first, std::max(std::abs(first), std::abs(second)));
@@ -68,12 +68,12 @@ bool is_against(const Evidence& evidence, const Contrast& pair, double Descripti
 }
 
 // Numbers that contradict the test: "the interval of the difference includes zero and the median favours the other".
-std::string doubt_words(const Evidence& evidence, const Contrast& pair) {
+std::string doubt_words(const Evidence& evidence, const Finding& pair) {
   const bool is_open = pair.relation == Relation::undecided;
   if (!is_open && !is_decided(pair)) return "";
   const double none = no_difference(evidence);
   std::vector<std::string> doubts, measures;
-  if (is_open ? pair.difference.low > none || pair.difference.high < none : includes_none(evidence, pair)) {
+  if (is_open ? pair.estimate.low > none || pair.estimate.high < none : includes_none(evidence, pair)) {
     doubts.push_back(fmt::format(words::interval_against,
                                  "of"_a = evidence.scale == ValueScale::log10   ? "ratio"
                                           : evidence.scale == ValueScale::share ? "difference"
@@ -95,7 +95,7 @@ std::string doubt_words(const Evidence& evidence, const Contrast& pair) {
 }
 
 // "0.156 to 0.57", "12 to 30 percentage points"
-std::string size_words(const Evidence& evidence, const Contrast& pair) {
+std::string size_words(const Evidence& evidence, const Finding& pair) {
   const auto [low, high] = interval_sizes(evidence, pair);
   const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
   const std::string least = rounded_number(low / unit, 3), most = rounded_number(high / unit, 3);
@@ -106,10 +106,10 @@ std::string size_words(const Evidence& evidence, const Contrast& pair) {
 }
 
 // The interval of `first` less the other of the pair, or of their ratio.
-std::string interval_words(const Evidence& evidence, const Contrast& pair, std::size_t first) {
+std::string interval_words(const Evidence& evidence, const Finding& pair, std::size_t first) {
   const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
   const bool is_ratio = evidence.scale == ValueScale::log10 || evidence.ranks_decide();
-  const Estimate& of = evidence.ranks_decide() ? pair.ratio : pair.difference;
+  const Estimate& of = evidence.ranks_decide() ? pair.ratio : pair.estimate;
   const Estimate difference = first == pair.first ? of : reversed(of, is_ratio);
   return fmt::format(words::interval,
                      "what"_a = evidence.ranks_decide() ? "typical ratio"
@@ -129,7 +129,7 @@ std::string mean_words(const Evidence& evidence, std::size_t group) {
 }
 
 // "mean 0.0019 vs 0.365, by 0.156 to 0.57, more than 5 %"; by ranks "ahead in 98 % of blocks (mean ...)".
-Clause effect_of(const Evidence& evidence, const Contrast& pair, std::size_t group) {
+Clause effect_of(const Evidence& evidence, const Finding& pair, std::size_t group) {
   const std::size_t other = other_than(group, pair);
   const double mean = evidence.groups[group].described.mean, of_other = evidence.groups[other].described.mean;
   const double share = better_of(pair) == pair.first ? pair.superiority.value : 1 - pair.superiority.value;
@@ -148,7 +148,7 @@ Clause effect_of(const Evidence& evidence, const Contrast& pair, std::size_t gro
   if (evidence.ranks_decide()) return {ahead, {fmt::format(words::not_by_ranks, "means"_a = means)}};
   Clause effect = extent_clause(evidence, pair);
   const bool has_size = !includes_none(evidence, pair) && !is_against(evidence, pair, &Description::mean) &&
-                        std::isfinite(pair.difference.low + pair.difference.high);
+                        std::isfinite(pair.estimate.low + pair.estimate.high);
   std::vector<std::string> parts{means};
   if (has_size) parts.push_back("by " + size_words(evidence, pair));
   if (!effect.text.empty()) parts.push_back((has_size ? "" : "by ") + effect.text);
@@ -159,7 +159,7 @@ Clause effect_of(const Evidence& evidence, const Contrast& pair, std::size_t gro
 // Names a test that would judge unjudged pairs; empty if none would.
 std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
   bool by_means = false, by_ranks = false;
-  for (const Contrast* pair : pairs) {
+  for (const Finding* pair : pairs) {
     const Description &first = evidence.groups[pair->first].described,
                       &second = evidence.groups[pair->second].described;
     if (std::min(first.n, second.n) < 2) continue;  // no test judges it
@@ -194,13 +194,13 @@ class Answer {
   // The pairs of the best with that relation to the other, the best other first.
   Pairs pairs(Relation relation) const {
     Pairs result;
-    for (const Contrast& pair : evidence_.contrasts) {
+    for (const Finding& pair : evidence_.contrasts) {
       const bool is_own = pair.first == best_ || pair.second == best_;
       if (is_own && (pair.first == best_ ? pair.relation : reversed(pair.relation)) == relation) {
         result.push_back(&pair);
       }
     }
-    std::ranges::stable_sort(result, {}, [&](const Contrast* pair) {
+    std::ranges::stable_sort(result, {}, [&](const Finding* pair) {
       return group_score(evidence_, evidence_.groups[other_than(best_, *pair)]);
     });
     return result;
@@ -209,7 +209,7 @@ class Answer {
   std::string first() const { return sentences_.empty() ? label_(best_) : name_words(evidence_, best_); }
   std::vector<std::string> names_of_others(const Pairs& pairs) const {
     std::vector<std::string> names;
-    for (const Contrast* pair : pairs) {
+    for (const Finding* pair : pairs) {
       const std::size_t other = other_than(best_, *pair);
       names.push_back(names.empty() ? label_(other) : name_words(evidence_, other));
     }
@@ -225,7 +225,7 @@ class Answer {
   // ", although the median favours the other"; names the pairs unless it holds for all.
   std::string doubts(const Pairs& pairs) const {
     ByReason doubts;
-    for (const Contrast* pair : pairs) {
+    for (const Finding* pair : pairs) {
       if (const std::string doubt = doubt_words(evidence_, *pair); !doubt.empty()) {
         doubts.add(doubt, name_words(evidence_, other_than(best_, *pair)));
       }
@@ -241,8 +241,8 @@ class Answer {
   void say_decided(const Pairs& pairs, std::string_view better) {
     if (pairs.empty()) return;
     double largest_p = not_defined;
-    for (const Contrast* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
-    const Contrast& nearest = *pairs.front();
+    for (const Finding* pair : pairs) largest_p = std::fmax(largest_p, pair->p);
+    const Finding& nearest = *pairs.front();
     const bool is_one = pairs.size() == 1;
     const Clause effect = effect_of(evidence_, nearest, best_);
     Clause text{fmt::format(words::decided, "first"_a = first(), "better"_a = better,
@@ -266,7 +266,7 @@ class Answer {
   }
   void say_same(const Pairs& pairs) {
     const bool is_one = pairs.size() == 1;
-    const Contrast& front = *pairs.front();
+    const Finding& front = *pairs.front();
     std::vector<std::string> all = names_of_others(pairs);
     all.insert(all.begin(), first());
     Clause text{fmt::format(words::same, "all"_a = listed(all),
@@ -280,16 +280,16 @@ class Answer {
   }
   void say_open(const Pairs& pairs) {
     Clause text{fmt::format(words::undecided, "first"_a = first(), "others"_a = others(pairs))};
-    const Contrast& front = *pairs.front();
-    const bool has_interval = std::isfinite((evidence_.ranks_decide() ? front.ratio : front.difference).low);
+    const Finding& front = *pairs.front();
+    const bool has_interval = std::isfinite((evidence_.ranks_decide() ? front.ratio : front.estimate).low);
     if (pairs.size() == 1) {
-      const bool is_equal = front.p == 1 && front.difference.value == no_difference(evidence_) && !has_interval;
+      const bool is_equal = front.p == 1 && front.estimate.value == no_difference(evidence_) && !has_interval;
       if (std::isfinite(front.p)) text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
       if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
     }
     Pairs without_p = pairs, with_reason = pairs;
-    std::erase_if(without_p, [](const Contrast* pair) { return std::isfinite(pair->p); });
-    std::erase_if(with_reason, [](const Contrast* pair) { return pair->undefined.empty(); });
+    std::erase_if(without_p, [](const Finding* pair) { return std::isfinite(pair->p); });
+    std::erase_if(with_reason, [](const Finding* pair) { return pair->why.empty(); });
     const ByReason reasons = is_short_ ? ByReason() : reasons_of(with_reason);
     for (const auto& [reason, names] : reasons.items()) {
       text.remarks.push_back(names.size() == pairs.size() ? reason
@@ -300,19 +300,19 @@ class Answer {
     say(text, doubts(pairs));
     say_another_test(without_p);
   }
-  bool is_point(const Contrast& pair) const {
-    const Estimate& of = evidence_.ranks_decide() ? pair.ratio : pair.difference;
+  bool is_point(const Finding& pair) const {
+    const Estimate& of = evidence_.ranks_decide() ? pair.ratio : pair.estimate;
     return !(of.low < of.high);
   }
   // Says p before its correction too, if this alone would decide.
-  std::string p_of_open(const Contrast& pair) const {
+  std::string p_of_open(const Finding& pair) const {
     if (!(pair.p_alone < evidence_.plan.significance) || evidence_.family() == 1) return p_words(pair.p);
     return fmt::format(words::p_in_family, "p"_a = p_words(pair.p), "pairs"_a = corrected_for(evidence_),
                        "alone"_a = rounded_number(pair.p_alone, 3));
   }
   ByReason reasons_of(const Pairs& pairs) const {
     ByReason reasons;
-    for (const Contrast* pair : pairs) reasons.add(pair->undefined, name_words(evidence_, other_than(best_, *pair)));
+    for (const Finding* pair : pairs) reasons.add(pair->why, name_words(evidence_, other_than(best_, *pair)));
     return reasons;
   }
   void say_another_test(const Pairs& pairs) {
@@ -339,7 +339,7 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
   const std::size_t best = evidence.reference.value_or(best_group(evidence));
   std::vector<std::string> differ;
   std::size_t others = 0, undefined = 0, same = 0;
-  for (const Contrast& pair : evidence.contrasts) {
+  for (const Finding& pair : evidence.contrasts) {
     if (pair.first == best || pair.second == best) continue;
     ++others;
     undefined += pair.relation == Relation::undefined ? 1 : 0;
@@ -370,12 +370,12 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
 std::string decided_by(const Evidence& evidence) {
   const auto& pairs = evidence.contrasts;
   const auto constants = std::ranges::count_if(
-      pairs, [&](const Contrast& c) { return !c.is_fact && !c.is_by_order && are_constants(evidence, c); });
-  const auto by_order = std::ranges::count(pairs, true, &Contrast::is_by_order);
-  const auto facts = std::ranges::count(pairs, true, &Contrast::is_fact);
-  const auto same_bits = std::ranges::count_if(pairs, [&](const Contrast& c) { return have_same_bits(evidence, c); });
+      pairs, [&](const Finding& c) { return !c.is_fact && !c.is_by_order && are_constants(evidence, c); });
+  const auto by_order = std::ranges::count(pairs, true, &Finding::is_by_order);
+  const auto facts = std::ranges::count(pairs, true, &Finding::is_fact);
+  const auto same_bits = std::ranges::count_if(pairs, [&](const Finding& c) { return have_same_bits(evidence, c); });
   const auto against_known =
-      std::ranges::count_if(pairs, [&](const Contrast& c) { return c.is_by_order && has_known(evidence, c); });
+      std::ranges::count_if(pairs, [&](const Finding& c) { return c.is_by_order && has_known(evidence, c); });
   std::vector<std::string> tests;
   if (constants + by_order + facts < std::ssize(pairs)) {
     tests.push_back(evidence.pairs > 1 ? fmt::format(words::corrected, "test"_a = pair_test_words(evidence),
@@ -396,7 +396,7 @@ std::string decided_by(const Evidence& evidence) {
 }  // namespace
 
 bool has_judged(const Evidence& evidence) {
-  return std::ranges::any_of(evidence.contrasts, [](const Contrast& c) { return c.relation != Relation::undefined; });
+  return std::ranges::any_of(evidence.contrasts, [](const Finding& c) { return c.relation != Relation::undefined; });
 }
 
 std::vector<std::string> answer(const Evidence& evidence) {
@@ -418,7 +418,7 @@ std::vector<std::string> short_answer(const Evidence& evidence, const Label& lab
 Sentence change_words(const Evidence& evidence, bool tells_extent) {
   Pairs open;
   bool is_within = false, is_across = false, is_doubted = false;
-  for (const Contrast& pair : evidence.contrasts) {
+  for (const Finding& pair : evidence.contrasts) {
     if (pair.relation == Relation::undecided) open.push_back(&pair);
     if (!is_decided(pair)) continue;
     is_within = is_within || pair.is_within_margin();
@@ -432,11 +432,11 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
     parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
   }
   const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3 && group.copies == 0; };
-  if (std::ranges::count(evidence.contrasts, Relation::undefined, &Contrast::relation) > 0 &&
+  if (std::ranges::count(evidence.contrasts, Relation::undefined, &Finding::relation) > 0 &&
       std::ranges::any_of(evidence.groups, is_short)) {
     parts.emplace_back(words::more_than_two);
   }
-  if (std::ranges::any_of(evidence.contrasts, [](const Contrast& pair) { return pair.lacks_spread; })) {
+  if (std::ranges::any_of(evidence.contrasts, [](const Finding& pair) { return pair.lacks_spread; })) {
     parts.emplace_back(words::more_values);
   }
   if (is_doubted) parts.emplace_back(words::another_measure);

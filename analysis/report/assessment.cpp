@@ -39,12 +39,12 @@ void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
   std::vector<DifferenceRow> rows;
   const bool of_logarithms = evidence.scale == ValueScale::log10;
   const auto name_of = [&](std::size_t group) { return row_label(evidence.groups[group].name, longest_label); };
-  for (const Contrast& contrast : evidence.contrasts) {
+  for (const Finding& contrast : evidence.contrasts) {
     rows.push_back(
         {.label = fmt::format("{} {} {}", name_of(contrast.first), of_logarithms ? "/" : "-", name_of(contrast.second)),
-         .difference = contrast.difference.value,
-         .low = contrast.difference.low,
-         .high = contrast.difference.high});
+         .difference = contrast.estimate.value,
+         .low = contrast.estimate.low,
+         .high = contrast.estimate.high});
   }
   if (rows.empty() || rows.size() > most_rows) return;
   figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),

@@ -26,7 +26,7 @@ struct Dispute {
 
 Dispute dispute(const Evidence& evidence) {
   Dispute result;
-  for (const Contrast& contrast : evidence.contrasts) {
+  for (const Finding& contrast : evidence.contrasts) {
     if (!std::isfinite(contrast.p_ranks) || !std::isfinite(contrast.p)) continue;
     const bool by_ranks = is_significant(contrast.p_ranks, evidence.plan), by_means = is_decided(contrast);
     const std::string words = fmt::format("{} ({}, deciding {})", pair_words(evidence, contrast),

@@ -23,14 +23,14 @@ Json estimate(const Estimate& of) {
   return {{"value", json_number(of.value)}, {"low", json_number(of.low)}, {"high", json_number(of.high)}};
 }
 
-std::string_view extent_of(const Contrast& contrast) {
+std::string_view extent_of(const Finding& contrast) {
   return contrast.is_within_margin()   ? "within the margin"
          : contrast.is_beyond_margin() ? "beyond the margin"
          : contrast.is_across_margin() ? "on both sides of the margin"
                                        : "unknown";
 }
 
-Json effect_of(const Evidence& evidence, const Contrast& contrast) {
+Json effect_of(const Evidence& evidence, const Finding& contrast) {
   const int n = evidence.groups[contrast.first].described.n, other_n = evidence.groups[contrast.second].described.n;
   return estimate(hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance));
 }
@@ -74,10 +74,10 @@ Json test_json(const TestResult& test) {
   return object;
 }
 
-Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
+Json contrast_json(const Evidence& evidence, const Finding& contrast) {
   Json object{{"first", evidence.groups[contrast.first].name},
               {"second", evidence.groups[contrast.second].name},
-              {"difference", estimate(contrast.difference)},
+              {"difference", estimate(contrast.estimate)},
               {"p", json_number(contrast.p)},
               {"p_alone", json_number(contrast.p_alone)},
               {"p_ranks", json_number(contrast.p_ranks)},
@@ -90,7 +90,7 @@ Json contrast_json(const Evidence& evidence, const Contrast& contrast) {
               {"relation", name_of(contrast.relation)},
               {"extent", extent_of(contrast)},
               {"verdict", verdict_words(evidence, contrast)}};
-  add_reason(object, contrast.undefined);
+  add_reason(object, contrast.why);
   return object;
 }
 
@@ -127,7 +127,7 @@ std::string json_of(const Evidence& evidence) {
   Json groups = Json::array(), tests = Json::array(), contrasts = Json::array();
   for (const GroupEvidence& group : evidence.groups) groups.push_back(group_json(group));
   for (const TestResult& test : evidence.tests) tests.push_back(test_json(test));
-  for (const Contrast& contrast : evidence.contrasts) contrasts.push_back(contrast_json(evidence, contrast));
+  for (const Finding& contrast : evidence.contrasts) contrasts.push_back(contrast_json(evidence, contrast));
   object["groups"] = groups;
   object["tests"] = tests;
   object["contrasts"] = contrasts;

@@ -187,7 +187,7 @@ Sentence too_few(const Evidence& evidence) {
 
 Sentence limits(const Evidence& evidence) {
   std::vector<std::string> parts;
-  if (std::ranges::count(evidence.contrasts, Relation::undecided, &Contrast::relation) > 0) {
+  if (std::ranges::count(evidence.contrasts, Relation::undecided, &Finding::relation) > 0) {
     parts.emplace_back(words::undecided_is_not_equal);
   }
   if (std::string failures = rare_failures_words(evidence); !failures.empty()) parts.push_back(std::move(failures));

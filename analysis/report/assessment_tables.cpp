@@ -112,7 +112,7 @@ Table tests_table(const Evidence& evidence) {
 }
 
 // Words the size of Cliff's delta, 2 A12 - 1 (Romano et al. 2006).
-Cell size_words(const Contrast& contrast) {
+Cell size_words(const Finding& contrast) {
   if (!std::isfinite(contrast.superiority.value)) return {};
   return std::string(statistics::effect_words(2 * contrast.superiority.value - 1));
 }
@@ -120,7 +120,7 @@ Cell size_words(const Contrast& contrast) {
 // Says how many pairs p-values and intervals are corrected for, and what follows if that leaves a pair undecided.
 std::string family_note(const Evidence& evidence) {
   if (evidence.pairs == 1) return fmt::format(words::decides, "test"_a = deciding_words(evidence));
-  const bool costs_one = std::ranges::any_of(evidence.contrasts, [&](const Contrast& pair) {
+  const bool costs_one = std::ranges::any_of(evidence.contrasts, [&](const Finding& pair) {
     return pair.relation == Relation::undecided && pair.p_alone < evidence.plan.significance;
   });
   return fmt::format(words::decides_all, "test"_a = deciding_words(evidence), "pairs"_a = corrected_for(evidence),
@@ -140,10 +140,10 @@ Table contrasts_table(const Evidence& evidence) {
   const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
   if (has_ranks) table.columns.push_back(fmt::format("p, {}", rank_method(evidence).of_pair));
   table.columns.push_back(replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide");
-  for (const Contrast& contrast : evidence.contrasts) {
+  for (const Finding& contrast : evidence.contrasts) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
         evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),
-        contrast.difference.value, interval(contrast.difference), or_nothing(PValue{contrast.p}),
+        contrast.estimate.value, interval(contrast.estimate), or_nothing(PValue{contrast.p}),
         or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), interval(contrast.superiority),
         size_words(contrast), or_nothing(contrast.g)});
     if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));

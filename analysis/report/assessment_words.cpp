@@ -67,7 +67,7 @@ std::string name_words(const Evidence& evidence, std::size_t group) {
   return breaks(", ") || breaks("; ") || breaks(" and ") || breaks(" vs ") ? fmt::format("'{}'", name) : name;
 }
 
-std::string pair_words(const Evidence& evidence, const Contrast& contrast) {
+std::string pair_words(const Evidence& evidence, const Finding& contrast) {
   return fmt::format("{} vs {}", name_words(evidence, contrast.first), name_words(evidence, contrast.second));
 }
 
@@ -78,7 +78,7 @@ std::string margins_of(const Evidence& evidence, double relative, double absolut
 }
 
 // True if the margin of the pair is the absolute one, not the one in percent.
-bool is_margin_absolute(const Evidence& evidence, const Contrast& contrast) {
+bool is_margin_absolute(const Evidence& evidence, const Finding& contrast) {
   return has_absolute_margin(evidence) && margin_of(evidence, contrast) == evidence.margin;
 }
 
@@ -89,20 +89,20 @@ std::string margin_words(const Evidence& evidence) {
   return margins_of(evidence, evidence.plan.margin, has_absolute_margin(evidence) ? evidence.margin : 0);
 }
 
-std::string margin_words(const Evidence& evidence, const Contrast& contrast) {
+std::string margin_words(const Evidence& evidence, const Finding& contrast) {
   if (!has_absolute_margin(evidence)) return margin_words(evidence);
   const bool is_absolute = is_margin_absolute(evidence, contrast);
   return margins_of(evidence, is_absolute ? 0 : evidence.plan.margin, is_absolute ? evidence.margin : 0);
 }
 
-std::pair<double, double> interval_sizes(const Evidence& evidence, const Contrast& contrast) {
+std::pair<double, double> interval_sizes(const Evidence& evidence, const Finding& contrast) {
   const auto size = [&](double of) {
     return evidence.scale == ValueScale::log10 ? std::max(of, 1 / of) : std::abs(of);
   };
-  return std::minmax({size(contrast.difference.low), size(contrast.difference.high)});
+  return std::minmax({size(contrast.estimate.low), size(contrast.estimate.high)});
 }
 
-Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
+Clause extent_clause(const Evidence& evidence, const Finding& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return {};
   if (evidence.ranks_decide()) return {};  // the interval is for means
@@ -123,7 +123,7 @@ Clause extent_clause(const Evidence& evidence, const Contrast& contrast) {
   return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
 }
 
-std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
+std::string verdict_words(const Evidence& evidence, const Finding& contrast) {
   const std::string extent = words_of(extent_clause(evidence, contrast)), by = extent.empty() ? "" : " by " + extent;
   switch (contrast.relation) {
     case Relation::better:
@@ -133,9 +133,9 @@ std::string verdict_words(const Evidence& evidence, const Contrast& contrast) {
     case Relation::same:
       return fmt::format("the same within {}", margin_words(evidence, contrast));
     case Relation::undefined:
-      return "not defined: " + contrast.undefined;
+      return "not defined: " + contrast.why;
     default:
-      return contrast.undefined.empty() ? "undecided" : "undecided: " + contrast.undefined;
+      return contrast.why.empty() ? "undecided" : "undecided: " + contrast.why;
   }
 }
 
@@ -162,9 +162,9 @@ std::string runs_words(const Evidence& evidence, const Estimate& runs) {
                      "margin"_a = margin_words(evidence));
 }
 
-Estimate runs_of_all(const std::vector<const Contrast*>& pairs) {
+Estimate runs_of_all(const std::vector<const Finding*>& pairs) {
   Estimate all;
-  for (const Contrast* pair : pairs) {
+  for (const Finding* pair : pairs) {
     const Estimate& own = pair->runs_to_decide;
     all = {std::fmax(all.value, own.value), std::fmin(all.low, own.low), std::fmax(all.high, own.high)};
   }
@@ -180,7 +180,7 @@ std::string_view none_words(const Evidence& evidence) { return evidence.scale ==
 
 std::string rare_failures_words(const Evidence& evidence) {
   int fewest = std::numeric_limits<int>::max();
-  for (const Contrast& pair : evidence.contrasts) {
+  for (const Finding& pair : evidence.contrasts) {
     const bool by_means = pair.relation == Relation::same || (is_decided(pair) && !evidence.ranks_decide());
     if (!by_means || evidence.of_outcomes || pair.is_fact) continue;
     // If a known value is the better one, failures of the other would only confirm it.
@@ -209,7 +209,7 @@ std::size_t corrected_for(const Evidence& evidence) {
 
 bool has_single_values(const Evidence& evidence) {
   return std::ranges::all_of(evidence.groups, [](const GroupEvidence& group) { return group.described.n < 2; }) &&
-         std::ranges::none_of(evidence.contrasts, &Contrast::is_fact);
+         std::ranges::none_of(evidence.contrasts, &Finding::is_fact);
 }
 
 const TestResult* variance_test(const Evidence& evidence) {

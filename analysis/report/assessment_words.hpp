@@ -21,19 +21,19 @@ std::string listed(
     const std::vector<std::string>& items);  // "a, b and c"; of a long list the first items and the number of the rest
 std::string clauses(const std::vector<std::string>& items);  // the same for clauses that contain commas
 std::string name_words(const inference::Evidence& evidence, std::size_t group);  // in quotes if it would break a list
-std::string pair_words(const inference::Evidence& evidence, const inference::Contrast& contrast);  // "IK-BA vs DE"
+std::string pair_words(const inference::Evidence& evidence, const inference::Finding& contrast);  // "IK-BA vs DE"
 
 // The words for a difference, which sentences, tables and JSON share.
 std::string margin_words(const inference::Evidence& evidence);  // "5 %", "5 % or 0.01 cm"
 // The larger of the two margins, which counts for the pair.
-std::string margin_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+std::string margin_words(const inference::Evidence& evidence, const inference::Finding& contrast);
 // Limits of a difference's interval without sign; for a ratio, how many times as large the larger is.
-std::pair<double, double> interval_sizes(const inference::Evidence& evidence, const inference::Contrast& contrast);
+std::pair<double, double> interval_sizes(const inference::Evidence& evidence, const inference::Finding& contrast);
 // Compares the difference of a pair with the margin: "more than 5 %", "less than 5 %", "3 % to 12 % (margin 5 %)".
 // Empty if the interval does not favour the better one, or the plan has no margin.
-Clause extent_clause(const inference::Evidence& evidence, const inference::Contrast& contrast);
+Clause extent_clause(const inference::Evidence& evidence, const inference::Finding& contrast);
 // "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
-std::string verdict_words(const inference::Evidence& evidence, const inference::Contrast& contrast);
+std::string verdict_words(const inference::Evidence& evidence, const inference::Finding& contrast);
 std::string_view role_words(inference::Role role);            // "assumption", "classical", "robust"
 std::int64_t ones_of(const inference::GroupEvidence& group);  // of outcomes
 std::string_view replicates_words(
@@ -42,7 +42,7 @@ std::string_view replicates_words(
 // constants and outcomes "it takes at least 4 ...". Empty if unknown or already reached.
 std::string runs_words(const inference::Evidence& evidence, const inference::Estimate& runs);
 // Observations needed by these pairs: the least and the most.
-inference::Estimate runs_of_all(const std::vector<const inference::Contrast*>& pairs);
+inference::Estimate runs_of_all(const std::vector<const inference::Finding*>& pairs);
 // For pairs that are the same or better by means: "20 observations per group can miss what happens in up to 14 % of
 // them". Empty without such pairs.
 std::string rare_failures_words(const inference::Evidence& evidence);

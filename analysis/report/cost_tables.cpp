@@ -8,10 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/inference/anytime.hpp"
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/cost_comparison.hpp"
+#include "analysis/inference/costs.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
@@ -73,11 +72,12 @@ Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& cl
               .columns = {"first", "second", "spends less", "ert ratio", "ert ratio interval", "remark"}};
   for (const Finding& finding : compare_costs(study, cost, clusters)) {
     const auto& [value, low, high] = finding.estimate;
-    const std::string less = finding.relation == Relation::better  ? finding.first
-                             : finding.relation == Relation::worse ? finding.second
+    const std::string &first = study.solvers[finding.first], &second = study.solvers[finding.second];
+    const std::string less = finding.relation == Relation::better  ? first
+                             : finding.relation == Relation::worse ? second
                                                                    : std::string(name_of(finding.relation));
-    table.rows.push_back({finding.first, finding.second, less, number_of(value), range_of(low, high),
-                          finding.why.empty() ? Cell() : Cell(finding.why)});
+    table.rows.push_back({first, second, less, number_of(value), range_of(low, high),
+                          finding.why.empty() ? Cell() : Cell(std::string(finding.why))});
   }
   table.notes = {std::string(words::cost_ratios), interval_note(clusters, words::hold_for_pairs)};
   return table;

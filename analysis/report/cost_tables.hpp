@@ -1,5 +1,5 @@
 // Tables of what a solved problem costs, which of two solvers spends less, and who is ahead at set budgets
-// (analysis/inference/{cost_comparison,anytime}.hpp).
+// (analysis/inference/costs.hpp).
 #pragma once
 
 #include <vector>

@@ -131,7 +131,7 @@ std::string first_words(const std::vector<Side>& free, const Enforced& enforced,
     const Finding found = judge(enforced.*measure.tested, after, before);
     if (std::isfinite(found.p)) {
       test = fmt::format(words::limits_test, "other"_a = before, "relation"_a = name_of(found.relation),
-                         "test"_a = found.method, "p"_a = p_words(found.p));
+                         "test"_a = pair_test_words(enforced.*measure.tested), "p"_a = p_words(found.p));
     }
   }
   return fmt::format(words::limits_first, "measure"_a = measure.name, "before"_a = before, "after"_a = after,

@@ -71,10 +71,11 @@ Cell of_new_arm(const std::vector<double>& differences, double level) {
 using Without = std::vector<Evidence>;
 
 // Names the arms without which the pair's verdict is another.
-std::string deciding_arms(const Observations& all, const Without& others, const Finding& pair) {
+std::string deciding_arms(const Observations& all, const Without& others, const Group& first, const Group& second,
+                          Relation found) {
   std::vector<std::string> names;
   for (std::size_t arm = 0; arm < others.size(); ++arm) {
-    if (judge(others[arm], pair.first, pair.second).relation != pair.relation) names.push_back(all.blocks[arm]);
+    if (judge(others[arm], first.name, second.name).relation != found) names.push_back(all.blocks[arm]);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -110,7 +111,7 @@ OverArms over_arms(std::span<const RatesOfArm> arms, const AnalysisPlan& plan) {
       result.table.rows.push_back(
           {first.name, second.name, std::string(name_of(pair.relation)), 100 * mean(differences),
            percentages(pair.estimate.low, pair.estimate.high), pair.p, of_new_arm(differences, 1 - plan.significance),
-           fmt::format("{} of {}", ahead, all.blocks.size()), deciding_arms(all, others, pair)});
+           fmt::format("{} of {}", ahead, all.blocks.size()), deciding_arms(all, others, first, second, pair.relation)});
     }
   }
   const auto label = [&](std::size_t group) {

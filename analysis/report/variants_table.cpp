@@ -75,7 +75,7 @@ std::string margin_words(const VariantsReport& of) {
 // The verdict on B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
   if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
-  const Contrast& found = metric.contrast;
+  const Finding& found = metric.contrast;
   const auto sized = [&](std::string_view word) {
     return found.is_within_margin()   ? fmt::format(words::by_less, "word"_a = word, "margin"_a = margin)
            : found.is_beyond_margin() ? fmt::format(words::by_more, "word"_a = word, "margin"_a = margin)

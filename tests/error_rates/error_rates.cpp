@@ -69,7 +69,7 @@ Shares found_pairs(const Evidence& evidence, Counts counts) {
   Shares found;
   double pairs = 0;
   const auto add = [&](double& count, bool differs) { count += differs ? 1 : 0; };
-  for (const Contrast& contrast : evidence.contrasts) {
+  for (const Finding& contrast : evidence.contrasts) {
     if (counts == Counts::pairs_with_first && contrast.first != 0) continue;
     const Finding judged = judge(evidence, evidence.groups[contrast.first].name, evidence.groups[contrast.second].name);
     add(found.decided, judged.relation == Relation::better || judged.relation == Relation::worse);

@@ -68,7 +68,7 @@ Observations in_blocks(Values values, Random& random) {
 bool any_is_better(const Evidence& found) { return std::ranges::any_of(found.contrasts, is_decided); }
 
 bool any_is_the_same(const Evidence& found) {
-  return std::ranges::any_of(found.contrasts, [](const Contrast& pair) { return pair.relation == Relation::same; });
+  return std::ranges::any_of(found.contrasts, [](const Finding& pair) { return pair.relation == Relation::same; });
 }
 
 double failing(Random& random, double share, double size) { return random.uniform() < share ? size : 1; }

@@ -9,7 +9,7 @@ using namespace statistics;
 
 namespace {
 
-std::vector<Contrast> anova_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> anova_pairs(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, tukey(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
 }
 

@@ -23,19 +23,19 @@ Resampling resampling_of(const Evidence& evidence) {
   return {.resamples = resamples_of(evidence), .level = 1 - evidence.plan.significance};
 }
 
-std::vector<Contrast> independent(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> independent(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, studentized_bootstrap(groups.values, family_of(evidence), resampling_of(evidence)));
 }
 
-std::vector<Contrast> within_blocks(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> within_blocks(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, bootstrap_within_blocks(groups.values, family_of(evidence), resampling_of(evidence)));
 }
 
 // With more blocks than a bootstrap can resample in a second, the mean difference is nearly normal.
-std::vector<Contrast> paired(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> paired(const Evidence& evidence, const Groups& groups) {
   const auto family = static_cast<double>(evidence.family());
   std::vector<MeanDifference> result;
-  for (const Contrast& contrast : evidence.contrasts) {
+  for (const Finding& contrast : evidence.contrasts) {
     const PairedTest test = paired_t(groups.values[contrast.first], groups.values[contrast.second],
                                      1 - evidence.plan.significance / family);
     result.push_back({.first = contrast.first,

@@ -16,8 +16,8 @@ using namespace statistics;
 
 namespace {
 
-std::vector<Contrast> kruskal_wallis_pairs(const Evidence& evidence, const Groups& groups) {
-  std::vector<Contrast> result;
+std::vector<Finding> kruskal_wallis_pairs(const Evidence& evidence, const Groups& groups) {
+  std::vector<Finding> result;
   std::vector<double> exact, unequal;
   const std::vector<MeanDifference> means =
       games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference);
@@ -28,8 +28,8 @@ std::vector<Contrast> kruskal_wallis_pairs(const Evidence& evidence, const Group
     unequal.push_back(brunner_munzel(groups.ranked[first], groups.ranked[second]).p);
     result.push_back({.p_alone = std::fmax(exact.back(), unequal.back()),
                       .ahead = -test.direction,
-                      .difference = means[i].difference,
-                      .undefined = std::move(test.undefined)});
+                      .estimate = means[i].difference,
+                      .why = std::move(test.undefined)});
   }
   correct(evidence, exact);
   correct(evidence, unequal);

@@ -16,26 +16,26 @@ namespace {
 
 // Compares shares pair by pair, with p and interval of each pair at the family's level.
 template <class Compare>
-std::vector<Contrast> share_pairs(const Evidence& evidence, const Groups& groups, Compare compare) {
+std::vector<Finding> share_pairs(const Evidence& evidence, const Groups& groups, Compare compare) {
   const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
   const int sign = evidence.better == Better::smaller ? -1 : 1;
-  std::vector<Contrast> result;
-  for (const Contrast& contrast : evidence.contrasts) {
+  std::vector<Finding> result;
+  for (const Finding& contrast : evidence.contrasts) {
     const auto [alone, difference] = compare(groups.values[contrast.first], groups.values[contrast.second], alpha);
-    result.push_back({.p_alone = alone, .ahead = sign * sign_of(difference.value), .difference = difference});
+    result.push_back({.p_alone = alone, .ahead = sign * sign_of(difference.value), .estimate = difference});
   }
   correct(evidence, result);
   return result;
 }
 
-std::vector<Contrast> fisher_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> fisher_pairs(const Evidence& evidence, const Groups& groups) {
   return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
     const Successes one = successes_of(first), other = successes_of(second);
     return std::pair(fisher_exact(one, other), newcombe(one, other, 1 - alpha));
   });
 }
 
-std::vector<Contrast> mcnemar_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> mcnemar_pairs(const Evidence& evidence, const Groups& groups) {
   return share_pairs(evidence, groups, [](const auto& first, const auto& second, double alpha) {
     const PairedSuccesses counts = paired_successes(first, second);
     Estimate difference = newcombe_paired(counts, 1 - alpha);

@@ -6,7 +6,7 @@ using namespace statistics;
 
 namespace {
 
-std::vector<Contrast> tamhane_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> tamhane_pairs(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, tamhane(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
 }
 

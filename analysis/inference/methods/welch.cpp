@@ -43,7 +43,7 @@ std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& g
 
 namespace {
 
-std::vector<Contrast> welch_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> welch_pairs(const Evidence& evidence, const Groups& groups) {
   return of_means(evidence, games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
 }
 

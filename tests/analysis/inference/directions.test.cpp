@@ -125,7 +125,7 @@ double of_signs(const std::vector<double>& first, const std::vector<double>& sec
   return sum;
 }
 
-double deciding_statistic(const std::string& test, const Groups& groups, const Contrast& pair) {
+double deciding_statistic(const std::string& test, const Groups& groups, const Finding& pair) {
   const std::vector<double>&first = groups[pair.first], &second = groups[pair.second];
   return test == "kruskal_wallis" ? of_pairs(first, second)
          : test == "friedman"     ? of_signs(first, second)
@@ -169,7 +169,7 @@ struct Decided {
   int pairs = 0, against_the_mean = 0, against_the_median = 0, against_the_share = 0;
 };
 
-void count(const Evidence& found, const Contrast& pair, Decided& decided) {
+void count(const Evidence& found, const Finding& pair, Decided& decided) {
   const int ahead = pair.relation == Relation::better ? 1 : -1;
   const Description& first = found.groups[pair.first].described;
   const Description& second = found.groups[pair.second].described;
@@ -180,7 +180,7 @@ void count(const Evidence& found, const Contrast& pair, Decided& decided) {
 }
 
 void check_ahead(const Evidence& found, const Made& made, const std::string& test, Decided& decided) {
-  for (const Contrast& pair : found.contrasts) {
+  for (const Finding& pair : found.contrasts) {
     if (pair.relation != Relation::better && pair.relation != Relation::worse) continue;
     count(found, pair, decided);
     const int ahead = pair.relation == Relation::better ? 1 : -1;
@@ -200,9 +200,9 @@ void check_directions(const Made& made, const std::string& test, Decided& decide
   const bool same_reference = !found.reference || *swapped.reference == last - *found.reference;
   CHECK(found.reference.has_value() == (made.control || last >= most_groups_in_pairs));
   for (std::size_t i = 0; i < found.contrasts.size(); ++i) {
-    const Contrast& pair = found.contrasts[i];
+    const Finding& pair = found.contrasts[i];
     CHECK(other.contrasts[i].relation == pair.relation);
-    const auto same = [&](const Contrast& c) { return c.first == last - pair.second && c.second == last - pair.first; };
+    const auto same = [&](const Finding& c) { return c.first == last - pair.second && c.second == last - pair.first; };
     if (same_reference) {
       const auto there = std::ranges::find_if(swapped.contrasts, same);
       REQUIRE(there != swapped.contrasts.end());
@@ -312,7 +312,7 @@ TEST_CASE("of several groups, who is better of two does not depend on the third"
   for (int i = 0; i < 200; ++i) sets.groups[2].values.push_back(60 + 0.01 * i);
   const Evidence found = evidence(sets, {.test = "kruskal_wallis"});
   // Mean ranks: a 52 + 50.5 = 102.5; b (52 * 26.5 + 48 * 376.5) / 100 = 194.5; c 152 + 100.5 = 252.5.
-  const Contrast& pair = found.contrasts[0];
+  const Finding& pair = found.contrasts[0];
   CHECK(pair.superiority.value == Approx(0.48));
   CHECK(pair.relation == Relation::undecided);
 }

@@ -39,7 +39,7 @@ Observations in_blocks(std::vector<std::vector<double>> values) {
 bool is_same(const Evidence& found) { return found.contrasts.at(0).relation == Relation::same; }
 
 bool any_is_the_same(const Evidence& found) {
-  return std::ranges::any_of(found.contrasts, [](const Contrast& c) { return c.relation == Relation::same; });
+  return std::ranges::any_of(found.contrasts, [](const Finding& c) { return c.relation == Relation::same; });
 }
 
 }  // namespace
@@ -109,12 +109,12 @@ TEST_CASE("shares that are all 1 are the same only where so many exclude that a 
   CHECK(is_same(all_succeed(59)));                  // 0.95^59 = 0.0485
   CHECK(is_same(all_succeed(6, {.margin = 0.4})));  // 0.6^6 = 0.0467
   CHECK_FALSE(is_same(all_succeed(5, {.margin = 0.4})));
-  const Contrast open = all_succeed(10).contrasts[0];
+  const Finding open = all_succeed(10).contrasts[0];
   CHECK(all_succeed(3).contrasts[0].runs_to_decide.value == 59);
   CHECK(open.p == 1);
   CHECK(open.runs_to_decide.value == 59);
-  CHECK(open.difference.high == Approx(1 - std::pow(0.05, 0.1)));
-  CHECK(open.difference.low == -open.difference.high);
+  CHECK(open.estimate.high == Approx(1 - std::pow(0.05, 0.1)));
+  CHECK(open.estimate.low == -open.estimate.high);
   std::vector<double> failures(100, 0.0);  // of none, no margin is a share
   CHECK_FALSE(is_same(evidence(with({failures, failures}), {})));
   // In blocks the third group makes them outcomes of 0 and 1; the first two agree in each.
@@ -178,7 +178,7 @@ TEST_CASE("groups whose means differ by more than the margin are rarely called t
 TEST_CASE("more blocks than are searched for are at least ten million, not the fewest", "[equivalence]") {
   const std::vector<double> best{0.001, 0.002, 0.0015, 0.0012, 0.0018, 0.0011, 0.0017, 0.0013};
   const std::vector<double> spread{0.3, 0.1, 1.9, 0.2, 5, 0.1, 0.9, 9};
-  const Contrast found = evidence(in_blocks({best, spread}), {}).contrasts.front();
+  const Finding found = evidence(in_blocks({best, spread}), {}).contrasts.front();
   REQUIRE(found.relation == Relation::undecided);
   CHECK(std::isnan(found.runs_to_decide.value));
   CHECK(found.runs_to_decide.low == 1e7);
@@ -198,9 +198,9 @@ TEST_CASE("what equals a known value is the same where so many runs are not equa
   // What may be a share needs as many runs as exclude failures beyond the margin: 0.95^59 < 0.05.
   CHECK(against_known(std::vector<double>(58, 1.0), 1).relation == Relation::undecided);
   CHECK(against_known(std::vector<double>(59, 1.0), 1).relation == Relation::same);
-  const Contrast around = against_known({6, 6.5, 7.5, 8, 9, 9.5}, 7);
+  const Finding around = against_known({6, 6.5, 7.5, 8, 9, 9.5}, 7);
   CHECK(around.relation == Relation::undefined);
-  CHECK(std::string_view(around.undefined).find("on both sides") != std::string_view::npos);
+  CHECK(std::string_view(around.why).find("on both sides") != std::string_view::npos);
 }
 
 TEST_CASE("typical values near 1 are not kept apart by rounding", "[assessment][equivalence]") {

@@ -181,12 +181,12 @@ TEST_CASE("typical values are compared as logarithms and told as geometric means
   CHECK(found.groups[0].described.mean == Approx(1e-4));
   CHECK(found.groups[0].described.median == Approx(1e-4));
   CHECK(found.groups[0].described.std == Approx(1));  // of -3, -4 and -5
-  const Contrast& pair = found.contrasts.at(0);
-  CHECK(pair.difference.value == Approx(0.01));  // 1e-4 / 1e-2
+  const Finding& pair = found.contrasts.at(0);
+  CHECK(pair.estimate.value == Approx(0.01));  // 1e-4 / 1e-2
   // Student's t of 4 degrees of freedom at 0.975 is 2.7764451 (tables); the standard error is sqrt(2 / 3).
   const double reach = 2.7764451 * std::sqrt(2.0 / 3);
-  CHECK(pair.difference.low == Approx(std::pow(10, -2 - reach)).epsilon(1e-6));
-  CHECK(pair.difference.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
+  CHECK(pair.estimate.low == Approx(std::pow(10, -2 - reach)).epsilon(1e-6));
+  CHECK(pair.estimate.high == Approx(std::pow(10, -2 + reach)).epsilon(1e-6));
   CHECK(judge(found, "B", "A").estimate.value == Approx(100));
   CHECK(judge(found, "B", "A").estimate.low == Approx(std::pow(10, 2 - reach)).epsilon(1e-6));
   const std::string text = text_of_assessment(assess(observations(study, position_error, Estimand::typical),
@@ -493,7 +493,7 @@ TEST_CASE("the runs of a solver are held against the known value of one that rep
     return study;
   };
   const JudgedStudy study = study_with(0.5);
-  const Contrast& found = study.evidence(position_error, Estimand::mean).contrasts.at(0);
+  const Finding& found = study.evidence(position_error, Estimand::mean).contrasts.at(0);
   CHECK(found.relation == Relation::better);
   CHECK(found.p == Approx(2 * std::exp2(-8)));  // the sign test: all eight runs are above 0.2 cm
   const JudgedStudy across = study_with(-0.5);

@@ -15,6 +15,7 @@
 using namespace ikbench;
 using namespace ikbench::results;
 using namespace ikbench::inference;
+using namespace ikbench::statistics;
 
 namespace {
 
@@ -47,7 +48,7 @@ TEST_CASE("twenty values that are all below twenty others are found among six gr
   Sets values(6);
   for (int i = 0; i < 120; ++i) values[static_cast<std::size_t>(i / 20)].push_back(i);
   const Evidence found = tested(named_sets(values), by_ranks);
-  const Contrast& pair = found.contrasts[0];
+  const Finding& pair = found.contrasts[0];
   CHECK(pair.superiority.value == 1);
   CHECK(pair.relation == Relation::better);
   // 2 of 40! / 20!^2 = 137846528820 arrangements, times 15 pairs: Holm's smallest, which all fifteen share.
@@ -140,7 +141,7 @@ TEST_CASE("groups that differ in spread alone are rarely called better by ranks"
     }
     const Evidence found = tested(named_sets(values), by_ranks);
     wrong += any_differs(found) ? 1 : 0;
-    const auto differ = [&](const Contrast& pair) {
+    const auto differ = [&](const Finding& pair) {
       return 6 * mann_whitney(values[pair.first], values[pair.second]).p < 0.05;  // six pairs, by Bonferroni
     };
     wrong_by_mann_whitney += std::ranges::any_of(found.contrasts, differ) ? 1 : 0;
@@ -154,7 +155,7 @@ TEST_CASE("ties do not make ranks call the same what differs", "[pair_ranks]") {
   Sets values{std::vector<double>(40, 1.0), std::vector<double>(40, 1.0)};
   values[0][0] = 2;
   for (std::size_t i = 0; i < 5; ++i) values[1][i] = 100;
-  const Contrast pair = tested(named_sets(values), by_ranks).contrasts.front();
+  const Finding pair = tested(named_sets(values), by_ranks).contrasts.front();
   CHECK(pair.relation == Relation::undecided);
   CHECK(pair.ratio.value == 1);
   CHECK(std::isnan(pair.ratio.low));

@@ -93,7 +93,7 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     const Variant a = in_blocks ? drawn(of_a) : variant(of_a), b = in_blocks ? drawn(of_b) : variant(of_b);
     CAPTURE(repetition, n, in_blocks);
     const VariantStudy both = study_of_both(a, b, {});
-    const Contrast in_report = JudgedStudy(both.study).evidence(Metric::position_error_cm).contrasts.front();
+    const Finding in_report = JudgedStudy(both.study).evidence(Metric::position_error_cm).contrasts.front();
     const MetricComparison compared_alone = error_of(a, b);
     CHECK(compared_alone.contrast.relation == in_report.relation);
     CHECK(compared_alone.contrast.is_fact == in_report.is_fact);  // where ties made them equal
@@ -191,8 +191,8 @@ TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variant
   for (const std::string& plan : {std::string(), ranks}) {
     const VariantComparison slower = compared(with(1, plan), with(10, plan), {"seconds", "position_error_cm"});
     for (const MetricComparison& metric : slower.metrics) CHECK(is_regression(metric));
-    const Contrast& of_times = slower.metrics[0].contrast;
-    CHECK((plan == ranks ? of_times.ratio : of_times.difference).value == Approx(0.1).epsilon(0.1));
+    const Finding& of_times = slower.metrics[0].contrast;
+    CHECK((plan == ranks ? of_times.ratio : of_times.estimate).value == Approx(0.1).epsilon(0.1));
     const VariantComparison barely = compared(with(1, plan), with(1.02, plan), {"seconds"});
     CHECK(barely.metrics[0].contrast.relation == Relation::better);
     CHECK(barely.metrics[0].contrast.is_within_margin());

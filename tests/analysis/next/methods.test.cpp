@@ -31,8 +31,8 @@ TEST_CASE("a deciding test is a file and a line: help, plan, sentences, tables a
       .name = "x", .quantity = "x", .groups = {{"A", {1, 2, 3}}, {"B", {5, 6, 7}}, {"C", {2, 3, 4}}}};
   const Evidence found = evidence(three, plan);
   CHECK(found.method->name == "scheffe");
-  CHECK(found.contrasts[0].difference.value == Approx(-4));
-  CHECK(found.contrasts[0].difference.high == Approx(-4 + 2.618714));
+  CHECK(found.contrasts[0].estimate.value == Approx(-4));
+  CHECK(found.contrasts[0].estimate.high == Approx(-4 + 2.618714));
   CHECK(found.contrasts[0].p == Approx(0.008));
   CHECK(found.contrasts[0].relation == Relation::better);
   CHECK(found.contrasts[1].p == Approx(0.512));

@@ -60,8 +60,8 @@ Summaries printed_table_3(const std::string& metric) {
   return {};
 }
 
-const Contrast& contrast(const Evidence& found, const std::string& first, const std::string& second) {
-  const auto is_it = [&](const Contrast& c) {
+const Finding& contrast(const Evidence& found, const std::string& first, const std::string& second) {
+  const auto is_it = [&](const Finding& c) {
     return found.groups[c.first].name == first && found.groups[c.second].name == second;
   };
   const auto it = std::ranges::find_if(found.contrasts, is_it);
@@ -97,7 +97,7 @@ TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
   CHECK(p_of("Brown-Forsythe test of equal variances") == Approx(0.34123).epsilon(1e-4));
   CHECK(found.groups[0].normality == Approx(0.747473443830).epsilon(1e-6));
   // SciPy's brunnermunzel, the larger beside mannwhitneyu; times 3 as Holm's smallest of three
-  const Contrast& last = contrast(found, "trt1", "trt2");
+  const Finding& last = contrast(found, "trt1", "trt2");
   CHECK(last.p_ranks == Approx(3 * 0.011244179779992036).epsilon(1e-9));
   CHECK(last.p == Approx(0.05).margin(4 * 0.0022));  // of 9999 resamples
   CHECK(contrast(found, "ctrl", "trt1").relation == Relation::undecided);
@@ -327,7 +327,7 @@ TEST_CASE("methods are said to disagree where a p that is shown is on the other 
       }
       const Evidence found = evidence(sets, {.test = blocked ? "friedman" : std::string(by_design)});
       bool disagree = false;
-      for (const Contrast& pair : found.contrasts) {
+      for (const Finding& pair : found.contrasts) {
         disagree = disagree || (std::isfinite(pair.p_ranks) && (pair.p_ranks < 0.05) != is_decided(pair));
       }
       for (const TestResult& test : found.tests) {
@@ -456,7 +456,7 @@ TEST_CASE("a pair that is undecided only among all pairs has its own p beside th
                               .quantity = "x",
                               .groups = {{"A", values}, {"B", shifted(by)}, {"C", shifted(50)}, {"D", shifted(50)}}},
                  {});
-    const Contrast& pair = found.contrasts.front();
+    const Finding& pair = found.contrasts.front();
     if (pair.p_alone >= 0.05) {
       CHECK(!says(found, "for this pair alone"));
       continue;
@@ -496,7 +496,7 @@ TEST_CASE("what the bootstrap cannot judge is decided where all values of one gr
         {});
   };
   const Evidence found = of(dear);
-  const Contrast& extremes = found.contrasts[1];
+  const Finding& extremes = found.contrasts[1];
   CHECK(extremes.relation == Relation::better);
   CHECK(extremes.p == Approx(3 * 2 / 2704156.0));  // of C(24, 12) orders two, for three pairs
   CHECK(says(found,
@@ -604,7 +604,7 @@ TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or sm
   const AnalysisPlan plan{.test = "friedman", .control = "C4.5", .significance = 0.1};
   const Evidence found = evidence(demsar(), plan);
   double smallest = 1;
-  for (const Contrast& each : found.contrasts) {
+  for (const Finding& each : found.contrasts) {
     smallest = std::min(smallest, each.p);
   }
   // C4.5 and C4.5+m+cf: 2 of 13 signs are for the first, and 1 + 13 + 78 of 2^13 have as few of one kind.

@@ -71,7 +71,7 @@ TEST_CASE("pairs of outcomes are corrected as planned, and their intervals hold 
   CHECK(found.contrasts[1].p == Approx(2 * 0.06483316160735517).epsilon(1e-6));
   CHECK(found.contrasts[1].relation == Relation::undecided);
   const Evidence two = evidence(solved({{"A", outcomes(18, 20)}, {"B", outcomes(9, 20)}}), {});
-  CHECK(found.contrasts[0].difference.low < two.contrasts[0].difference.low);
+  CHECK(found.contrasts[0].estimate.low < two.contrasts[0].estimate.low);
 }
 
 TEST_CASE("shares that differ by less than the margin for certain are the same within it", "[outcomes]") {
@@ -113,7 +113,7 @@ TEST_CASE("all of one group against none of the other: undecided, with the inter
 TEST_CASE("two that always succeed are told how many more observations show that they are the same", "[outcomes]") {
   Observations observed = solved({{"A", outcomes(20, 20)}, {"B", outcomes(20, 20)}});
   observed.scale = ValueScale::share;
-  const Contrast open = evidence(observed, {}).contrasts[0];
+  const Finding open = evidence(observed, {}).contrasts[0];
   CHECK(open.relation == Relation::undecided);
   CHECK(open.runs_to_decide.value == 73);  // z^2 / (n + z^2) of Wilson's interval is at most 0.05
   CHECK(says(assess(observed, {}), "; it takes 73 observations per group"));

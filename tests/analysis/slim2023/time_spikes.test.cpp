@@ -3,7 +3,7 @@
 
 #include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/cost_comparison.hpp"
+#include "analysis/inference/costs.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"

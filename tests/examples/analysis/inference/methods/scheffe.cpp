@@ -10,7 +10,7 @@ using namespace statistics;
 
 namespace {
 
-std::vector<Contrast> scheffe_pairs(const Evidence& evidence, const Groups& groups) {
+std::vector<Finding> scheffe_pairs(const Evidence& evidence, const Groups& groups) {
   const double level = 1 - evidence.plan.significance, between = static_cast<double>(groups.summaries.size()) - 1;
   // Tukey's test has the same differences, standard errors and degrees of freedom.
   std::vector<MeanDifference> pairs = tukey(groups.summaries, level, evidence.reference);
