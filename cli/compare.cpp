@@ -53,12 +53,10 @@ Table narrow(const Table& table) {
   return result;
 }
 
-VariantsReport report_of(const ComparedLabels& compared) { return {compared.comparisons, compared.plan}; }
-
 std::string markdown(const ComparedLabels& compared, Table table) {
-  table.notes.insert(table.notes.begin(), {variants_verdict(report_of(compared)), compared.headline});
+  table.notes.insert(table.notes.begin(), {variants_verdict(compared.comparisons, compared.plan), compared.headline});
   for (const std::string& note : compared.notes) table.notes.push_back(note);
-  for (const std::string& note : variants_notes(report_of(compared))) table.notes.push_back(note);
+  for (const std::string& note : variants_notes(compared.comparisons)) table.notes.push_back(note);
   return to_markdown(table);
 }
 
@@ -79,10 +77,10 @@ void refuse_output(const CompareArguments& arguments) {
 
 void write_output(const ComparedLabels& compared, const std::string& file) {
   const std::string type = std::filesystem::path(file).extension().string();
-  const Table table = variants_table(report_of(compared));
+  const Table table = variants_table(compared.comparisons, compared.plan);
   write_through(file, type == ".md"    ? markdown(compared, table)
                       : type == ".csv" ? to_csv(table)
-                                       : variants_json(report_of(compared)));
+                                       : variants_json(compared.comparisons, compared.plan));
 }
 
 int exit_code(const ComparedLabels& compared, const CompareArguments& arguments) {
@@ -98,11 +96,11 @@ int exit_code(const ComparedLabels& compared, const CompareArguments& arguments)
 int tell(const ComparedLabels& compared, const CompareArguments& arguments) {
   const int code = exit_code(compared, arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
-  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(report_of(compared))),
+  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(compared.comparisons, compared.plan)),
              code == undecided ? " With --strict this counts as a failure." : "", printable(compared.headline),
-             aligned(readable_cells(narrow(variants_table(report_of(compared))))));
+             aligned(readable_cells(narrow(variants_table(compared.comparisons, compared.plan)))));
   for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
-  for (const std::string& note : variants_notes(report_of(compared))) fmt::print("{}\n", printable(note));
+  for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
   return code;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/variant_looks.hpp"
+#include "analysis/inference/variant_comparison.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/analysis_plan.hpp"

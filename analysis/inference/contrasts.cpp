@@ -231,7 +231,7 @@ void judge(const Evidence& evidence, Finding& contrast) {
     } else if (has_known(evidence, contrast)) {
       const double ahead = contrast.superiority.value;
       contrast.why = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"
-                                                    : "a known value has runs of the other on both sides";
+                                              : "a known value has runs of the other on both sides";
     } else if (contrast.why.empty()) {
       contrast.why = "a group has fewer than two values, or values that are not finite";
     }

@@ -1,5 +1,5 @@
-// A finding: the result of comparing two, as a row of plain data, for every quantity and method. Reports, comparisons of
-// variants, costs, shares of a budget and claims read the same rows.
+// A finding: the result of comparing two, as a row of plain data, for every quantity and method. Reports, comparisons
+// of variants, costs, shares of a budget and claims read the same rows.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ constexpr Relation reversed(Relation relation) {
 }
 
 struct Finding {
-  std::size_t first = 0, second = 0;  // of the evidence's groups, or of the study's solvers
-  double p = statistics::not_defined;  // corrected for the family; not defined where the interval decides
+  std::size_t first = 0, second = 0;         // of the evidence's groups, or of the study's solvers
+  double p = statistics::not_defined;        // corrected for the family; not defined where the interval decides
   double p_alone = statistics::not_defined;  // the same for this pair alone
   int ahead = 0;                             // direction of the deciding test: 1 favours first, -1 second
   bool is_ratio = false;                     // true: the estimate is first / second; false: first - second

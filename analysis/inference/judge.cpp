@@ -31,7 +31,9 @@ Relation relation_of(int ahead, double p, double significance, bool is_within_ma
 
 Finding judge(const Evidence& evidence, std::string_view first, std::string_view second) {
   const std::size_t one = place_of(evidence, first), other = place_of(evidence, second);
-  const auto not_judged = [&](std::string why) { return Finding{.first = one, .second = other, .why = std::move(why)}; };
+  const auto not_judged = [&](std::string why) {
+    return Finding{.first = one, .second = other, .why = std::move(why)};
+  };
   for (const auto& [place, name] : {std::pair(one, first), std::pair(other, second)}) {
     if (place == evidence.groups.size()) return not_judged(fmt::format("{} is left out of the comparison", name));
   }

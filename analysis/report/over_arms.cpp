@@ -108,10 +108,11 @@ OverArms over_arms(std::span<const RatesOfArm> arms, const AnalysisPlan& plan) {
         ahead += differences.back() > 0 ? 1 : 0;
       }
       const Finding pair = judge(found, first.name, second.name);
-      result.table.rows.push_back(
-          {first.name, second.name, std::string(name_of(pair.relation)), 100 * mean(differences),
-           percentages(pair.estimate.low, pair.estimate.high), pair.p, of_new_arm(differences, 1 - plan.significance),
-           fmt::format("{} of {}", ahead, all.blocks.size()), deciding_arms(all, others, first, second, pair.relation)});
+      result.table.rows.push_back({first.name, second.name, std::string(name_of(pair.relation)),
+                                   100 * mean(differences), percentages(pair.estimate.low, pair.estimate.high), pair.p,
+                                   of_new_arm(differences, 1 - plan.significance),
+                                   fmt::format("{} of {}", ahead, all.blocks.size()),
+                                   deciding_arms(all, others, first, second, pair.relation)});
     }
   }
   const auto label = [&](std::size_t group) {

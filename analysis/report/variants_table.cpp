@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/not_finite.hpp"
+#include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/words.hpp"
 #include "numerics/json.hpp"
@@ -30,43 +32,61 @@ constexpr std::size_t most_labels = 12;
 Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
 Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
 
+using Comparisons = std::span<const VariantComparison>;
+
 std::string metric_words(const MetricComparison& metric) {
   return metric.estimand == Estimand::mean ? std::string(name_of(metric.metric))
                                            : fmt::format("{} ({})", name_of(metric.metric), name_of(metric.estimand));
 }
 
-bool is_of_shares(const MetricComparison& metric) { return metric.scale == ValueScale::share; }
+bool is_of_shares(const MetricComparison& metric) { return metric.observed.scale == ValueScale::share; }
+
+// Number of observations of A (group 0) or B (group 1).
+int number_of(const MetricComparison& metric, std::size_t group) {
+  return metric.is_compared() ? metric.evidence.groups[group].described.n : 0;
+}
+
+// The mean of what is finite; in pairs, of the pairs that are.
+double mean_of(const MetricComparison& metric, std::size_t group) {
+  if (!metric.is_compared()) return not_defined;
+  const double of_values = mean(of_finite(metric.observed).groups[group].values);
+  return metric.observed.scale == ValueScale::log10 ? std::pow(10, of_values) : of_values;
+}
+
+// "run" or "target": what one observation is of.
+std::string_view noun_of(const Observations& observed) {
+  return observed.blocks.empty() || observed.block_noun == "runs" ? "run" : "target";
+}
 
 // The ratio B / A. For means it follows from the interval of their difference; typical values and ranks have a ratio
 // already.
 Estimate ratio_of(const MetricComparison& metric) {
-  const auto inverse = [](const Estimate& of) {
-    return Estimate{.value = 1 / of.value, .low = 1 / of.high, .high = 1 / of.low};
+  const Finding finding = metric.finding();
+  if (metric.evidence.ranks_decide()) return reversed(finding.ratio, true);
+  if (finding.is_ratio) return reversed(finding.estimate, true);
+  const double mean_a = mean_of(metric, 0);
+  if (!(mean_a > 0)) return {};
+  const double most = is_of_shares(metric) ? 1 / mean_a : HUGE_VAL;
+  const auto ratio = [&](double apart) {  // A - B
+    return std::isfinite(apart) ? std::clamp(1 - apart / mean_a, 0.0, most) : not_defined;
   };
-  if (metric.is_by_ranks) return inverse(metric.contrast.ratio);
-  if (metric.estimand == Estimand::typical) return inverse(metric.contrast.difference);
-  if (!(metric.mean_a > 0)) return {};
-  const Estimate& difference = metric.contrast.difference;  // A - B
-  const double most = is_of_shares(metric) ? 1 / metric.mean_a : HUGE_VAL;
-  const auto ratio = [&](double apart) {
-    return std::isfinite(apart) ? std::clamp(1 - apart / metric.mean_a, 0.0, most) : not_defined;
-  };
-  return {.value = metric.mean_b / metric.mean_a, .low = ratio(difference.high), .high = ratio(difference.low)};
+  return {
+      .value = mean_of(metric, 1) / mean_a, .low = ratio(finding.estimate.high), .high = ratio(finding.estimate.low)};
 }
 
 // The margin of a metric: "5 % or 0.01 cm", of shares "5 percentage points".
-std::string margin_words(const VariantsReport& of, const MetricComparison& metric) {
-  if (is_of_shares(metric)) return points(of.plan.margin);
+std::string margin_words(Comparisons all, const AnalysisPlan& plan, const MetricComparison& metric) {
+  if (is_of_shares(metric)) return points(plan.margin);
   const auto is_in_cm = [](const MetricComparison& each) { return info_of(each.metric).unit == "cm"; };
-  return inference::margin_words(of.plan.margin, any_metric(of.comparisons, is_in_cm) ? of.plan.margin_cm : 0);
+  return inference::margin_words(plan.margin, any_metric(all, is_in_cm) ? plan.margin_cm : 0);
 }
 
 // The margin of all metrics: "5 % (shares: 5 percentage points)".
-std::string margin_words(const VariantsReport& of) {
+std::string margin_words(Comparisons all, const AnalysisPlan& plan) {
   std::string of_shares, of_others;
-  for (const VariantComparison& comparison : of.comparisons) {
+  for (const VariantComparison& comparison : all) {
     for (const MetricComparison& metric : comparison.metrics)
-      (is_of_shares(metric) ? of_shares : of_others) = margin_words(of, metric);
+      (is_of_shares(metric) ? of_shares : of_others) = margin_words(all, plan, metric);
   }
   if (of_shares.empty() || of_others.empty()) return of_shares + of_others;
   return fmt::format(words::margins, "margin"_a = of_others, "of_shares"_a = of_shares);
@@ -74,15 +94,15 @@ std::string margin_words(const VariantsReport& of) {
 
 // The verdict on B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
-  if (!metric.is_compared) return metric.is_counted ? "not compared" : "not compared: nobody counted";
-  const Finding& found = metric.contrast;
+  if (!metric.is_compared()) return metric.is_counted ? "not compared" : "not compared: nobody counted";
+  const Finding found = metric.finding();
   const auto sized = [&](std::string_view word) {
     return found.is_within_margin()   ? fmt::format(words::by_less, "word"_a = word, "margin"_a = margin)
            : found.is_beyond_margin() ? fmt::format(words::by_more, "word"_a = word, "margin"_a = margin)
            : found.is_across_margin() ? fmt::format(words::perhaps_by_less, "word"_a = word, "margin"_a = margin)
                                       : fmt::format(words::by_unknown, "word"_a = word);
   };
-  switch (metric.contrast.relation) {
+  switch (found.relation) {
     case Relation::better:
       return sized("worse");
     case Relation::worse:
@@ -96,31 +116,86 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
   }
 }
 
-std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric,
-                         const std::string& margin) {
+std::string not_finite_words(const Observations& observed) {
+  std::vector<std::string> parts;
+  for (const Group& group : observed.groups) {
+    const std::size_t lost = count_not_finite(group);
+    if (lost > 0)
+      parts.push_back(fmt::format("{} of {} {}s of {}", lost, group.values.size(), noun_of(observed), group.name));
+  }
+  return parts.empty() ? "" : fmt::format(words::lost, "list"_a = fmt::join(parts, ", "));
+}
+
+// Says how many observations a decision takes; empty if there are as many already.
+std::string what_would_show(const MetricComparison& metric) {
+  const Estimate runs = metric.finding().runs_to_decide;
+  const double least = std::isfinite(runs.low) ? runs.low : runs.value;
+  if (!(least > std::min(number_of(metric, 0), number_of(metric, 1)))) return "";
+  const bool is_range = std::isfinite(runs.high) && runs.high > least && runs.high < 100 * least;
+  return fmt::format(
+      words::takes,
+      "number"_a = is_range ? fmt::format("{:.0f} to {:.0f}", least, runs.high) : fmt::format("at least {:.0f}", least),
+      "of"_a = noun_of(metric.observed));
+}
+
+std::string remark_on(const MetricComparison& metric, double significance) {
+  if (!metric.refused.empty()) return metric.refused;
+  if (!metric.is_compared()) return metric.is_counted ? "see below" : "nobody counted";
+  const Finding found = metric.finding();
+  if (found.is_fact)
+    return std::string(metric.observed.groups.front().bits > 0 ? words::equal_bits : words::repeats_itself);
+  std::vector<std::string> parts{not_finite_words(metric.observed)};
+  if (found.relation == Relation::undefined || !found.why.empty()) {
+    const bool is_strict = metric.level() < significance && found.relation == Relation::undecided;
+    parts.push_back(found.why + (is_strict ? fmt::format(words::at_level, "level"_a = metric.level()) : ""));
+  } else if (found.relation == Relation::undecided) {
+    if (found.p >= metric.level() && found.p < significance)
+      parts.push_back(fmt::format(words::by_itself, "better"_a = found.ahead < 0 ? "better" : "worse"));
+    parts.push_back(what_would_show(metric));
+  } else if (found.relation != Relation::better && !metric.evidence.ranks_decide()) {
+    parts.push_back(rare_failures_words(std::min(number_of(metric, 0), number_of(metric, 1)),
+                                        fmt::format("{}s", noun_of(metric.observed)), metric.level()));
+  }
+  std::erase(parts, "");
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::vector<Cell> row_of(const VariantComparison& comparison, const MetricComparison& metric, const std::string& margin,
+                         double significance) {
   const Estimate ratio = ratio_of(metric);
-  const auto of_b = [&](double share_of_a) { return defined(metric.contrast.is_fact ? not_defined : 1 - share_of_a); };
-  const Estimate& ahead = metric.contrast.superiority;
+  const Finding found = metric.finding(), of_b = reversed(found);
+  const auto unless_fact = [&](double value) { return found.is_fact ? not_defined : value; };
+  const std::string remark = remark_on(metric, significance);
   return {comparison.label,
           metric_words(metric),
           b_is(metric, margin),
-          std::int64_t{metric.n_a},
-          std::int64_t{metric.n_b},
-          metric.mean_a,
-          metric.mean_b,
+          std::int64_t{number_of(metric, 0)},
+          std::int64_t{number_of(metric, 1)},
+          mean_of(metric, 0),
+          mean_of(metric, 1),
           defined(ratio.value),
           defined(ratio.low),
           defined(ratio.high),
-          p_value(metric.contrast.is_fact ? not_defined : metric.contrast.p),
-          p_value(metric.contrast.is_fact ? not_defined : metric.level),
-          of_b(ahead.value),
-          of_b(ahead.high),
-          of_b(ahead.low),
-          metric.remark.empty() ? Cell() : Cell(metric.remark)};
+          p_value(unless_fact(found.p)),
+          p_value(metric.is_compared() ? unless_fact(metric.level()) : not_defined),
+          defined(unless_fact(of_b.superiority.value)),
+          defined(unless_fact(of_b.superiority.low)),
+          defined(unless_fact(of_b.superiority.high)),
+          remark.empty() ? Cell() : Cell(remark)};
 }
 
-std::string of_label(const VariantsReport& of, const VariantComparison& comparison) {
-  return of.comparisons.size() == 1 ? "" : comparison.label + ": ";
+std::string label_of(Comparisons all, const VariantComparison& comparison) {
+  return all.size() == 1 ? "" : comparison.label + ": ";
+}
+
+// Says what an observation is, and whether observations are in pairs.
+std::string design_words(const VariantComparison& comparison) {
+  const auto metric = std::ranges::find_if(comparison.metrics, &MetricComparison::is_compared);
+  if (metric == comparison.metrics.end()) return "";
+  const Observations& observed = metric->observed;
+  return fmt::format(fmt::runtime(observed.blocks.empty() ? words::independent_runs : words::pairs),
+                     "a"_a = number_of(*metric, 0), "b"_a = number_of(*metric, 1), "of"_a = noun_of(observed),
+                     "what"_a = observed.replicate, "pair"_a = observed.block);
 }
 
 Json json_of(const Cell& cell) {
@@ -138,15 +213,16 @@ std::string regression(const MetricComparison& metric) {
   if (std::isfinite(ratio.value)) facts.push_back(fmt::format("{} times A's", short_number(ratio.value)));
   if (std::isfinite(ratio.low))
     facts.push_back(fmt::format("interval {} to {}", short_number(ratio.low), short_number(ratio.high)));
-  facts.push_back(metric.contrast.is_fact ? "no test" : fmt::format("p {}", short_number(metric.contrast.p)));
+  const Finding found = metric.finding();
+  facts.push_back(found.is_fact ? "no test" : fmt::format("p {}", short_number(found.p)));
   return fmt::format("{} ({})", metric_words(metric), fmt::join(facts, ", "));
 }
 
-std::string regressions(const VariantsReport& of) {
+std::string regressions(Comparisons all) {
   std::vector<std::string> found;
-  for (const VariantComparison& comparison : of.comparisons) {
+  for (const VariantComparison& comparison : all) {
     for (const MetricComparison& metric : comparison.metrics) {
-      if (is_regression(metric)) found.push_back(of_label(of, comparison) + regression(metric));
+      if (is_regression(metric)) found.push_back(label_of(all, comparison) + regression(metric));
     }
   }
   const std::size_t named = std::min(found.size(), most_labels);
@@ -154,77 +230,68 @@ std::string regressions(const VariantsReport& of) {
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
 }
 
-// "2 better by more than 5 %, 17 undecided", in the order in which they first occur.
-std::string counted(const VariantsReport& of) {
-  std::vector<std::pair<std::string, int>> counts;
-  for (const VariantComparison& comparison : of.comparisons) {
-    for (const MetricComparison& metric : comparison.metrics) {
-      const std::string said = b_is(metric, margin_words(of, metric));
-      const auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
-      if (found == counts.end()) {
-        counts.emplace_back(said, 1);
-      } else {
-        ++found->second;
-      }
-    }
-  }
-  std::vector<std::string> parts;
-  for (const auto& [said, number] : counts) parts.push_back(fmt::format("{} {}", number, said));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 }  // namespace
 
-Table variants_table(const VariantsReport& of) {
-  const std::string margin = margin_words(of);
+Table variants_table(Comparisons all, const AnalysisPlan& plan) {
   Table table{.name = "comparison",
-              .caption = fmt::format("B compared with A, with a margin of {}", margin),
+              .caption = fmt::format("B compared with A, with a margin of {}", margin_words(all, plan)),
               .columns = {"label", "metric", "B_is", "n_A", "n_B", "mean_A", "mean_B", "B_by_A", "low", "high", "p",
                           "level", "a12", "a12_low", "a12_high", "remark"},
               .notes = {std::string(words::comparison_columns)}};
-  for (const VariantComparison& comparison : of.comparisons) {
+  for (const VariantComparison& comparison : all) {
     for (const MetricComparison& metric : comparison.metrics)
-      table.rows.push_back(row_of(comparison, metric, margin_words(of, metric)));
+      table.rows.push_back(row_of(comparison, metric, margin_words(all, plan, metric), plan.significance));
   }
   return table;
 }
 
-std::vector<std::string> variants_notes(const VariantsReport& of) {
+std::vector<std::string> variants_notes(Comparisons all) {
   std::vector<std::string> notes;
   const auto is_of_all = [&](const std::string& note) {
-    return std::ranges::all_of(of.comparisons, [&](const VariantComparison& comparison) {
-      return comparison.design == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
+    return std::ranges::all_of(all, [&](const VariantComparison& comparison) {
+      return design_words(comparison) == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
     });
   };
   const auto add = [&](const VariantComparison& comparison, const std::string& note) {
     if (note.empty()) return;
-    const std::string text = is_of_all(note) ? note : of_label(of, comparison) + note;
+    const std::string text = is_of_all(note) ? note : label_of(all, comparison) + note;
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
   };
-  for (const VariantComparison& comparison : of.comparisons) add(comparison, comparison.design);
-  for (const VariantComparison& comparison : of.comparisons) {
+  for (const VariantComparison& comparison : all) add(comparison, design_words(comparison));
+  for (const VariantComparison& comparison : all) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }
   return notes;
 }
 
-std::string variants_verdict(const VariantsReport& of) {
-  const std::string margin = margin_words(of);
-  std::size_t all = 0;
-  for (const VariantComparison& comparison : of.comparisons) all += comparison.metrics.size();
-  const std::string rest =
-      fmt::format(words::comparisons, "count"_a = all, "s"_a = all == 1 ? "" : "s", "counts"_a = counted(of));
-  if (any_metric(of.comparisons, is_regression))
-    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(of), "rest"_a = rest);
+std::string variants_verdict(Comparisons all, const AnalysisPlan& plan) {
+  std::vector<std::pair<std::string, int>> counts;  // "2 better by more than 5 %", in the order of first occurrence
+  int count = 0;
+  for (const VariantComparison& comparison : all) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      const std::string said = b_is(metric, margin_words(all, plan, metric));
+      auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
+      if (found == counts.end()) found = counts.insert(found, {said, 0});
+      ++found->second;
+      ++count;
+    }
+  }
+  std::vector<std::string> parts;
+  for (const auto& [said, number] : counts) parts.push_back(fmt::format("{} {}", number, said));
+  const std::string margin = margin_words(all, plan);
+  const std::string rest = fmt::format(words::comparisons, "count"_a = count, "s"_a = count == 1 ? "" : "s",
+                                       "counts"_a = fmt::join(parts, ", "));
+  if (any_metric(all, is_regression))
+    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(all), "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
   return fmt::format(words::no_regression, "margin"_a = margin,
-                     "found"_a = any_metric(of.comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);
+                     "found"_a = any_metric(all, is_unknown) ? " was found" : "", "rest"_a = rest);
 }
 
-std::string variants_json(const VariantsReport& of) {
-  const Table table = variants_table(of);
-  Json json{{"verdict", variants_verdict(of)},      {"margin", of.plan.margin},    {"margin_cm", of.plan.margin_cm},
-            {"significance", of.plan.significance}, {"notes", variants_notes(of)}, {"rows", Json::array()}};
+std::string variants_json(Comparisons all, const AnalysisPlan& plan) {
+  const Table table = variants_table(all, plan);
+  Json json{{"verdict", variants_verdict(all, plan)}, {"margin", plan.margin},        {"margin_cm", plan.margin_cm},
+            {"significance", plan.significance},      {"notes", variants_notes(all)}, {"rows", Json::array()}};
   for (const std::vector<Cell>& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_of(row[c]);

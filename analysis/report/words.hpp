@@ -155,6 +155,14 @@ inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";
 inline constexpr Template by_more = "{word} by more than {margin}";
 inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
+inline constexpr Template equal_bits = "equal bit for bit";
+inline constexpr Template repeats_itself = "all runs of each are equal: a fact of these targets, without a test";
+inline constexpr Template lost = "not finite: {list}";
+inline constexpr Template takes = "a difference of the margin takes {number} {of}s";
+inline constexpr Template at_level = ", at the level {level:.3g}";
+inline constexpr Template by_itself = "{better} by itself, but not among all of this comparison";
+inline constexpr Template independent_runs = "Independent runs, {a} of A and {b} of B: one observation is {what}.";
+inline constexpr Template pairs = "{a} pairs of {of}s: one observation is {what}; a pair is {pair}.";
 inline constexpr Template by_unknown = "{word}, by how much is not known";
 inline constexpr Template looked_before_plan =
     "warning: a report or a comparison looked at this study before, after {runs} runs. Looks that are planned afterwards do not "

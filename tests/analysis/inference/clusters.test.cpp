@@ -341,8 +341,7 @@ TEST_CASE("a finding on costs never contradicts its estimate, and the other orde
       CAPTURE(i, finding.first, finding.second, finding.estimate.value);
       if (finding.relation == Relation::better) CHECK(finding.estimate.value < 1);
       if (finding.relation == Relation::worse) CHECK(finding.estimate.value > 1);
-      const Finding swapped =
-          finding_of(other_way, turned_place(finding.second), turned_place(finding.first)).value();
+      const Finding swapped = finding_of(other_way, turned_place(finding.second), turned_place(finding.first)).value();
       CHECK(swapped.relation == reversed(finding.relation));
       if (std::isfinite(finding.estimate.low)) CHECK(swapped.estimate.low == Approx(1 / finding.estimate.high));
       CHECK(reversed(reversed(finding)).relation == finding.relation);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/inference/variants.hpp"
+#include "analysis/inference/variant_comparison.hpp"
 
 namespace ikbench::variant_samples {
 

@@ -28,7 +28,13 @@ namespace {
 
 std::string verdict_of(const VariantComparison& comparison) {
   const std::vector<VariantComparison> all{comparison};
-  return variants_verdict({all, AnalysisPlan{}});
+  return variants_verdict(all, AnalysisPlan{});
+}
+
+std::string remark_of(const MetricComparison& metric) {
+  const std::vector<VariantComparison> all{{.label = "mine", .metrics = {metric}}};
+  const Table table = variants_table(all, AnalysisPlan{});
+  return is_empty(table, 0, "remark") ? "" : std::get<std::string>(cell_at(table, 0, "remark"));
 }
 
 const MetricComparison& metric_of(const VariantComparison& comparison, Metric metric) {
@@ -95,18 +101,18 @@ TEST_CASE("what compare says of a metric is what a report says of it", "[variant
     const VariantStudy both = study_of_both(a, b, {});
     const Finding in_report = JudgedStudy(both.study).evidence(Metric::position_error_cm).contrasts.front();
     const MetricComparison compared_alone = error_of(a, b);
-    CHECK(compared_alone.contrast.relation == in_report.relation);
-    CHECK(compared_alone.contrast.is_fact == in_report.is_fact);  // where ties made them equal
-    CHECK(compared_alone.contrast.is_within_margin() == in_report.is_within_margin());
-    if (!std::isnan(in_report.p)) CHECK(compared_alone.contrast.p == in_report.p);
+    CHECK(compared_alone.finding().relation == in_report.relation);
+    CHECK(compared_alone.finding().is_fact == in_report.is_fact);  // where ties made them equal
+    CHECK(compared_alone.finding().is_within_margin() == in_report.is_within_margin());
+    if (!std::isnan(in_report.p)) CHECK(compared_alone.finding().p == in_report.p);
     const bool is_lost = !std::ranges::all_of(of_a, [](double value) { return std::isfinite(value); });
     with_lost += is_lost && is_decided(in_report) ? 1 : 0;
     // Among several metrics less is decided; nothing else changes.
     const MetricComparison among = compared(a, b).metrics.front();
-    if (is_decided(among.contrast)) CHECK(among.contrast.relation == in_report.relation);
-    CHECK((among.contrast.relation == Relation::undefined) == (in_report.relation == Relation::undefined));
-    decided += is_decided(compared_alone.contrast) ? 1 : 0;
-    alike += compared_alone.contrast.relation == Relation::undecided ? 1 : 0;
+    if (is_decided(among.finding())) CHECK(among.finding().relation == in_report.relation);
+    CHECK((among.finding().relation == Relation::undefined) == (in_report.relation == Relation::undefined));
+    decided += is_decided(compared_alone.finding()) ? 1 : 0;
+    alike += compared_alone.finding().relation == Relation::undecided ? 1 : 0;
   }
   CHECK(decided > 100);
   CHECK(alike > 100);
@@ -119,9 +125,9 @@ TEST_CASE("identical variants are the same to the bit in every metric", "[varian
     const VariantComparison comparison = compared(variant(errors), variant(errors));
     REQUIRE(comparison.metrics.size() == compared_metrics().size());
     for (const MetricComparison& metric : comparison.metrics) {
-      CHECK(metric.contrast.relation == Relation::same);
-      CHECK(metric.remark == "equal bit for bit");
-      CHECK(metric.contrast.is_fact);
+      CHECK(metric.finding().relation == Relation::same);
+      CHECK(remark_of(metric) == "equal bit for bit");
+      CHECK(metric.finding().is_fact);
     }
     CHECK(verdict_of(comparison) ==
           "No regression beyond 5 % (shares: 5 percentage points). Of 5 comparisons: 4 the same within 5 %, 1 the same "
@@ -134,13 +140,13 @@ TEST_CASE("a difference beyond the margin is a regression, one on both sides of 
   CHECK(is_regression(error_of(a, variant(about(2, 0.1)))));
   CHECK(!is_regression(error_of(variant(about(2, 0.1)), a)));
   const MetricComparison across = error_of(a, variant(about(1.07, 0.1)));
-  CHECK(across.contrast.relation == Relation::better);
-  CHECK(across.contrast.is_across_margin());
+  CHECK(across.finding().relation == Relation::better);
+  CHECK(across.finding().is_across_margin());
   CHECK(!is_regression(across));
   CHECK(is_open(across));
   const MetricComparison less = error_of(a, variant(about(1.2, 0.1)), {.margin = 0.5});
-  CHECK(less.contrast.relation == Relation::better);
-  CHECK(less.contrast.is_within_margin());
+  CHECK(less.finding().relation == Relation::better);
+  CHECK(less.finding().is_within_margin());
   CHECK(!is_open(less));
   CHECK(!is_regression(error_of(a, variant(about(1.2, 0.1)), {.margin = 0, .margin_cm = 1})));
 }
@@ -154,9 +160,9 @@ TEST_CASE("answers that are not finite are worse than numbers, but one of twenty
   const Variant a = variant(about(1, 0.1));
   const MetricComparison many = error_of(a, failing(10));
   CHECK(is_regression(many));
-  CHECK(many.remark.starts_with("not finite: 10 of 20 runs of B"));
+  CHECK(remark_of(many).starts_with("not finite: 10 of 20 runs of B"));
   CHECK(is_open(error_of(a, failing(1))));
-  CHECK(error_of(failing(10), a).contrast.relation == Relation::worse);
+  CHECK(error_of(failing(10), a).finding().relation == Relation::worse);
   // Fewer values, and better ones: neither is better.
   std::vector<double> fewer = about(0.2, 0.01);
   for (std::size_t i = 0; i < 10; ++i) fewer[i] = not_defined;
@@ -169,8 +175,8 @@ TEST_CASE("a share of a mean is no margin where values may be negative", "[varia
   const auto varied = [](SolveRecord& solve) { solve.variation_deg = solve.position_error_cm; };
   const Variant a = variant(about(0.1, 1), varied), b = variant(about(5, 1), varied);
   const MetricComparison without = compared(a, b, {"variation_deg"}).metrics.front();
-  CHECK(!without.is_compared);
-  CHECK_THAT(without.remark, ContainsSubstring("negative"));
+  CHECK(!without.is_compared());
+  CHECK_THAT(remark_of(without), ContainsSubstring("negative"));
   CHECK(is_regression(compared(a, b, {"variation_deg"}, {.margin = 0}).metrics.front()));
 }
 
@@ -191,11 +197,11 @@ TEST_CASE("times in blocks, and a plan of ranks, can be a regression", "[variant
   for (const std::string& plan : {std::string(), ranks}) {
     const VariantComparison slower = compared(with(1, plan), with(10, plan), {"seconds", "position_error_cm"});
     for (const MetricComparison& metric : slower.metrics) CHECK(is_regression(metric));
-    const Finding& of_times = slower.metrics[0].contrast;
+    const Finding of_times = slower.metrics[0].finding();
     CHECK((plan == ranks ? of_times.ratio : of_times.estimate).value == Approx(0.1).epsilon(0.1));
     const VariantComparison barely = compared(with(1, plan), with(1.02, plan), {"seconds"});
-    CHECK(barely.metrics[0].contrast.relation == Relation::better);
-    CHECK(barely.metrics[0].contrast.is_within_margin());
+    CHECK(barely.metrics[0].finding().relation == Relation::better);
+    CHECK(barely.metrics[0].finding().is_within_margin());
   }
 }
 
@@ -206,17 +212,17 @@ TEST_CASE("a plan without means is compared by what it has", "[variants]") {
   const MetricComparison typical = error_of(of(1), of(3), {.estimands = {Estimand::typical}});
   CHECK(typical.estimand == Estimand::typical);
   CHECK(is_regression(typical));
-  CHECK(typical.mean_b / typical.mean_a == Approx(3));
+  CHECK(typical.evidence.groups[1].described.mean / typical.evidence.groups[0].described.mean == Approx(3));
   // None of 20 runs is within the distance: shares of 0, which are no rounding errors.
   const MetricComparison share = error_of(of(1), of(3), {.estimands = {Estimand::reliability}});
-  CHECK(share.mean_a == 0);
-  CHECK(share.contrast.relation == Relation::undecided);
-  CHECK(share.remark.find("rounding") == std::string::npos);
+  CHECK(share.evidence.groups[0].described.mean == 0);
+  CHECK(share.finding().relation == Relation::undecided);
+  CHECK(remark_of(share).find("rounding") == std::string::npos);
 }
 
 TEST_CASE("copies of an answer that is not finite are the worse ones", "[variants]") {
   const double infinite = std::numeric_limits<double>::infinity();
-  CHECK(error_of(repeating(infinite), repeating(1)).contrast.relation == Relation::worse);
+  CHECK(error_of(repeating(infinite), repeating(1)).finding().relation == Relation::worse);
   CHECK(is_regression(error_of(repeating(1), repeating(infinite))));
 }
 
@@ -236,18 +242,18 @@ TEST_CASE("several metrics are tested at Holm's levels", "[variants]") {
   const auto some_evaluations = [](SolveRecord& solve) { solve.evaluations = 100 + solve.run; };
   const Variant a = variant(about(1, 0.3), some_evaluations), b = variant(about(1.1, 0.3), more_evaluations);
   const VariantComparison both = compared(a, b, {"position_error_cm", "evaluations"});
-  CHECK(metric_of(both, Metric::evaluations).level == Approx(0.025));       // the smallest p first
-  CHECK(metric_of(both, Metric::position_error_cm).level == Approx(0.05));  // what is left
+  CHECK(metric_of(both, Metric::evaluations).level() == Approx(0.025));       // the smallest p first
+  CHECK(metric_of(both, Metric::position_error_cm).level() == Approx(0.05));  // what is left
   CHECK(is_regression(metric_of(both, Metric::evaluations)));
 }
 
 TEST_CASE("of variants that repeat themselves the difference is a fact, and no p is made of copies", "[variants]") {
   const auto told = [](double error_cm) { return error_of(repeating(1), repeating(error_cm)); };
   CHECK(is_regression(told(2)));
-  CHECK(told(0.5).contrast.relation == Relation::worse);
-  CHECK(told(1.01).contrast.relation == Relation::same);
-  CHECK(told(2).contrast.is_fact);
-  CHECK(told(2).remark == "all runs of each are equal: a fact of these targets, without a test");
+  CHECK(told(0.5).finding().relation == Relation::worse);
+  CHECK(told(1.01).finding().relation == Relation::same);
+  CHECK(told(2).finding().is_fact);
+  CHECK(remark_of(told(2)) == "all runs of each are equal: a fact of these targets, without a test");
   CHECK_THAT(verdict_of(compared(repeating(1), repeating(2), {"position_error_cm"})),
              ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));
 }
@@ -266,10 +272,10 @@ TEST_CASE("poses are compared by their orientation too, where no metric is named
 TEST_CASE("times are compared where both are clean and of one session", "[variants]") {
   const auto slower = [](SolveRecord& solve) { solve.cpu_seconds = solve.seconds *= 10; };
   const Variant a = variant(about(1, 0.1)), b = variant(about(1, 0.1), slower);
-  CHECK(compared(a, b, {"seconds"}).metrics.front().contrast.relation == Relation::better);
+  CHECK(compared(a, b, {"seconds"}).metrics.front().finding().relation == Relation::better);
   const auto refused = [&](const Variant& other) {
     const VariantComparison comparison = compared(a, other, {"seconds"});
-    CHECK(!comparison.metrics.front().is_compared);
+    CHECK(!comparison.metrics.front().is_compared());
     CHECK(is_open(comparison.metrics.front()));
     return fmt::format("{}", fmt::join(comparison.notes, "\n"));
   };
@@ -295,7 +301,7 @@ TEST_CASE("a program's times and claims are held against no numbers of ours", "[
   };
   const Variant ours = variant(about(1, 0.1)), program = variant(about(1, 0.1), is_program);
   const VariantComparison comparison = compared(ours, program, {"seconds", "evaluations"});
-  for (const MetricComparison& metric : comparison.metrics) CHECK(!metric.is_compared);
+  for (const MetricComparison& metric : comparison.metrics) CHECK(!metric.is_compared());
   const std::string notes = fmt::format("{}", fmt::join(comparison.notes, "\n"));
   CHECK_THAT(notes, ContainsSubstring("have messages and another process in them"));
   CHECK_THAT(notes, ContainsSubstring("Evaluations of B are not compared: these were counted by the solver itself"));
@@ -312,7 +318,7 @@ TEST_CASE("evaluations that nobody counted are no regression, and solves without
     const VariantComparison comparison = compared(first, second, {"evaluations"});
     CHECK(!comparison.metrics.front().is_counted);
     CHECK(!is_open(comparison.metrics.front()));
-    CHECK(comparison.metrics.front().remark == "nobody counted");
+    CHECK(remark_of(comparison.metrics.front()) == "nobody counted");
     CHECK(verdict_of(comparison) ==
           "No regression beyond 5 % was found. Of 1 comparison: 1 not compared: nobody counted.");
   }
@@ -329,10 +335,10 @@ TEST_CASE("instructions are compared where the processor counted those of both",
   };
   const Variant a = variant(about(1, 0.1), counting(1000)), b = variant(about(1, 0.1), counting(1200)),
                 uncounted = variant(about(1, 0.1));
-  CHECK(compared(a, b, {"instructions"}).metrics.front().contrast.relation == Relation::better);
-  CHECK(compared(b, a, {"instructions"}).metrics.front().contrast.relation == Relation::worse);
+  CHECK(compared(a, b, {"instructions"}).metrics.front().finding().relation == Relation::better);
+  CHECK(compared(b, a, {"instructions"}).metrics.front().finding().relation == Relation::worse);
   const VariantComparison comparison = compared(a, uncounted, {"instructions"});
-  CHECK(!comparison.metrics.front().is_compared);
+  CHECK(!comparison.metrics.front().is_compared());
   CHECK_THAT(fmt::format("{}", fmt::join(comparison.notes, "\n")), ContainsSubstring("were not counted"));
 }
 
@@ -379,8 +385,8 @@ TEST_CASE("what was not given the same to do is refused", "[variants]") {
 
 TEST_CASE("runs that only one side has are left out of pairs, and told", "[variants]") {
   const VariantComparison comparison = compared(drawn(about(1, 0.1)), drawn({1, 1.1, 1.2}), {"position_error_cm"});
-  CHECK(comparison.metrics.front().n_a == 3);
-  CHECK(comparison.design ==
+  CHECK(comparison.metrics.front().evidence.groups[0].described.n == 3);
+  CHECK(variants_notes({&comparison, 1}).front() ==
         "3 pairs of targets: one observation is the only solve of a target; a pair is a random "
         "target, the same for all solvers.");
   CHECK(std::ranges::count(comparison.notes,
@@ -407,7 +413,7 @@ TEST_CASE("every question that a plan may ask is answered", "[variants]") {
 TEST_CASE("the table has a row for every label and metric, and facts have no p", "[variants]") {
   const std::vector<VariantComparison> comparisons{compared(variant(about(1, 0.1)), variant(about(2, 0.1)))};
   const AnalysisPlan by_default;
-  const Table table = variants_table({comparisons, by_default});
+  const Table table = variants_table(comparisons, by_default);
   REQUIRE(table.rows.size() == 5);
   CHECK(std::get<std::string>(cell_at(table, 0, "B_is")) == "worse by more than 5 %");
   CHECK(number_at(table, 0, "B_by_A") == Approx(2));
@@ -417,7 +423,7 @@ TEST_CASE("the table has a row for every label and metric, and facts have no p",
   CHECK_FALSE(is_empty(table, 0, "p"));
   CHECK(std::get<std::string>(cell_at(table, 1, "remark")) == "equal bit for bit");
   CHECK(is_empty(table, 1, "p"));
-  const std::string json = variants_json({comparisons, by_default});
+  const std::string json = variants_json(comparisons, by_default);
   CHECK_THAT(
       json,
       ContainsSubstring(
@@ -441,8 +447,9 @@ TEST_CASE("in a study with a tolerance, a variant that solves nothing is not che
                                                 variant(
                                                     shape, [](int, int) { return 5.0; }, returns_the_start),
                                                 {"evaluations", "variation_deg"});
-  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.contrast.relation == Relation::better);
-  CHECK(metric_of(comparison, Metric::evaluations).mean_b == Approx(10 * 120));  // of the dearest solve, which took 120
+  for (const MetricComparison& metric : comparison.metrics) CHECK(metric.finding().relation == Relation::better);
+  CHECK(metric_of(comparison, Metric::evaluations).evidence.groups[1].described.mean ==
+        Approx(10 * 120));  // of the dearest solve, which took 120
 }
 
 TEST_CASE("a pair without a test cannot be judged, as a report says", "[variants]") {
@@ -467,8 +474,8 @@ TEST_CASE("equal solves are the same only where they are judged alike", "[varian
   const auto error = [](int, int) { return 0.2; };
   const VariantComparison comparison = compared(variant(study(R"("tolerance_cm": 0.1)"), error, missed),
                                                 variant(study(""), error, spent), {"evaluations"});
-  CHECK(metric_of(comparison, Metric::evaluations).remark != "equal bit for bit");
-  CHECK(metric_of(comparison, Metric::evaluations).contrast.relation == Relation::worse);
+  CHECK(remark_of(metric_of(comparison, Metric::evaluations)) != "equal bit for bit");
+  CHECK(metric_of(comparison, Metric::evaluations).finding().relation == Relation::worse);
 }
 
 TEST_CASE("a store's labels become variants, each with its own solves and sessions", "[variants]") {

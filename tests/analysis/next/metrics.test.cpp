@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/variants.hpp"
+#include "analysis/inference/variant_comparison.hpp"
 #include "analysis/report/report.hpp"
 #include "results/store.hpp"
 #include "tests/analysis/folder.hpp"

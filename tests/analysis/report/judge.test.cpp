@@ -14,7 +14,7 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
-#include "analysis/inference/variants.hpp"
+#include "analysis/inference/variant_comparison.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/store.hpp"
@@ -135,7 +135,7 @@ TEST_CASE("where the plan says 0.01, nothing is decided at 0.05: in no claim, ta
   CHECK(told.relations == std::vector<std::string>(5, "undecided"));
   for (const char* claim : judged_claims) CHECK(verdict_of(told, claim) == "undecided");
   for (const char* other : {"p >= 0.05", "p &gt;= 0.05", "at 0.05", "95 %"}) CHECK(!contains(told.text, other));
-  CHECK(told.compared.contrast.relation == Relation::undecided);
+  CHECK(told.compared.finding().relation == Relation::undecided);
 }
 
 TEST_CASE("a study finds its evidence once for each metric, and of times that are not comparable only describes them",

@@ -1,5 +1,5 @@
 // Variants that are compared while their runs grow.
-#include "analysis/inference/variant_looks.hpp"
+#include "analysis/inference/variant_comparison.hpp"
 
 #include <cmath>
 #include <limits>
@@ -41,9 +41,9 @@ TEST_CASE("what is far apart is decided at an early look, and later runs change 
   CHECK(found.state == LookState::settled);
   CHECK(found.runs <= 8);
   CHECK(is_regression(found.comparisons.front().metrics.front()));
-  CHECK(found.comparisons.front().metrics.front().n_a == found.runs);
+  CHECK(found.comparisons.front().metrics.front().evidence.groups[0].described.n == found.runs);
   CHECK(same.runs == found.runs);
-  CHECK(same.comparisons.front().metrics.front().contrast.p == found.comparisons.front().metrics.front().contrast.p);
+  CHECK(same.comparisons.front().metrics.front().finding().p == found.comparisons.front().metrics.front().finding().p);
 }
 
 TEST_CASE("what is not decided is open while runs are missing, and at the limit after the last", "[variants][looks]") {
@@ -63,8 +63,8 @@ TEST_CASE("a plan of one look is the comparison without looks", "[variants][look
   const SequentialComparison one = compare_sequentially(studies, {}, {.step = 20, .most = 20});
   const VariantComparison plain = compared(a, b);
   for (std::size_t i = 0; i < plain.metrics.size(); ++i) {
-    CHECK(one.comparisons.front().metrics[i].contrast.relation == plain.metrics[i].contrast.relation);
-    CHECK(one.comparisons.front().metrics[i].remark == plain.metrics[i].remark);
+    CHECK(one.comparisons.front().metrics[i].finding().relation == plain.metrics[i].finding().relation);
+    CHECK(one.comparisons.front().metrics[i].level() == Approx(plain.metrics[i].level()));
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("labels that did not change fail a gate that looks five times in at mo
     const SequentialComparison found = compare_sequentially(studies, errors_alone, {.step = 4, .most = 20});
     failed +=
         std::ranges::any_of(found.comparisons,
-                            [](const VariantComparison& each) { return is_decided(each.metrics.front().contrast); })
+                            [](const VariantComparison& each) { return is_decided(each.metrics.front().finding()); })
             ? 1
             : 0;
   }
