@@ -10,9 +10,9 @@
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/hodges_lehmann.hpp"
-#include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
 

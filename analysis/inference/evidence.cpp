@@ -15,9 +15,6 @@
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/equal_variances.hpp"
-#include "analysis/statistics/friedman.hpp"
-#include "analysis/statistics/kruskal_wallis.hpp"
-#include "analysis/statistics/median_interval.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -302,12 +299,7 @@ void make_tests(Evidence& result, const Observations& observations) {
   const Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
   if (!result.of_outcomes) add_mean_ranks(result, ranked);
   if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, ranked);
-  if (result.of_outcomes) {
-    if (const auto test = result.method->all == nullptr ? std::nullopt : result.method->all(result, groups))
-      result.tests = {*test};
-  } else if (!result.constant) {
-    add_tests(result, groups);
-  }
+  if (!result.of_outcomes && !result.constant) add_tests(result, groups);
   add_contrasts(result, groups);
   name_groups(result);
 }

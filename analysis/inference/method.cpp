@@ -22,6 +22,8 @@ extern const Method bootstrap_within_blocks_method, paired_t_method, fisher_meth
 
 namespace {
 
+static_assert(static_cast<Correction>(Adjustment::benjamini_hochberg) == Correction::benjamini_hochberg);
+
 const std::array all_methods{
 #define IKBENCH_DECIDING_TEST(name, needs, meaning) &name##_method,
 #include "results/deciding_tests.inc"
@@ -36,19 +38,6 @@ const Method& method_named(std::string_view name) {
   const auto found = std::ranges::find(all_methods, name, [](const Method* method) { return method->name; });
   if (found == all_methods.end()) throw std::invalid_argument(fmt::format("unknown test '{}'", name));
   return **found;
-}
-
-Correction correction_of(Adjustment adjustment) {
-  switch (adjustment) {
-    case Adjustment::hochberg:
-      return Correction::hochberg;
-    case Adjustment::bonferroni:
-      return Correction::bonferroni;
-    case Adjustment::benjamini_hochberg:
-      return Correction::benjamini_hochberg;
-    default:
-      return Correction::holm;
-  }
 }
 
 void refuse_missing(const Method& method, const Evidence& evidence) {
@@ -94,7 +83,7 @@ void correct(const Evidence& evidence, std::vector<double>& p) {
   std::vector<double> raw;
   for (const double each : p) raw.push_back(std::isnan(each) ? 1 : each);
   raw.resize(std::max(raw.size(), evidence.family()), 1);
-  const std::vector<double> corrected = adjusted(raw, correction_of(evidence.plan.adjustment));
+  const std::vector<double> corrected = adjusted(raw, static_cast<Correction>(evidence.plan.adjustment));
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isnan(p[i])) p[i] = corrected[i];
   }

@@ -11,7 +11,6 @@
 #include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -31,19 +30,10 @@ Estimate takes(double fewest, double n) {
 
 // The fewest trials of two groups that always succeed, or never, whose interval is within the margin.
 double trials_to_agree(double margin, double alpha) {
-  const auto is_within = [&](int n) {
-    return newcombe({.successes = n, .trials = n}, {.successes = n, .trials = n}, 1 - alpha).high <= margin;
-  };
-  int fewer = 0, enough = 1;
-  while (!is_within(enough)) {
-    if (enough > most_runs / 2) return std::numeric_limits<double>::infinity();
-    fewer = std::exchange(enough, 2 * enough);
-  }
-  while (enough - fewer > 1) {
-    const int middle = (fewer + enough) / 2;
-    (is_within(middle) ? enough : fewer) = middle;
-  }
-  return enough;
+  return smallest_number(2, [&](double trials) {
+    const Successes all{.successes = static_cast<int>(trials), .trials = static_cast<int>(trials)};
+    return newcombe(all, all, 1 - alpha).high <= margin;
+  });
 }
 
 }  // namespace

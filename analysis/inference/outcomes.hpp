@@ -9,7 +9,6 @@
 
 #include "analysis/inference/evidence.hpp"
 #include "analysis/inference/study.hpp"
-#include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/proportion.hpp"
 
 namespace ikbench::inference {

@@ -8,7 +8,6 @@
 #include "analysis/report/assessment_sentences.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/json.hpp"
-#include "analysis/statistics/effect_size.hpp"
 #include "numerics/json.hpp"
 
 namespace ikbench::report {
@@ -28,11 +27,6 @@ std::string_view extent_of(const Finding& contrast) {
          : contrast.is_beyond_margin() ? "beyond the margin"
          : contrast.is_across_margin() ? "on both sides of the margin"
                                        : "unknown";
-}
-
-Json effect_of(const Evidence& evidence, const Finding& contrast) {
-  const int n = evidence.groups[contrast.first].described.n, other_n = evidence.groups[contrast.second].described.n;
-  return estimate(hedges_g_interval(contrast.g, n, other_n, 1 - evidence.plan.significance));
 }
 
 void add_reason(Json& object, const std::string& undefined) {
@@ -83,7 +77,7 @@ Json contrast_json(const Evidence& evidence, const Finding& contrast) {
               {"p_ranks", json_number(contrast.p_ranks)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"typical_ratio", estimate(contrast.ratio)},
-              {"hedges_g", effect_of(evidence, contrast)},
+              {"hedges_g", json_number(contrast.g)},
               {"runs_to_decide", json_number(contrast.runs_to_decide.value)},
               {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
               {"runs_to_decide_high", json_number(contrast.runs_to_decide.high)},

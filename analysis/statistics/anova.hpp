@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/reason.hpp"
 
 namespace ikbench::statistics {
 

@@ -1,14 +1,32 @@
 // Describes a sample: mean, median, standard deviation, extremes, as in the paper's Table 3.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
-
-#include "analysis/statistics/reason.hpp"
+#include <string_view>
+#include <utility>
 
 namespace ikbench::statistics {
+
+// Why a number is not defined; empty if it is. In the reason of a group "{}" stands for the group.
+struct Reason : std::string {
+  Reason() = default;
+  Reason(std::string words) : std::string(std::move(words)) {}
+  Reason(const char* words) : std::string(words) {}
+  Reason(std::size_t of_group, std::string words) : std::string(std::move(words)), group(of_group) {}
+
+  std::optional<std::size_t> group = std::nullopt;  // in the given order, from 0
+};
+
+// The words with the name of the group.
+inline std::string named(const Reason& reason, std::string_view group) {
+  return reason.group ? fmt::format(fmt::runtime(std::string_view(reason)), group) : std::string(reason);
+}
 
 // A quantity that the data do not give. Table cells show it as "not defined", never as a number.
 constexpr double not_defined = std::numeric_limits<double>::quiet_NaN();

@@ -2,33 +2,13 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
 namespace {
-
-// The shift at which the noncentral t exceeds the observed one with probability p; NaN if it is not found.
-double shift_of(double p, double t, double df) {
-  const auto excess = [&](double shift) { return noncentral_t_upper_tail(t, df, shift) - p; };  // rises with the shift
-  double low = t, high = t;
-  for (double reach = 2 + std::abs(t) / std::sqrt(df); reach < 1e12 * (1 + std::abs(t)); reach *= 2) {
-    low = t - reach;
-    high = t + reach;
-    const double at_low = excess(low), at_high = excess(high);
-    if (std::isnan(at_low) || std::isnan(at_high)) return not_defined;
-    if (!(at_low < 0 && at_high > 0)) continue;
-    std::uintmax_t evaluations = 200;
-    const auto [below, above] = boost::math::tools::toms748_solve(
-        excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), evaluations);
-    return (below + above) / 2;
-  }
-  return not_defined;
-}
 
 struct Dominance {
   double delta = 0;
@@ -76,9 +56,6 @@ Dominance dominance(std::span<const double> a, std::span<const double> b) {
 
 double finite(double value) { return std::isfinite(value) ? value : not_defined; }
 
-// g / d for two groups with so many degrees of freedom together.
-double correction(double df) { return boost::math::tgamma_delta_ratio(df / 2, -0.5) / std::sqrt(df / 2); }
-
 }  // namespace
 
 double omega_squared(const AnovaTable& table) {
@@ -89,18 +66,8 @@ double hedges_g(const GroupSummary& a, const GroupSummary& b) {
   if (a.n < 2 || b.n < 2) return not_defined;
   const double df = a.n - 1.0 + b.n - 1.0;
   const double pooled = std::hypot(a.std * std::sqrt((a.n - 1) / df), b.std * std::sqrt((b.n - 1) / df));
-  return std::isfinite(pooled) ? finite((a.mean - b.mean) / pooled * correction(df)) : not_defined;
-}
-
-Estimate hedges_g_interval(double g, int n_a, int n_b, double level) {
-  check_level(level);
-  if (std::isnan(g)) return {};
-  const double df = n_a - 1.0 + n_b - 1.0;
-  const double scale = correction(df) * std::sqrt(1.0 / n_a + 1.0 / n_b);  // g = t scale
-  const double low = shift_of((1 - level) / 2, g / scale, df) * scale;
-  const double high = shift_of((1 + level) / 2, g / scale, df) * scale;
-  if (!std::isfinite(low) || !std::isfinite(high)) return {.value = g};  // not found
-  return {.value = g, .low = low, .high = high};
+  const double correction = boost::math::tgamma_delta_ratio(df / 2, -0.5) / std::sqrt(df / 2);
+  return std::isfinite(pooled) ? finite((a.mean - b.mean) / pooled * correction) : not_defined;
 }
 
 Estimate cliffs_delta(std::span<const double> a, std::span<const double> b, double level) {

@@ -17,9 +17,6 @@ double omega_squared(const AnovaTable& table);
 // exact correction for small samples (J. Educational Statistics 6 (1981) 107). Not defined if a group has fewer than
 // two values, both have no spread, or a mean, a spread or g itself is not finite.
 double hedges_g(const GroupSummary& a, const GroupSummary& b);
-// The interval of g for groups of n_a and n_b values: the noncentral t of Student's test turned around (Steiger and
-// Fouladi 1997), limits times the same correction. About half a millisecond.
-Estimate hedges_g_interval(double g, int n_a, int n_b, double level);
 
 // P(a > b) - P(a < b) of a random pair: 1 if every value of a is above every value of b. Infinities have their ranks,
 // NaN has none. Interval: Cliff's asymmetric one with his consistent variance (Psychological Bulletin 114 (1993) 494).

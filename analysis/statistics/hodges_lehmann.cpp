@@ -30,23 +30,15 @@ class AllDifferences {
 
   std::uint64_t size() const { return std::uint64_t{first_.size()} * second_.size(); }
 
-  // The rank-th smallest, counted from 1. Two differences close in on it by three steps in turn: interpolation at the
-  // rank; as far beyond as the nearer of the two now falls short; and half way between them, counted in doubles, which
-  // alone would end too.
+  // The rank-th smallest, counted from 1: two differences close in on it, half way between them in turn, counted in
+  // doubles. So some 60 steps end everywhere.
   double smallest(std::uint64_t rank) const {
-    End low{.at = difference(first_.front(), second_.front()), .count = 0};
-    End high{.at = difference(first_.back(), second_.back()), .count = static_cast<double>(size())};
-    for (const double near : around(rank)) {
-      if (near >= low.at && near < high.at) close_in(near, rank, low, high);
+    double low = difference(first_.front(), second_.front()), high = difference(first_.back(), second_.back());
+    while (low < high) {
+      const Split split = split_at(half_way(low, high));
+      (split.within >= rank ? high : low) = split.within >= rank ? split.largest_within : split.least_above;
     }
-    const auto wanted = static_cast<double>(rank);
-    for (int step = 1; low.at < high.at; ++step) {
-      close_in(step % 3 == 1   ? interpolated(low, high, wanted)
-               : step % 3 == 2 ? interpolated(low, high, beyond(low, high, wanted))
-                               : half_way(low, high),
-               rank, low, high);
-    }
-    return low.at;
+    return low;
   }
 
   // The rank-th smallest if `before` is the one before it.
@@ -56,40 +48,6 @@ class AllDifferences {
   }
 
  private:
-  // One of the two. `count`: for the higher, the number of differences not above it; for the lower, the number below
-  // it.
-  struct End {
-    double at;
-    double count;
-  };
-
-  void close_in(double bound, std::uint64_t rank, End& low, End& high) const {
-    const Split split = split_at(bound);
-    const auto count = static_cast<double>(split.within);
-    if (split.within >= rank) {
-      high = {.at = split.largest_within, .count = count};
-    } else {
-      low = {.at = split.least_above, .count = count};
-    }
-  }
-
-  // Two differences that likely enclose the rank-th of large samples: differences of a few of their values.
-  std::vector<double> around(std::uint64_t rank) const {
-    constexpr std::size_t few = 2000;
-    if (std::min(first_.size(), second_.size()) < 2 * few) return {};
-    const auto thinned = [](const std::vector<double>& values) {
-      std::vector<double> result;
-      for (std::size_t i = 0; i < few; ++i) result.push_back(values[(2 * i + 1) * values.size() / (2 * few)]);
-      return result;
-    };
-    const AllDifferences of_few(thinned(first_), thinned(second_));
-    const auto all = static_cast<double>(of_few.size());
-    const double there = static_cast<double>(rank) / static_cast<double>(size()) * all;
-    constexpr double room = 2 * few;  // twice what each of the few stands for
-    return {of_few.smallest(static_cast<std::uint64_t>(std::max(there - room, 1.0))),
-            of_few.smallest(static_cast<std::uint64_t>(std::min(there + room, all)))};
-  }
-
   // The doubles in order as integers, with only one gap: -0 is just below 0.
   static std::int64_t place_of(double value) {
     const auto bits = std::bit_cast<std::int64_t>(value);
@@ -100,21 +58,10 @@ class AllDifferences {
   }
 
   // A double at or above the low end and below the high one.
-  static double half_way(const End& low, const End& high) {
-    const auto from = static_cast<std::uint64_t>(place_of(low.at)), to = static_cast<std::uint64_t>(place_of(high.at));
+  static double half_way(double low, double high) {
+    const auto from = static_cast<std::uint64_t>(place_of(low)), to = static_cast<std::uint64_t>(place_of(high));
     const double middle = double_at(static_cast<std::int64_t>(from + (to - from) / 2));
-    return middle < high.at ? middle : low.at;  // -0 is not below 0
-  }
-
-  // Likewise, by interpolation; half way if the ends are too far apart.
-  static double interpolated(const End& low, const End& high, double rank) {
-    const double found = low.at + (high.at - low.at) * ((rank - low.count) / (high.count - low.count));
-    return found >= low.at && found < high.at ? found : half_way(low, high);
-  }
-
-  static double beyond(const End& low, const End& high, double rank) {
-    const double from_low = rank - low.count, from_high = high.count - rank;
-    return from_low < from_high ? rank + std::min(from_low, from_high / 2) : rank - std::min(from_high, from_low / 2);
+    return middle < high ? middle : low;  // -0 is not below 0
   }
 
   struct Split {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/reason.hpp"
 
 namespace ikbench::statistics {
 

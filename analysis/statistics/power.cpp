@@ -29,35 +29,15 @@ double two_sided_power(double shift, double df, double alpha) {
   return noncentral_t_upper_tail(critical, df, shift) + noncentral_t_upper_tail(critical, df, -shift);
 }
 
-// The smallest whole n of at least 2 with which a test finds a shift of `one` sqrt(n); power rises with n. The search
-// begins at the n of a normal distribution, and its steps double.
+// The smallest whole n of at least 2 with which a test finds a shift of `one` sqrt(n). The search begins at the n of a
+// normal distribution.
 template <class Degrees>
 double smallest_n(double one, const PowerGoal& goal, Degrees degrees_of) {
-  const auto is_enough = [&](double n) {
-    return two_sided_power(one * std::sqrt(n), degrees_of(n), goal.alpha) >= goal.power;
-  };
   const boost::math::normal normal;
   const double reach = quantile(normal, 1 - goal.alpha / 2) + quantile(normal, goal.power);
-  const double guess = std::clamp(std::ceil(std::pow(reach / one, 2)), 2.0, most_runs);
-  double enough = guess, too_few = guess, step = 1;
-  if (is_enough(guess)) {
-    for (too_few = guess - step; too_few > 1 && is_enough(too_few); too_few = std::max(1.0, enough - step)) {
-      enough = too_few;
-      step *= 2;
-    }
-  } else {
-    do {
-      if (enough >= most_runs) return std::numeric_limits<double>::infinity();
-      too_few = enough;
-      enough = std::min(enough + step, most_runs);
-      step *= 2;
-    } while (!is_enough(enough));
-  }
-  while (enough - too_few > 1) {
-    const double middle = std::floor((enough + too_few) / 2);
-    (is_enough(middle) ? enough : too_few) = middle;
-  }
-  return enough;
+  return smallest_number(std::clamp(std::ceil(std::pow(reach / one, 2)), 2.0, most_runs), [&](double n) {
+    return two_sided_power(one * std::sqrt(n), degrees_of(n), goal.alpha) >= goal.power;
+  });
 }
 
 bool can_be_seen(double difference, double spread) {
@@ -77,6 +57,24 @@ double least(double goal, Power power_at) {
 }
 
 }  // namespace
+
+double smallest_number(double guess, const std::function<bool(double)>& is_enough) {
+  double enough = guess, too_few = guess - 1;
+  for (double step = 1; !is_enough(enough); step *= 2) {
+    if (enough >= most_runs) return std::numeric_limits<double>::infinity();
+    too_few = enough;
+    enough = std::min(enough + step, most_runs);
+  }
+  for (double step = 1; too_few > 1 && too_few < guess && is_enough(too_few); step *= 2) {
+    enough = too_few;
+    too_few = std::max(1.0, enough - step);
+  }
+  while (enough - too_few > 1) {
+    const double middle = std::floor((enough + too_few) / 2);
+    (is_enough(middle) ? enough : too_few) = middle;
+  }
+  return enough;
+}
 
 double least_difference(int n, const PowerGoal& goal) {
   check(goal);

@@ -2,11 +2,17 @@
 // one, through the noncentral t distribution (Cohen 1988).
 #pragma once
 
+#include <functional>
+
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::statistics {
 
 constexpr double most_runs = 1e7;  // larger numbers are not searched for
+
+// The smallest whole number above 1 that is enough, if all larger ones are, too; infinity beyond `most_runs`. The
+// search begins at the guess, a whole number above 1.
+double smallest_number(double guess, const std::function<bool(double)>& is_enough);
 
 struct PowerGoal {
   double power = 0.8;   // the chance to find an existing difference

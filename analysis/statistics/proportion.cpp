@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "analysis/statistics/tails.hpp"
@@ -82,6 +84,30 @@ double most_without_success(int trials, double significance) {
 double trials_to_exclude(double share, double significance) {
   if (!(share > 0 && share < 1)) return not_defined;
   return std::ceil(std::log(significance) / std::log1p(-share));
+}
+
+double mcnemar_exact(const PairedSuccesses& counts) {
+  const int apart = counts.first_only + counts.second_only;
+  if (apart == 0) return 1;
+  const boost::math::binomial even(apart, 0.5);
+  return std::min(1.0, 2 * boost::math::cdf(even, std::min(counts.first_only, counts.second_only)));
+}
+
+Estimate newcombe_paired(const PairedSuccesses& counts, double level) {
+  const int n = counts.trials();
+  const Estimate first = wilson({.successes = counts.both + counts.first_only, .trials = n}, level);
+  const Estimate second = wilson({.successes = counts.both + counts.second_only, .trials = n}, level);
+  const double a = counts.both, b = counts.first_only, c = counts.second_only, d = counts.neither;
+  const double margins = (a + b) * (c + d) * (a + c) * (b + d);
+  const double excess = a * d - b * c;
+  const double phi = margins == 0 ? 0 : (excess > 0 ? std::max(0.0, excess - n / 2.0) : excess) / std::sqrt(margins);
+  const auto reach = [&](double one, double other) {
+    return std::sqrt(std::max(0.0, one * one - 2 * phi * one * other + other * other));
+  };
+  const double difference = (b - c) / n;
+  return {.value = difference,
+          .low = difference - reach(first.value - first.low, second.high - second.value),
+          .high = difference + reach(first.high - first.value, second.value - second.low)};
 }
 
 }  // namespace ikbench::statistics

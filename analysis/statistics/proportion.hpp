@@ -31,4 +31,24 @@ double most_without_success(int trials, double significance);
 // The number of trials from which that chance is at most `share`; NaN if no number suffices.
 double trials_to_exclude(double share, double significance);
 
+// Compares successes of groups that were all given the same trials: pair by pair.
+
+// The numbers of trials in which both succeeded, one alone, or neither.
+struct PairedSuccesses {
+  int both = 0;
+  int first_only = 0;
+  int second_only = 0;
+  int neither = 0;
+
+  int trials() const { return both + first_only + second_only + neither; }
+};
+
+// Tests whether two have the same chance: the two-sided sign test of the trials in which one alone succeeded (McNemar,
+// Psychometrika 12 (1947) 153, exact); 1 if there are none.
+double mcnemar_exact(const PairedSuccesses& counts);
+
+// The share of the first less that of the second, with Newcombe's interval for pairs (Statistics in Medicine 17 (1998)
+// 2635, method 10): his interval for independent samples, with the correlation of the two.
+Estimate newcombe_paired(const PairedSuccesses& counts, double level);
+
 }  // namespace ikbench::statistics

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "analysis/statistics/descriptive.hpp"
+
 namespace ikbench::statistics {
 
 enum class QuantileType { type_1 = 1, type_2, type_3, type_4, type_5, type_6, type_7, type_8, type_9 };
@@ -40,5 +42,12 @@ struct Box {
 };
 
 Box box(std::span<const double> values, QuantileType type);
+
+// An interval of the median that holds for any distribution: two order statistics, by the binomial of one half
+// (Thompson, Annals of Mathematical Statistics 7 (1936) 122).
+
+// The median of sorted values (ranked_values) with its interval, at least at the level; more where values are equal.
+// Infinite values are ranked like any other. Too few values, fewer than 6 at 0.95, have no interval.
+Estimate median_interval(std::span<const double> sorted, double level);
 
 }  // namespace ikbench::statistics

@@ -64,28 +64,10 @@ std::vector<double> without_rounding(std::span<const double> numbers, std::span<
   return result;
 }
 
-// As above, but each number is its own size: the nearest earlier one is the last.
 std::vector<double> without_rounding(std::span<const double> values) {
-  std::vector<double> result(values.begin(), values.end());
-  struct Magnitude {
-    double of;
-    double* value;
-  };
-  std::vector<Magnitude> order;  // holds the numbers: a sort by reference is slow for millions
-  order.reserve(result.size());
-  for (double& value : result) {
-    if (std::isfinite(value)) order.push_back({std::abs(value), &value});
-  }
-  std::ranges::sort(order, {}, &Magnitude::of);
-  double last = 0;
-  for (const auto& [magnitude, value] : order) {
-    if (without_rounding(magnitude - last, magnitude) == 0) {
-      *value = last == 0 ? 0.0 : std::copysign(last, *value);
-    } else {
-      last = magnitude;
-    }
-  }
-  return result;
+  std::vector<double> sizes;
+  for (const double value : values) sizes.push_back(std::abs(value));
+  return without_rounding(values, sizes);
 }
 
 std::vector<double> differences_without_rounding(std::span<const double> first, std::span<const double> second) {

@@ -1,9 +1,7 @@
 // The sign test of two groups is Friedman's of the two: it ranks within each block, so that blocks may have different
 // scales.
-#include "analysis/statistics/friedman.hpp"
-
 #include "analysis/inference/method.hpp"
-#include "analysis/statistics/sign_test.hpp"
+#include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {

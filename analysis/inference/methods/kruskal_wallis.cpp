@@ -1,13 +1,11 @@
 // The verdict on two groups must not depend on other groups (Benavoli, Corani and Mangili, JMLR 17 (2016) no. 5). So
 // pairs are compared by their own values, by two tests that both have to find the difference: Mann and Whitney's is
 // exact where both groups come from one distribution, Brunner and Munzel's allows for spreads that differ.
-#include "analysis/statistics/kruskal_wallis.hpp"
-
 #include <cmath>
 
 #include "analysis/inference/method.hpp"
-#include "analysis/statistics/brunner_munzel.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
+#include "analysis/statistics/ranks.hpp"
 
 namespace ikbench::inference {
 

@@ -4,7 +4,6 @@
 
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/outcomes.hpp"
-#include "analysis/statistics/paired_proportion.hpp"
 #include "analysis/statistics/proportion.hpp"
 
 namespace ikbench::inference {
@@ -48,11 +47,6 @@ std::vector<Finding> mcnemar_pairs(const Evidence& evidence, const Groups& group
   });
 }
 
-std::optional<TestResult> cochran_of_all(const Evidence&, const Groups& groups) {
-  if (groups.values.size() < 3) return std::nullopt;
-  return TestResult{cochran_q(groups.values), "Cochran's Q test", "Q"};
-}
-
 }  // namespace
 
 extern const Method fisher_method, mcnemar_method;
@@ -70,11 +64,10 @@ const Method mcnemar_method{.name = "shares",
                             .of_two = "McNemar's exact test",
                             .interval = "Newcombe's score interval, Bonferroni-corrected",
                             .source =
-                                "McNemar, Psychometrika 12 (1947) 153; Cochran, Biometrika 37 (1950) 256; "
+                                "McNemar, Psychometrika 12 (1947) 153; "
                                 "Newcombe, Statistics in Medicine 17 (1998) 2635",
                             .compares = Compares::shares,
                             .within_blocks = true,
-                            .pairs = mcnemar_pairs,
-                            .all = cochran_of_all};
+                            .pairs = mcnemar_pairs};
 
 }  // namespace ikbench::inference

@@ -80,7 +80,7 @@ TEST_CASE("shares that differ by less than the margin for certain are the same w
   CHECK(says(assess(observed, {}), "5 percentage points"));
 }
 
-TEST_CASE("within blocks outcomes have McNemar's test and Cochran's Q", "[outcomes]") {
+TEST_CASE("within blocks outcomes have McNemar's test", "[outcomes]") {
   Observations observed = solved({{"A", {1, 1, 1, 1, 1, 1, 1, 1, 1, 0}},
                                   {"B", {0, 0, 0, 0, 0, 0, 0, 1, 1, 0}},
                                   {"C", {1, 1, 1, 1, 1, 1, 1, 1, 0, 1}}});
@@ -89,9 +89,6 @@ TEST_CASE("within blocks outcomes have McNemar's test and Cochran's Q", "[outcom
   const Evidence found = evidence(observed, {});
   CHECK(found.contrasts[0].p == Approx(3 * 2 / 128.0));  // seven blocks tell A and B apart, all alike; Holm
   CHECK(found.contrasts[1].p == 1);                      // one block each way
-  REQUIRE(found.test("Cochran's Q test") != nullptr);
-  // By hand: successes 9, 2 and 9, of blocks 2 seven times, 3 once, 2 once, 1 once: 3 * 2 * (98 / 3) / (60 - 42).
-  CHECK(found.test("Cochran's Q test")->statistic == Approx(196.0 / 18));
   CHECK(says(assess(observed, {}), "McNemar's exact test decides"));
 }
 
@@ -137,13 +134,4 @@ TEST_CASE("within blocks an undecided pair of outcomes has the blocks that would
   // Half of the blocks tell. (z_.975 + z_.8)^2 sd^2 / 0.05^2 with sd^2 = 1 / 3 is 1046.5, and z_.975^2 / 2 more for t.
   CHECK(blocks_for({1, 1, 1, 1}, {0, 0, 1, 1}) == Approx(1048).margin(1.5));
   CHECK(says(assess(in_blocks({1, 1, 1, 1}, {0, 0, 1, 1}), {}), "; it takes 104"));
-}
-
-TEST_CASE("Cochran's test is held against the pairs", "[outcomes]") {
-  Observations observed = solved({{"A", {1, 1, 1, 1, 1, 1, 1, 1}}, {"B", outcomes(3, 8)}, {"C", outcomes(3, 8)}});
-  for (int block = 1; block <= 8; ++block) observed.blocks.push_back(std::to_string(block));
-  observed.block = "a target";
-  // By hand: 2 (3 (64 + 9 + 9) - 14^2) / (3 * 14 - (3 * 9 + 5)) = 10, p = exp(-5); pairs: 3 * 2 / 2^5.
-  CHECK(says(assess(observed, {}),
-             "Where methods disagree: of all groups together Cochran's Q test (p = 0.00674) finds a difference."));
 }

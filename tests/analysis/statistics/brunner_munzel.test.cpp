@@ -1,9 +1,8 @@
-#include "analysis/statistics/brunner_munzel.hpp"
-
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "analysis/statistics/mann_whitney.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -1,8 +1,7 @@
-#include "analysis/statistics/friedman.hpp"
-
 #include <cmath>
 
 #include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/ranks.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 

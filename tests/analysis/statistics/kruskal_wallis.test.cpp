@@ -1,7 +1,6 @@
-#include "analysis/statistics/kruskal_wallis.hpp"
-
 #include <cmath>
 
+#include "analysis/statistics/ranks.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 

@@ -1,10 +1,9 @@
-#include "analysis/statistics/median_interval.hpp"
-
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/statistics/quantile.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 

@@ -1,8 +1,7 @@
-#include "analysis/statistics/paired_proportion.hpp"
-
 #include <cmath>
 #include <vector>
 
+#include "analysis/statistics/proportion.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 
@@ -36,29 +35,4 @@ TEST_CASE("swapping the two turns the interval round", "[paired_proportion]") {
   const Estimate one = newcombe_paired({12, 9, 2, 21}, 0.9), other = newcombe_paired({12, 2, 9, 21}, 0.9);
   CHECK(one.low == Approx(-other.high));
   CHECK(one.high == Approx(-other.low));
-}
-
-TEST_CASE("Cochran's own example: four media and 69 specimens", "[paired_proportion]") {
-  // Biometrika 37 (1950) 256: Q = 8.05 with 3 degrees of freedom; p by SciPy 1.10.1.
-  std::vector<std::vector<double>> media(4);
-  const auto add = [&](int specimens, const std::vector<double>& growth) {
-    for (int i = 0; i < specimens; ++i) {
-      for (std::size_t medium = 0; medium < 4; ++medium) media[medium].push_back(growth[medium]);
-    }
-  };
-  add(4, {1, 1, 1, 1});
-  add(2, {1, 1, 0, 1});
-  add(3, {0, 1, 1, 1});
-  add(1, {0, 1, 0, 1});
-  add(59, {0, 0, 0, 0});
-  const Test test = cochran_q(media);
-  CHECK(test.statistic == Approx(8.052631578947368));
-  CHECK(test.df == 3);
-  CHECK(test.p == Approx(0.04493640116781306));
-}
-
-TEST_CASE("where no block tells groups apart there is no Q", "[paired_proportion]") {
-  const Test test = cochran_q(std::vector<std::vector<double>>{{1, 0, 1}, {1, 0, 1}});
-  CHECK(says(test.undefined, "same outcome"));
-  CHECK(std::isnan(test.p));
 }

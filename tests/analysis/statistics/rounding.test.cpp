@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/statistics/equal_variances.hpp"
-#include "analysis/statistics/sign_test.hpp"
+#include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"

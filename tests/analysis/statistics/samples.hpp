@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics/reason.hpp"
+#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::samples {
 

@@ -1,9 +1,8 @@
-#include "analysis/statistics/sign_test.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "analysis/statistics/ranks.hpp"
 #include "tests/analysis/statistics/samples.hpp"
 #include "tests/catch.hpp"
 
