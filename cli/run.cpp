@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

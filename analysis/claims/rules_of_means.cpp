@@ -297,7 +297,7 @@ Claims differ(const Case& of) {
   const StudyResults& study = of.study();
   std::vector<std::string> list;
   std::vector<Verdict> here, in_print;
-  const auto verdict = [&](double p) { return is_significant(p, study.plan) ? Verdict::holds : Verdict::fails; };
+  const auto verdict = [&](double p) { return p < study.plan.significance ? Verdict::holds : Verdict::fails; };
   for (const Metric metric : of.entry.metrics) {
     const std::optional<AnovaTable> printed = printed_anova(of.file, study, metric);
     if (!printed) return {};

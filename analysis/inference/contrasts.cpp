@@ -1,5 +1,3 @@
-#include "analysis/inference/contrasts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,10 +103,6 @@ int fewest_to_differ(const Evidence& evidence) {
   return evidence.method->resamples ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
-Relation relation_of(const Evidence& evidence, const Finding& contrast, double p) {
-  return relation_of(contrast.ahead, p, evidence.plan.significance, contrast.is_within_margin());
-}
-
 namespace {
 
 // Two-sided probability that two groups from one distribution do not overlap: by the sign test within blocks and
@@ -144,6 +138,10 @@ bool equals_known(const Evidence& evidence, const Finding& contrast) {
   return has_known(evidence, contrast) && first.min == second.max && first.max == second.min;
 }
 
+Relation relation_by_p(const Evidence& evidence, const Finding& contrast) {
+  return relation_of(contrast.ahead, contrast.p, evidence.plan.significance, contrast.is_within_margin());
+}
+
 // Judges two groups with one value each. To find no difference takes as many values as to find one, and of what may be
 // shares as many as exclude failures beyond the margin.
 void judge_constants(const Evidence& evidence, Finding& contrast) {
@@ -176,7 +174,7 @@ void judge_constants(const Evidence& evidence, Finding& contrast) {
     contrast.estimate.high = unseen(contrast.second);
   }
   measure_extent(evidence, contrast);
-  contrast.relation = relation_of(evidence, contrast, contrast.p);
+  contrast.relation = relation_by_p(evidence, contrast);
   if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
@@ -239,7 +237,7 @@ void judge(const Evidence& evidence, Finding& contrast) {
   }
   contrast.why.clear();
   measure_extent(evidence, contrast);
-  contrast.relation = relation_of(evidence, contrast, contrast.p);
+  contrast.relation = relation_by_p(evidence, contrast);
 }
 
 // Observations needed to find a difference as large as the margin, for the spread seen and for plausible spreads. The

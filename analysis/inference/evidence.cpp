@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/not_finite.hpp"
@@ -129,7 +129,7 @@ void add_tests(Evidence& evidence, const Groups& groups) {
       groups.values.empty()
           ? TestResult{bartlett(groups.summaries), std::string(bartlett_name), "chi^2", Role::assumption}
           : TestResult{brown_forsythe(groups.values), std::string(brown_forsythe_name), "F", Role::assumption}};
-  std::vector<const Method*> shown{&paper_method(), evidence.method};
+  std::vector<const Method*> shown{&anova_method, evidence.method};
   if (!groups.values.empty() && evidence.groups.size() > 2) shown.push_back(&rank_method(evidence));
   for (auto method = shown.begin(); method != shown.end(); ++method) {
     if (std::find(shown.begin(), method, *method) != method || (*method)->all == nullptr) continue;

@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/inference/method.hpp"
-
 namespace ikbench::inference {
 
 using namespace results;
@@ -45,8 +43,6 @@ Finding judge(const GroupSummary& first, const GroupSummary& second, Better bett
   const Summaries two{.better = better, .groups = {{"first", first}, {"second", second}}};
   return judge(evidence(two, feasible(plan, two)), "first", "second");
 }
-
-bool is_significant(double p, const AnalysisPlan& plan) { return p < plan.significance; }
 
 std::string_view deciding_words(const Evidence& evidence) {
   const bool is_pair = evidence.groups.size() == 2 && evidence.method->compares != Compares::means;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "analysis/inference/evidence.hpp"
+#include "analysis/inference/method.hpp"
 
 namespace ikbench::inference {
 
@@ -22,8 +23,15 @@ Finding judge(const Evidence& evidence, std::string_view first, std::string_view
 Finding judge(const statistics::GroupSummary& first, const statistics::GroupSummary& second, Better better,
               const results::AnalysisPlan& plan);
 
-// Returns whether p is below the plan's significance.
-bool is_significant(double p, const results::AnalysisPlan& plan);
+// Fills contrasts, pairs and reference of the evidence.
+void add_contrasts(Evidence& evidence, const Groups& groups);
+
+// Returns whether each group has one value only, so that Fisher's exact test (within blocks the sign test) judges them.
+bool are_constants(const Evidence& evidence, const Finding& pair);
+// Returns whether a group is a value that is known without chance (`copies`).
+bool has_known(const Evidence& evidence, const Finding& pair);
+// Fewest observations per group (or blocks) at which the test can find a difference at all.
+int fewest_to_differ(const Evidence& evidence);
 
 // Names the deciding test of a pair; deciding_words adds the test of all groups that goes with it.
 std::string_view pair_test_words(const Evidence& evidence);

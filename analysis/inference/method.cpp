@@ -15,11 +15,6 @@ namespace ikbench::inference {
 using namespace results;
 using namespace statistics;
 
-#define IKBENCH_DECIDING_TEST(name, needs, meaning) extern const Method name##_method;
-#include "results/deciding_tests.inc"
-#undef IKBENCH_DECIDING_TEST
-extern const Method bootstrap_within_blocks_method, paired_t_method, fisher_method, mcnemar_method;
-
 namespace {
 
 static_assert(static_cast<Correction>(Adjustment::benjamini_hochberg) == Correction::benjamini_hochberg);
@@ -41,7 +36,7 @@ const Method& method_named(std::string_view name) {
 }
 
 void refuse_missing(const Method& method, const Evidence& evidence) {
-  const Needs needs = deciding_test(method.name).needs;
+  const Needs needs = results::deciding_test(method.name).needs;
   if (needs == Needs::blocks && evidence.blocks == 0) {
     throw std::invalid_argument(fmt::format(
         "the {} test needs blocks, which all groups share; expected another test, or a block column", method.name));
@@ -76,8 +71,6 @@ Compares compares(std::string_view test) { return test == by_design ? Compares::
 const Method& rank_method(const Evidence& evidence) {
   return evidence.blocks > 0 ? friedman_method : kruskal_wallis_method;
 }
-
-const Method& paper_method() { return anova_method; }
 
 void correct(const Evidence& evidence, std::vector<double>& p) {
   std::vector<double> raw;

@@ -26,11 +26,11 @@ struct Groups {
 enum class Compares { means, ranks, shares };
 
 struct Method {
-  std::string_view name;      // name in a plan; a plan cannot name the two methods of shares
-  std::string_view title;     // names the test of all groups and that of its pairs
-  std::string_view of_pair;   // "Tukey's test"
-  std::string_view of_two;    // name if there are only two groups: "Student's test"
-  std::string_view interval;  // method of a difference's interval
+  std::string_view name;                // name in a plan; a plan cannot name the two methods of shares
+  std::string_view title;               // names the test of all groups and that of its pairs
+  std::string_view of_pair = title;     // "Tukey's test"
+  std::string_view of_two = of_pair;    // name if there are only two groups: "Student's test"
+  std::string_view interval = of_pair;  // method of a difference's interval
   std::string_view source;
   Compares compares = Compares::means;
   bool within_blocks = false;       // compares differences within blocks
@@ -42,6 +42,11 @@ struct Method {
   // The test of all groups; null if the method has none.
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;
 };
+
+#define IKBENCH_DECIDING_TEST(name, needs, meaning) extern const Method name##_method;
+#include "results/deciding_tests.inc"
+#undef IKBENCH_DECIDING_TEST
+extern const Method bootstrap_within_blocks_method, paired_t_method, fisher_method, mcnemar_method;
 
 // All rows: first those that a plan can name, in the order of results/deciding_tests.inc, then the bootstrap within
 // blocks, then those of shares.
@@ -56,9 +61,6 @@ Compares compares(std::string_view test);
 
 // The rank test shown beside a test of means: within blocks if there are any.
 const Method& rank_method(const Evidence& evidence);
-
-// The analysis of variance, the usual method of papers.
-const Method& paper_method();
 
 // Corrects p-values as planned. A pair of the family that is not among these, or has no p, counts as one that does not
 // differ.

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/power.hpp"

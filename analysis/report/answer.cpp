@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/inference/contrasts.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"

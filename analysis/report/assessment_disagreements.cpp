@@ -28,7 +28,7 @@ Dispute dispute(const Evidence& evidence) {
   Dispute result;
   for (const Finding& contrast : evidence.contrasts) {
     if (!std::isfinite(contrast.p_ranks) || !std::isfinite(contrast.p)) continue;
-    const bool by_ranks = is_significant(contrast.p_ranks, evidence.plan), by_means = is_decided(contrast);
+    const bool by_ranks = contrast.p_ranks < evidence.plan.significance, by_means = is_decided(contrast);
     const std::string words = fmt::format("{} ({}, deciding {})", pair_words(evidence, contrast),
                                           p_words(contrast.p_ranks), p_words(contrast.p));
     if (by_ranks && !by_means) result.only_ranks.push_back(words);
@@ -45,7 +45,7 @@ std::string dispute_of_all(const Evidence& evidence) {
   for (const TestResult& test : evidence.tests) {
     if (test.role == Role::assumption || !std::isfinite(test.p)) continue;
     if (evidence.blocks > 0 && test.role == Role::paper && !test.decides) continue;  // it does not use the blocks
-    if (is_significant(test.p, evidence.plan) != some_pair)
+    if ((test.p < evidence.plan.significance) != some_pair)
       others.push_back(fmt::format("{} ({})", test.test, p_words(test.p)));
   }
   if (others.empty() || evidence.reference) return "";

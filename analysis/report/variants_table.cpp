@@ -75,18 +75,18 @@ Estimate ratio_of(const MetricComparison& metric) {
 }
 
 // The margin of a metric: "5 % or 0.01 cm", of shares "5 percentage points".
-std::string margin_words(Comparisons all, const AnalysisPlan& plan, const MetricComparison& metric) {
+std::string margin_words(Comparisons comparisons, const AnalysisPlan& plan, const MetricComparison& metric) {
   if (is_of_shares(metric)) return points(plan.margin);
   const auto is_in_cm = [](const MetricComparison& each) { return info_of(each.metric).unit == "cm"; };
-  return inference::margin_words(plan.margin, any_metric(all, is_in_cm) ? plan.margin_cm : 0);
+  return inference::margin_words(plan.margin, any_metric(comparisons, is_in_cm) ? plan.margin_cm : 0);
 }
 
 // The margin of all metrics: "5 % (shares: 5 percentage points)".
-std::string margin_words(Comparisons all, const AnalysisPlan& plan) {
+std::string margin_words(Comparisons comparisons, const AnalysisPlan& plan) {
   std::string of_shares, of_others;
-  for (const VariantComparison& comparison : all) {
+  for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics)
-      (is_of_shares(metric) ? of_shares : of_others) = margin_words(all, plan, metric);
+      (is_of_shares(metric) ? of_shares : of_others) = margin_words(comparisons, plan, metric);
   }
   if (of_shares.empty() || of_others.empty()) return of_shares + of_others;
   return fmt::format(words::margins, "margin"_a = of_others, "of_shares"_a = of_shares);
@@ -153,8 +153,8 @@ std::string remark_on(const MetricComparison& metric, double significance) {
       parts.push_back(fmt::format(words::by_itself, "better"_a = found.ahead < 0 ? "better" : "worse"));
     parts.push_back(what_would_show(metric));
   } else if (found.relation != Relation::better && !metric.evidence.ranks_decide()) {
-    parts.push_back(rare_failures_words(std::min(number_of(metric, 0), number_of(metric, 1)),
-                                        fmt::format("{}s", noun_of(metric.observed)), metric.level()));
+    parts.push_back(inference::rare_failures_words(std::min(number_of(metric, 0), number_of(metric, 1)),
+                                                   fmt::format("{}s", noun_of(metric.observed)), metric.level()));
   }
   std::erase(parts, "");
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -184,8 +184,8 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
           remark.empty() ? Cell() : Cell(remark)};
 }
 
-std::string label_of(Comparisons all, const VariantComparison& comparison) {
-  return all.size() == 1 ? "" : comparison.label + ": ";
+std::string label_of(Comparisons comparisons, const VariantComparison& comparison) {
+  return comparisons.size() == 1 ? "" : comparison.label + ": ";
 }
 
 // Says what an observation is, and whether observations are in pairs.
@@ -218,11 +218,11 @@ std::string regression(const MetricComparison& metric) {
   return fmt::format("{} ({})", metric_words(metric), fmt::join(facts, ", "));
 }
 
-std::string regressions(Comparisons all) {
+std::string regressions(Comparisons comparisons) {
   std::vector<std::string> found;
-  for (const VariantComparison& comparison : all) {
+  for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      if (is_regression(metric)) found.push_back(label_of(all, comparison) + regression(metric));
+      if (is_regression(metric)) found.push_back(label_of(comparisons, comparison) + regression(metric));
     }
   }
   const std::size_t named = std::min(found.size(), most_labels);
@@ -232,44 +232,44 @@ std::string regressions(Comparisons all) {
 
 }  // namespace
 
-Table variants_table(Comparisons all, const AnalysisPlan& plan) {
+Table variants_table(Comparisons comparisons, const AnalysisPlan& plan) {
   Table table{.name = "comparison",
-              .caption = fmt::format("B compared with A, with a margin of {}", margin_words(all, plan)),
+              .caption = fmt::format("B compared with A, with a margin of {}", margin_words(comparisons, plan)),
               .columns = {"label", "metric", "B_is", "n_A", "n_B", "mean_A", "mean_B", "B_by_A", "low", "high", "p",
                           "level", "a12", "a12_low", "a12_high", "remark"},
               .notes = {std::string(words::comparison_columns)}};
-  for (const VariantComparison& comparison : all) {
+  for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics)
-      table.rows.push_back(row_of(comparison, metric, margin_words(all, plan, metric), plan.significance));
+      table.rows.push_back(row_of(comparison, metric, margin_words(comparisons, plan, metric), plan.significance));
   }
   return table;
 }
 
-std::vector<std::string> variants_notes(Comparisons all) {
+std::vector<std::string> variants_notes(Comparisons comparisons) {
   std::vector<std::string> notes;
   const auto is_of_all = [&](const std::string& note) {
-    return std::ranges::all_of(all, [&](const VariantComparison& comparison) {
+    return std::ranges::all_of(comparisons, [&](const VariantComparison& comparison) {
       return design_words(comparison) == note || std::ranges::find(comparison.notes, note) != comparison.notes.end();
     });
   };
   const auto add = [&](const VariantComparison& comparison, const std::string& note) {
     if (note.empty()) return;
-    const std::string text = is_of_all(note) ? note : label_of(all, comparison) + note;
+    const std::string text = is_of_all(note) ? note : label_of(comparisons, comparison) + note;
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
   };
-  for (const VariantComparison& comparison : all) add(comparison, design_words(comparison));
-  for (const VariantComparison& comparison : all) {
+  for (const VariantComparison& comparison : comparisons) add(comparison, design_words(comparison));
+  for (const VariantComparison& comparison : comparisons) {
     for (const std::string& note : comparison.notes) add(comparison, note);
   }
   return notes;
 }
 
-std::string variants_verdict(Comparisons all, const AnalysisPlan& plan) {
+std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) {
   std::vector<std::pair<std::string, int>> counts;  // "2 better by more than 5 %", in the order of first occurrence
   int count = 0;
-  for (const VariantComparison& comparison : all) {
+  for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      const std::string said = b_is(metric, margin_words(all, plan, metric));
+      const std::string said = b_is(metric, margin_words(comparisons, plan, metric));
       auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
       if (found == counts.end()) found = counts.insert(found, {said, 0});
       ++found->second;
@@ -278,20 +278,24 @@ std::string variants_verdict(Comparisons all, const AnalysisPlan& plan) {
   }
   std::vector<std::string> parts;
   for (const auto& [said, number] : counts) parts.push_back(fmt::format("{} {}", number, said));
-  const std::string margin = margin_words(all, plan);
+  const std::string margin = margin_words(comparisons, plan);
   const std::string rest = fmt::format(words::comparisons, "count"_a = count, "s"_a = count == 1 ? "" : "s",
                                        "counts"_a = fmt::join(parts, ", "));
-  if (any_metric(all, is_regression))
-    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(all), "rest"_a = rest);
+  if (any_metric(comparisons, is_regression))
+    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(comparisons), "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
   return fmt::format(words::no_regression, "margin"_a = margin,
-                     "found"_a = any_metric(all, is_unknown) ? " was found" : "", "rest"_a = rest);
+                     "found"_a = any_metric(comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);
 }
 
-std::string variants_json(Comparisons all, const AnalysisPlan& plan) {
-  const Table table = variants_table(all, plan);
-  Json json{{"verdict", variants_verdict(all, plan)}, {"margin", plan.margin},        {"margin_cm", plan.margin_cm},
-            {"significance", plan.significance},      {"notes", variants_notes(all)}, {"rows", Json::array()}};
+std::string variants_json(Comparisons comparisons, const AnalysisPlan& plan) {
+  const Table table = variants_table(comparisons, plan);
+  Json json{{"verdict", variants_verdict(comparisons, plan)},
+            {"margin", plan.margin},
+            {"margin_cm", plan.margin_cm},
+            {"significance", plan.significance},
+            {"notes", variants_notes(comparisons)},
+            {"rows", Json::array()}};
   for (const std::vector<Cell>& row : table.rows) {
     Json object = Json::object();
     for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_of(row[c]);

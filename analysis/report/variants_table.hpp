@@ -13,13 +13,14 @@ namespace ikbench::report {
 
 // One row per label and metric. a12: for pairs the share in which B is better, else P(an observation of B is better).
 // The plan gives margins and significance.
-Table variants_table(std::span<const inference::VariantComparison> all, const results::AnalysisPlan& plan);
+Table variants_table(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan);
 // Designs and notes with their label; one that holds for every label appears once, without label.
-std::vector<std::string> variants_notes(std::span<const inference::VariantComparison> all);
+std::vector<std::string> variants_notes(std::span<const inference::VariantComparison> comparisons);
 // Says whether a regression beyond the margin is shown, by how much and how sure; then counts the metrics of each
 // verdict.
-std::string variants_verdict(std::span<const inference::VariantComparison> all, const results::AnalysisPlan& plan);
+std::string variants_verdict(std::span<const inference::VariantComparison> comparisons,
+                             const results::AnalysisPlan& plan);
 // One object: verdict, significance, margin, notes and the rows of the table; null for undefined numbers.
-std::string variants_json(std::span<const inference::VariantComparison> all, const results::AnalysisPlan& plan);
+std::string variants_json(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::report

@@ -25,7 +25,6 @@ std::optional<TestResult> anova_of_all(const Evidence&, const Groups& groups) {
 
 }  // namespace
 
-extern const Method anova_method;
 const Method anova_method{.name = "anova",
                           .title = "One-way ANOVA with Tukey's test",
                           .of_pair = "Tukey's test",

@@ -50,12 +50,9 @@ std::vector<Finding> paired(const Evidence& evidence, const Groups& groups) {
 
 }  // namespace
 
-extern const Method bootstrap_method, bootstrap_within_blocks_method, paired_t_method;
 const Method bootstrap_method{.name = "bootstrap",
                               .title = "Studentized bootstrap of the means",
                               .of_pair = "studentized bootstrap",
-                              .of_two = "studentized bootstrap",
-                              .interval = "studentized bootstrap",
                               .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
                               .resamples = true,
                               .pairs = independent};
@@ -63,8 +60,6 @@ const Method bootstrap_within_blocks_method{
     .name = "bootstrap",
     .title = "Studentized bootstrap of the differences within blocks",
     .of_pair = "studentized bootstrap of the differences within blocks",
-    .of_two = "studentized bootstrap of the differences within blocks",
-    .interval = "studentized bootstrap of the differences within blocks",
     .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
     .within_blocks = true,
     .resamples = true,
@@ -72,8 +67,6 @@ const Method bootstrap_within_blocks_method{
 const Method paired_t_method{.name = "bootstrap",
                              .title = "Paired t-test within blocks",
                              .of_pair = "paired t-test within blocks",
-                             .of_two = "paired t-test within blocks",
-                             .interval = "paired t-test within blocks",
                              .source = "Student, Biometrika 6 (1908) 1",
                              .within_blocks = true,
                              .resamples = true,

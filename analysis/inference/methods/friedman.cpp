@@ -33,11 +33,9 @@ std::optional<TestResult> friedman_of_all(const Evidence&, const Groups& groups)
 
 }  // namespace
 
-extern const Method friedman_method;
 const Method friedman_method{.name = "friedman",
                              .title = "Friedman's test with sign tests",
                              .of_pair = "sign test within blocks",
-                             .of_two = "sign test within blocks",
                              .interval = "paired t-test within blocks, Bonferroni-corrected",
                              .source =
                                  "Friedman, JASA 32 (1937) 675; Iman and Davenport, Communications in Statistics "

@@ -42,7 +42,6 @@ std::optional<TestResult> kruskal_wallis_of_all(const Evidence&, const Groups& g
 
 }  // namespace
 
-extern const Method kruskal_wallis_method;
 const Method kruskal_wallis_method{
     .name = "kruskal_wallis",
     .title = "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",

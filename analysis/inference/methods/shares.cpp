@@ -49,19 +49,14 @@ std::vector<Finding> mcnemar_pairs(const Evidence& evidence, const Groups& group
 
 }  // namespace
 
-extern const Method fisher_method, mcnemar_method;
 const Method fisher_method{.name = "shares",
                            .title = "Fisher's exact test",
-                           .of_pair = "Fisher's exact test",
-                           .of_two = "Fisher's exact test",
                            .interval = "Newcombe's score interval, Bonferroni-corrected",
                            .source = "Fisher 1935; Newcombe, Statistics in Medicine 17 (1998) 873",
                            .compares = Compares::shares,
                            .pairs = fisher_pairs};
 const Method mcnemar_method{.name = "shares",
                             .title = "McNemar's exact test",
-                            .of_pair = "McNemar's exact test",
-                            .of_two = "McNemar's exact test",
                             .interval = "Newcombe's score interval, Bonferroni-corrected",
                             .source =
                                 "McNemar, Psychometrika 12 (1947) 153; "

@@ -12,7 +12,6 @@ std::vector<Finding> tamhane_pairs(const Evidence& evidence, const Groups& group
 
 }  // namespace
 
-extern const Method tamhane_method;
 const Method tamhane_method{.name = "tamhane",
                             .title = "Welch's ANOVA with Tamhane's test",
                             .of_pair = "Tamhane's test",

@@ -49,7 +49,6 @@ std::vector<Finding> welch_pairs(const Evidence& evidence, const Groups& groups)
 
 }  // namespace
 
-extern const Method welch_method;
 const Method welch_method{.name = "welch",
                           .title = "Welch's ANOVA with the Games-Howell test",
                           .of_pair = "Games-Howell test",

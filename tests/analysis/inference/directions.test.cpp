@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/inference/contrasts.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/evidence.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_sentences.hpp"

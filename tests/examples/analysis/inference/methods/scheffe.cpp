@@ -28,7 +28,6 @@ std::vector<Finding> scheffe_pairs(const Evidence& evidence, const Groups& group
 
 }  // namespace
 
-extern const Method scheffe_method;
 const Method scheffe_method{.name = "scheffe",
                             .title = "Scheffe's test",
                             .of_pair = "Scheffe's test",
