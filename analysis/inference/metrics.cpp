@@ -66,9 +66,8 @@ double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
   return sum;
 }
 
-// Shape of a run that follows a path; not defined if it has one solve only.
+// Shape of a run; not defined if it has one solve only.
 RunShape shape_of(Run run, const StudyResults& study) {
-  if (!is_followed(run, study)) return {};
   const std::vector<RunShape>& all = study.solve_data->shapes;
   const auto place = [](const auto& of) { return std::pair(of.solver, of.run); };
   const auto found = std::ranges::lower_bound(all, place(*run.front()), {}, place);
@@ -91,9 +90,16 @@ double jumps(Run run, const StudyResults& study) {
                       [&](const Solve& solve) { return solve.largest_move_deg > study.plan.jump_deg ? 1 : 0; });
 }
 
-double second_difference_deg(Run run, const StudyResults& study) { return shape_of(run, study).second_difference_deg; }
+double second_difference_deg(Run run, const StudyResults& study) {
+  return is_followed(run, study) ? shape_of(run, study).second_difference_deg : not_defined;
+}
 
-double return_deg(Run run, const StudyResults& study) { return shape_of(run, study).return_deg; }
+double return_deg(Run run, const StudyResults& study) {
+  return is_followed(run, study) ? shape_of(run, study).return_deg : not_defined;
+}
+
+// Mean absolute second difference of all joints, also of runs that do not follow a path.
+double bend_deg(Run run, const StudyResults& study) { return shape_of(run, study).mean_bend_deg; }
 
 constexpr std::array infos{
 #define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                               \
