@@ -152,13 +152,11 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 }
 
 void refuse_reproduction(const std::filesystem::path& folder) {
-  for (const char* table : {"agreement.csv", "multiverse.csv"}) {
-    if (!std::filesystem::exists(folder / "tables" / table)) continue;
-    throw std::invalid_argument(fmt::format(
-        "'{}' has the report of ikbench reproduce, which this report would replace with less; choose another "
-        "folder (--out), or run ikbench reproduce again",
-        folder.string()));
-  }
+  if (!std::filesystem::exists(folder / "tables" / "multiverse.csv")) return;
+  throw std::invalid_argument(
+      fmt::format("'{}' has the report of ikbench reproduce, which this report would replace with less; choose another "
+                  "folder (--out), or run ikbench reproduce again",
+                  folder.string()));
 }
 
 void refuse_points(const ReportArguments& arguments) {

@@ -8,8 +8,6 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
-#include "analysis/inference/judge.hpp"
-#include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/provenance.hpp"
@@ -38,7 +36,7 @@ Observations mixed(Observations of_solver, Observations of_others, const std::st
 }  // namespace
 
 std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const StudyResults& study, Metric metric) {
-  const bool is_elsewhere = std::ranges::find(file.not_on, study.facts.path) != file.not_on.end();
+  const bool is_elsewhere = std::ranges::count(file.not_on, study.facts.path) > 0;
   return is_elsewhere ? std::vector<PrintedRow>() : printed_rows(study.facts.published, file.means, metric);
 }
 
@@ -57,12 +55,6 @@ std::vector<Summaries> printed_summaries(const ClaimsFile& file, const StudyResu
   return result;
 }
 
-std::optional<AnovaTable> printed_anova(const ClaimsFile& file, const StudyResults& study, Metric metric) {
-  const auto table = file.anovas.find(std::string(name_of(metric)));
-  if (table == file.anovas.end()) return std::nullopt;
-  return comparable_anova(study, printed_rows(file, study, metric), table->second);
-}
-
 Claim Case::begun() const {
   return {.statement = entry.sentence,
           .verdict = Verdict::undecided,
@@ -75,7 +67,9 @@ Claim Case::begun() const {
 }
 
 bool Case::is_of_means() const {
-  return file.means.empty() || !printed_rows(file, study(), Metric::position_error_cm).empty();
+  return file.means.empty() || std::ranges::any_of(all_metrics(), [&](Metric metric) {
+           return !printed_rows(file, study(), metric).empty();
+         });
 }
 
 std::vector<Pair> Case::pairs(Metric metric) const {
@@ -83,9 +77,9 @@ std::vector<Pair> Case::pairs(Metric metric) const {
   std::vector<Pair> result;
   for (const Sample& sample : samples(study(), metric)) {
     const auto row = std::ranges::find(printed, sample.solver, &PrintedRow::algorithm);
-    if (row != printed.end() && !sample.values.empty()) {
-      result.push_back({sample.solver, describe(sample.values), row->summary()});
-    }
+    const bool is_asked = entry.against.empty() || sample.solver == entry.solver || sample.solver == entry.against;
+    if (row == printed.end() || sample.values.empty() || !is_asked) continue;
+    result.push_back({sample.solver, describe(sample.values), row->summary()});
   }
   std::ranges::stable_sort(result, {}, [](const Pair& pair) { return pair.printed.mean; });
   return result;
@@ -93,7 +87,7 @@ std::vector<Pair> Case::pairs(Metric metric) const {
 
 bool Case::has_solver() const {
   const std::vector<Pair> all = pairs(Metric::position_error_cm);
-  return all.size() >= 2 && std::ranges::find(all, entry.solver, &Pair::solver) != all.end();
+  return all.size() >= 2 && std::ranges::count(all, entry.solver, &Pair::solver) > 0;
 }
 
 Evidence Case::printed_evidence(const std::vector<Pair>& pairs) const {
@@ -125,7 +119,7 @@ std::optional<Evidence> Case::evidence(Metric metric) const {
       return !entry.against.empty() && group.name != entry.solver && group.name != entry.against;
     });
     AnalysisPlan plan = feasible(study().plan, observed);
-    if (std::ranges::find(observed.groups, plan.control, &Group::name) == observed.groups.end()) plan.control.clear();
+    if (std::ranges::count(observed.groups, plan.control, &Group::name) == 0) plan.control.clear();
     const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
     found = comparable ? tested(observed, plan) : described(observed, plan);
   }
@@ -154,26 +148,13 @@ Verdict verdict_on(const std::vector<Verdict>& verdicts) {
   return count(Verdict::fails) > 0 ? Verdict::fails : Verdict::undecided;
 }
 
-ComparedWithOthers compared_with_others(const Evidence& evidence, const std::string& solver, Extreme claimed) {
-  ComparedWithOthers result;
-  const double sign = claimed == Extreme::smallest ? 1 : -1;
-  for (const GroupEvidence& group : evidence.groups) {
-    const double mean = group.described.mean;
-    if (group.name == solver) {
-      result.own_mean = mean;
-      continue;
-    }
-    const bool is_best = (claimed == Extreme::smallest) == (evidence.better == Better::smaller);
-    result.found.add((is_best ? judge(evidence, solver, group.name) : judge(evidence, group.name, solver)).relation);
-    if (!std::isfinite(result.nearest_mean) || sign * mean < sign * result.nearest_mean) {
-      result.nearest = group.name;
-      result.nearest_mean = mean;
-    }
-  }
-  return result;
+Verdict verdict_of(bool always, bool on_average) {
+  return always ? Verdict::holds : on_average ? Verdict::in_part : Verdict::fails;
 }
 
 std::string in_brackets(double p) { return std::isfinite(p) ? fmt::format(" ({})", p_words(p)) : ""; }
+
+std::string title(Metric metric) { return inference::capitalised(info_of(metric).name); }
 
 std::string number_of(double value, Metric metric) {
   return short_number(info_of(metric).kind == Kind::time ? 1000 * value : value);
@@ -182,30 +163,6 @@ std::string number_of(double value, Metric metric) {
 std::string with_unit(double value, Metric metric) {
   const std::string_view unit = info_of(metric).kind == Kind::time ? "ms" : info_of(metric).unit;
   return fmt::format("{}{}{}", number_of(value, metric), unit.empty() ? "" : " ", unit);
-}
-
-std::string list_of(const Evidence& evidence, const std::string& solver, Metric metric) {
-  std::vector<RankedSolver> others;
-  std::string list;
-  for (const GroupEvidence& group : evidence.groups) {
-    if (group.name == solver) list = fmt::format("{} {}", solver, with_unit(group.described.mean, metric));
-    if (group.name != solver) others.push_back({group.name, group.described.mean});
-  }
-  for (const RankedSolver& other : ranked(std::move(others))) {
-    list += fmt::format(", {} {}{}", other.solver, number_of(other.mean, metric),
-                        in_brackets(judge(evidence, solver, other.solver).p));
-  }
-  return list;
-}
-
-std::string how_tested(const Evidence& here, const Evidence& printed) {
-  const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
-  if (here.plan.unit == Unit::point)
-    return fmt::format("No test here, because points of one run depend on each other; printed p-values: {}.", other);
-  const std::string of_printed = test == other ? "" : fmt::format("; printed: {}", other);
-  const bool has_known = std::ranges::any_of(here.groups, [](const GroupEvidence& group) { return group.copies > 0; });
-  return fmt::format("p-values: {} on run means, adjusted for all pairs{}{}.", test,
-                     has_known ? "; the sign test against a solver whose runs are all equal" : "", of_printed);
 }
 
 }  // namespace ikbench::claims

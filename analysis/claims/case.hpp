@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/claims/claims_file.hpp"
@@ -13,7 +12,6 @@
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/paper.hpp"
-#include "analysis/statistics/anova.hpp"
 
 namespace ikbench::claims {
 
@@ -36,7 +34,7 @@ struct Case {
   report::Claim begun() const;
   // True if the paper's means are about this study, or if the paper prints no means.
   bool is_of_means() const;
-  // The pairs in the printed order, the smallest first.
+  // The pairs in the printed order, the smallest first; those of the claim's two solvers, if it is about two.
   std::vector<Pair> pairs(inference::Metric metric) const;
   // True if the study has the claim's solver and another one, among the printed ones if there are any.
   bool has_solver() const;
@@ -54,9 +52,6 @@ std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const inference::St
 
 // The same as summaries of at least two solvers, which the report assesses by its own methods.
 std::vector<inference::Summaries> printed_summaries(const ClaimsFile& file, const inference::StudyResults& study);
-// The printed ANOVA of that metric, if it answers the same question: the same solvers, runs as observations.
-std::optional<statistics::AnovaTable> printed_anova(const ClaimsFile& file, const inference::StudyResults& study,
-                                                    inference::Metric metric);
 
 // Counts of one solver's comparisons with others.
 struct PairCounts {
@@ -69,23 +64,12 @@ struct PairCounts {
 report::Verdict verdict_on(const PairCounts& found);
 // The verdict on several questions: all hold, some, or none.
 report::Verdict verdict_on(const std::vector<report::Verdict>& verdicts);
+// Holds or fails, and holds in part if it is so on average only.
+report::Verdict verdict_of(bool always, bool on_average = false);
 
-// Compares a solver with each other group of an evidence. If it should be the largest, the others are better.
-enum class Extreme { smallest, largest };
-struct ComparedWithOthers {
-  PairCounts found = {};
-  std::string nearest = {};  // the nearest other, by the mean
-  double own_mean = statistics::not_defined, nearest_mean = statistics::not_defined;
-};
-ComparedWithOthers compared_with_others(const inference::Evidence& evidence, const std::string& solver,
-                                        Extreme claimed = Extreme::smallest);
-
-std::string in_brackets(double p);  // " (p = 0.01)"
-// A metric's value in a claim; all times are in ms.
-std::string number_of(double value, inference::Metric metric);
+std::string in_brackets(double p);                              // " (p = 0.01)"
+std::string title(inference::Metric metric);                    // "Position error"
+std::string number_of(double value, inference::Metric metric);  // all times are in ms
 std::string with_unit(double value, inference::Metric metric);  // "0.0017 cm"
-// "IK-BA 0.0017 cm, K-ABC 0.208 (p = 0.001), DE 0.253 (p = 0.002)", the others by their means.
-std::string list_of(const inference::Evidence& evidence, const std::string& solver, inference::Metric metric);
-std::string how_tested(const inference::Evidence& here, const inference::Evidence& printed);
 
 }  // namespace ikbench::claims

@@ -48,25 +48,21 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
     reader.text(key, *field, "");
     if (field->empty()) refuse(reader, fmt::format("a claim without {}; expected a text", key));
   }
-  reader.text("section", entry.section, "");
+  for (const auto& [key, field] :
+       {std::pair("section", &entry.section), std::pair("solver", &entry.solver), std::pair("against", &entry.against),
+        std::pair("study", &entry.study), std::pair("dimension", &entry.dimension), std::pair("table", &entry.table),
+        std::pair("note", &entry.note), std::pair("row", &entry.row), std::pair("path", &entry.path)}) {
+    reader.text(key, *field, "");
+  }
   reader.choice("by", entry.by, {{"paper", Claimant::paper}, {"us", Claimant::us}}, "");
-  reader.text("solver", entry.solver, "");
-  reader.text("against", entry.against, "");
   reader.chosen("metrics", entry.metrics, metric_choices(), "");
-  reader.text("study", entry.study, "");
   reader.choice("take", entry.take,
                 {{"all", FromCompanion::all}, {"solver", FromCompanion::solver}, {"others", FromCompanion::others}},
                 "");
   reader.chosen("universes", entry.universes,
                 {{"mean", results::Estimand::mean}, {"typical", results::Estimand::typical}}, "");
-  reader.text("dimension", entry.dimension, "");
-  reader.text("table", entry.table, "");
-  reader.text("note", entry.note, "");
   reader.texts("solvers", entry.solvers, "");
   reader.number("limit_ms", entry.limit_ms, 1, {0, 1e9}, "");
-  reader.text("row", entry.row, "");
-  reader.text("path", entry.path, "");
-  reader.texts("joints", entry.joints, "");
   read_texts(reader, "reasons", entry.reasons);
   reader.refuse_unknown_keys();
   if (!is_snake_case(entry.id)) reader.fail("id", *reader.find("id"), "lower-case letters, digits and underscores");

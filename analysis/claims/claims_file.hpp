@@ -36,7 +36,6 @@ struct ClaimEntry {
   double limit_ms = 0;                         // limit of a solve in time
   std::string row;                             // names a printed row's solver: "{bats} bats"
   std::string path;                            // the kind of path that it is about
-  std::vector<std::string> joints;             // each joint's value if straight; "" does not matter
   std::map<std::string, std::string> reasons;  // why "KDL on the Baxter arm" may differ
 };
 

@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "analysis/claims/audit.hpp"
-#include "analysis/claims/lock.hpp"
 #include "analysis/claims/multiverse.hpp"
-#include "analysis/claims/one_at_a_time.hpp"
 #include "analysis/claims/row_agreement.hpp"
 #include "analysis/claims/rules.hpp"
 #include "analysis/claims/tables_of.hpp"
@@ -60,15 +58,6 @@ PrintedTable read_table(TomlReader reader) {
   return table;
 }
 
-// Adds printed tables whose rows are solvers.
-void add_rows(Paper& paper, const std::string& name, std::vector<PrintedTable> tables) {
-  const auto shared = std::make_shared<const std::vector<PrintedTable>>(std::move(tables));
-  paper.rows = [name, shared](const Reported& reported) {
-    ComparedRows rows = compared_rows(reported, name, *shared);
-    return RowsOfPaper{std::move(rows.tables), agreement_sentence(rows.found)};
-  };
-}
-
 // Adds the claims' parts of a report.
 void add_claims(Paper& paper, ClaimsFile file) {
   const auto shared = std::make_shared<const ClaimsFile>(std::move(file));
@@ -95,7 +84,7 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
   if (reader.table().contains("rows")) {
     std::vector<PrintedTable> tables;
     for (const TomlReader& table : tables_of(reader, "rows")) tables.push_back(read_table(table));
-    add_rows(paper, of.name, std::move(tables));
+    paper.rows = [name = of.name, tables](const Reported& reported) { return compared_rows(reported, name, tables); };
   }
   if (const toml::table* const lock = reader.subtable("lock")) {
     paper.lock = read_lock(reader.nested(*lock, "lock."), of.name);

@@ -1,10 +1,9 @@
 #include "analysis/claims/printed.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -28,38 +27,48 @@ Words words_of(const CsvTable& table, std::size_t row) {
   return words;
 }
 
-// The statistics of a row that the table has, in columns such as mean_ms.
-Description description_of(const CsvTable& table, std::size_t row, std::string_view unit) {
-  Description of{.n = static_cast<int>(table.number(row, "n"))};
-  for (const auto& [name, field] : printed_statistics) {
-    const std::string column = fmt::format("{}{}", name, unit);
-    if (std::ranges::count(table.header, column) > 0) of.*field = table.number(row, column);
+// A row whose statistics are in columns such as mean_ms.
+PrintedRow row_of(const CsvTable& table, std::size_t row, const std::string& name, std::string_view unit) {
+  PrintedRow printed{.algorithm = filled(name, words_of(table, row)),
+                     .printed = {.n = static_cast<int>(table.number(row, "n"))}};
+  for (std::size_t s = 0; s < printed_statistics.size(); ++s) {
+    const auto& [statistic, field] = printed_statistics[s];
+    const std::string column = fmt::format("{}{}", statistic, unit);
+    if (std::ranges::count(table.header, column) == 0) continue;
+    printed.printed.*field = table.number(row, column);
+    printed.digits[s] = table.rows[row][table.column(column)];
   }
-  return of;
+  return printed;
 }
 
-void add_table(SQLite::Database& database, const std::string& name, const CsvTable& table) {
-  std::vector<std::string> columns, places;
-  for (const std::string& column : table.header) {
-    columns.push_back(fmt::format("\"{0}\" REAL, \"{0}{1}\" TEXT", column, printed_suffix));
-    places.emplace_back("?, ?");
-  }
-  database.exec(fmt::format("CREATE TABLE \"{}\" ({})", name, fmt::join(columns, ", ")));
-  for (const std::vector<std::string>& row : table.rows) {
-    SQLite::Statement insert(database, fmt::format("INSERT INTO \"{}\" VALUES ({})", name, fmt::join(places, ", ")));
-    for (std::size_t i = 0; i < 2 * row.size(); ++i) insert.bind(static_cast<int>(i) + 1, row[i / 2]);
-    insert.exec();
-  }
+// The mantissa of "1.7824e-4", and "e-4".
+std::pair<std::string_view, std::string_view> parts_of(std::string_view printed) {
+  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
+  return {printed.substr(0, e), printed.substr(e)};
 }
+
+double parsed(std::string_view text) { return number_from(text).value(); }
 
 }  // namespace
 
+int decimals_of(std::string_view printed) {
+  const std::string_view mantissa = parts_of(printed).first;
+  const std::size_t point = mantissa.find('.');
+  return point == std::string_view::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+}
+
 double half_unit(std::string_view printed) {
-  const std::size_t e = std::min(printed.find_first_of("eE"), printed.size());
-  const std::size_t point = printed.find('.');
-  const std::size_t decimals = point < e ? e - point - 1 : 0;
-  return number_from(fmt::format("0.5e-{}", decimals)).value() *
-         (e < printed.size() ? number_from(fmt::format("1{}", printed.substr(e))).value() : 1.0);
+  return parsed(fmt::format("0.5e-{}", decimals_of(printed))) * parsed(fmt::format("1{}", parts_of(printed).second));
+}
+
+bool agrees(double ours, std::string_view printed, double slack) {
+  constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
+  return std::abs(ours - parsed(printed)) <= (half_unit(printed) + slack) * room;
+}
+
+bool can_be(double low, double high, std::string_view printed) {
+  const double number = parsed(printed), half = half_unit(printed);
+  return low <= number + half && number - half <= high;
 }
 
 CsvTable printed_table(std::string_view paper, std::string_view name) {
@@ -67,43 +76,28 @@ CsvTable printed_table(std::string_view paper, std::string_view name) {
   return std::ranges::count(names, name) > 0 ? published::table(paper, name) : CsvTable();
 }
 
-std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view name) {
+std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view name, Metric metric) {
   std::vector<PrintedRow> rows;
   const CsvTable table = printed_table(paper, name);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const Words words = words_of(table, i);
-    PrintedRow row{.algorithm = word(words, "algorithm"), .printed = description_of(table, i, "")};
-    for (std::size_t s = 0; s < printed_statistics.size(); ++s) {
-      const auto digits = words.find(printed_statistics[s].first);
-      if (digits != words.end()) row.digits[s] = digits->second;
-    }
-    for (const Metric metric : all_metrics()) {
-      if (name_of(metric) != word(words, "metric")) continue;
-      row.metric = metric;
-      rows.push_back(row);
-    }
+    if (table.rows[i][table.column("metric")] == name_of(metric)) rows.push_back(row_of(table, i, "{algorithm}", ""));
   }
   return rows;
 }
 
-std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view table, Metric metric) {
-  std::vector<PrintedRow> rows = printed_rows(paper, table);
-  std::erase_if(rows, [metric](const PrintedRow& row) { return row.metric != metric; });
+std::vector<PrintedRow> printed_times(std::string_view paper, std::string_view name, const std::string& row) {
+  std::vector<PrintedRow> rows;
+  const CsvTable table = printed_table(paper, name);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) rows.push_back(row_of(table, i, row, "_ms"));
   return rows;
 }
 
-std::vector<PrintedTime> printed_times(std::string_view paper, std::string_view name, const std::string& row) {
-  const CsvTable table = printed_table(paper, name);
-  std::vector<PrintedTime> times;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    times.push_back({filled(row, words_of(table, i)), description_of(table, i, "_ms")});
-  }
-  return times;
-}
-
-std::optional<AnovaTable> printed_anova(std::string_view paper, std::string_view name) {
-  const CsvTable table = printed_table(paper, name);
-  if (table.rows.empty()) return std::nullopt;
+std::optional<AnovaTable> comparable_anova(const StudyResults& study, const std::vector<PrintedRow>& rows,
+                                           std::string_view name) {
+  std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), theirs;
+  for (const PrintedRow& row : rows) theirs.insert(row.algorithm);
+  const CsvTable table = printed_table(study.facts.published, name);
+  if (study.plan.unit != Unit::run || ours != theirs || table.rows.empty()) return std::nullopt;
   constexpr std::size_t between = 0, within = 1, total = 2;
   AnovaTable printed;
   printed.ss_between = table.number(between, "ss");
@@ -116,14 +110,6 @@ std::optional<AnovaTable> printed_anova(std::string_view paper, std::string_view
   printed.F = table.number(between, "f");
   printed.p = table.number(between, "p");
   return printed;
-}
-
-std::optional<AnovaTable> comparable_anova(const StudyResults& study, const std::vector<PrintedRow>& rows,
-                                           std::string_view table) {
-  std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), printed;
-  for (const PrintedRow& row : rows) printed.insert(row.algorithm);
-  const bool is_same = study.plan.unit == Unit::run && ours == printed;
-  return is_same ? printed_anova(study.facts.published, table) : std::nullopt;
 }
 
 const std::string& word(const Words& words, std::string_view name) {
@@ -141,24 +127,6 @@ std::string filled(const std::string& text, const Words& words) {
     end = close + 1;
   }
   return result + text.substr(end);
-}
-
-SQLite::Database printed_database(std::string_view paper) {
-  SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  CsvTable said{.header = {"paper"}, .rows = {{std::string(paper)}}};
-  for (const std::string_view name : published::tables(paper)) {
-    const CsvTable table = published::table(paper, name);
-    std::string sql_name(name);
-    std::ranges::replace(sql_name, '-', '_');
-    add_table(database, sql_name, table);
-    if (name != "statements") continue;
-    for (const std::vector<std::string>& row : table.rows) {
-      said.header.push_back(row[table.column("name")]);
-      said.rows.front().push_back(row[table.column("value")]);
-    }
-  }
-  add_table(database, "said", said);
-  return database;
 }
 
 }  // namespace ikbench::claims

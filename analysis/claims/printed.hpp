@@ -1,8 +1,6 @@
 // The printed tables of a paper (results/published), for claims, audit and a paper's own tables.
 #pragma once
 
-#include <SQLiteCpp/Database.h>
-
 #include <array>
 #include <functional>
 #include <map>
@@ -19,8 +17,13 @@
 
 namespace ikbench::claims {
 
+int decimals_of(std::string_view printed);  // digits after the point: 4 of "1.7824e-4"
 // Half a unit of the last printed digit: the possible rounding error of "1.7824e-4".
 double half_unit(std::string_view printed);
+// Whether our number rounds to the printed digits, or may be `slack` off.
+bool agrees(double ours, std::string_view printed, double slack = 0);
+// Whether a number of the range rounds to the printed digits.
+bool can_be(double low, double high, std::string_view printed);
 
 // A table as printed; without rows if the paper has none of that name.
 results::CsvTable printed_table(std::string_view paper, std::string_view name);
@@ -36,29 +39,20 @@ constexpr std::array<std::pair<std::string_view, double statistics::Description:
 // The printed numbers of one metric of one solver.
 struct PrintedRow {
   std::string algorithm;
-  inference::Metric metric = {};
   statistics::Description printed = {};  // not defined if the table has no such column
   std::array<std::string, printed_statistics.size()> digits = {};
 
   statistics::GroupSummary summary() const { return {printed.mean, printed.std, printed.n}; }
 };
 
-// The rows of a table of means (columns algorithm, metric, n and the statistics), in their order.
-std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view table);
+// The rows of one metric in a table of means (columns algorithm, metric, n and the statistics), in their order.
 std::vector<PrintedRow> printed_rows(std::string_view paper, std::string_view table, inference::Metric metric);
+// The rows of a table of times (columns n, mean_ms, median_ms and so on). `name` names a row's solver: "{bats} bats"
+// with its column bats.
+std::vector<PrintedRow> printed_times(std::string_view paper, std::string_view table, const std::string& name);
 
-// A row of a table of times (columns n, mean_ms, median_ms and so on).
-struct PrintedTime {
-  std::string solver;
-  statistics::Description ms = {};
-};
-// `row` names a row's solver: "{bats} bats" with its column bats.
-std::vector<PrintedTime> printed_times(std::string_view paper, std::string_view table, const std::string& row);
-
-// A printed analysis of variance: the rows between, within and total.
-std::optional<statistics::AnovaTable> printed_anova(std::string_view paper, std::string_view table);
-// The printed ANOVA; nothing if it answers another question than the study's: about other solvers than those of these
-// rows, or about points.
+// A printed analysis of variance (rows between, within and total); nothing if it answers another question than the
+// study's: about other solvers than those of these rows, or about points.
 std::optional<statistics::AnovaTable> comparable_anova(const inference::StudyResults& study,
                                                        const std::vector<PrintedRow>& rows, std::string_view table);
 
@@ -66,10 +60,5 @@ std::optional<statistics::AnovaTable> comparable_anova(const inference::StudyRes
 using Words = std::map<std::string, std::string, std::less<>>;
 std::string filled(const std::string& text, const Words& words);
 const std::string& word(const Words& words, std::string_view name);
-
-// All tables of a paper for SQL: table-3.csv is table_3, its rows in order. A column has its numbers, and
-// COLUMN_as_printed its digits. `said` is one row with the statements of statements.csv, one column per name.
-constexpr std::string_view printed_suffix = "_as_printed";
-SQLite::Database printed_database(std::string_view paper);
 
 }  // namespace ikbench::claims

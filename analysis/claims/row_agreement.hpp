@@ -1,4 +1,5 @@
-// Printed tables with one row per solver, each number beside the same statistic of our solves.
+// Printed tables with one row per solver, each number beside the same statistic of our solves; and the lock of a paper,
+// whose set-ups are held against such a table.
 #pragma once
 
 #include <map>
@@ -6,7 +7,7 @@
 #include <vector>
 
 #include "analysis/report/paper.hpp"
-#include "analysis/report/table.hpp"
+#include "numerics/toml_table.hpp"
 
 namespace ikbench::claims {
 
@@ -18,23 +19,15 @@ struct PrintedTable {
   std::map<std::string, std::string> not_attempted = {};  // why a printed row is not repeated, by its solver
 };
 
-// How the printed numbers agree with ours, by rows.
-struct RowAgreement {
-  int every_digit = 0, by_rounding = 0, by_chance = 0, outside = 0, not_attempted = 0;
-};
+// Compares the tables with the solves of the study and its companions: a table rows-TABLE for each whose study has
+// solves. A number agrees if ours rounds to its digits; else it is held against the range of rounding (last_bits.hpp),
+// and then against the central 95 % of what other targets would give, by a bootstrap of targets. The sentence counts
+// the rows.
+report::RowsOfPaper compared_rows(const report::Reported& reported, const std::string& paper,
+                                  const std::vector<PrintedTable>& tables);
 
-struct ComparedRows {
-  std::vector<report::Table> tables = {};  // rows-TABLE for each printed table whose study has solves
-  RowAgreement found = {};
-};
-
-// Compares the tables with the solves of the study and its companions. A number agrees if ours rounds to its digits;
-// else it is held against the range of rounding (last_bits.hpp), and then against the central 95 % of what other
-// targets would give, by a bootstrap of targets.
-ComparedRows compared_rows(const report::Reported& reported, const std::string& paper,
-                           const std::vector<PrintedTable>& tables);
-
-// "13 of 24 printed rows agree in every digit, ..."; empty without rows.
-std::string agreement_sentence(const RowAgreement& found);
+// The lock as the paper's collection says it. Throws std::invalid_argument, also where a solver is not a row of the
+// printed table.
+report::Lock read_lock(numerics::TomlReader reader, const std::string& paper);
 
 }  // namespace ikbench::claims

@@ -1,5 +1,5 @@
-#include "analysis/claims/rules_of_solves.hpp"
-
+// Rules for claims about the solves of one solver: at each point, about its joints and its times, about its work
+// without one of its equations, and about the poses that it solves on the arm of each study that is reported together.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,13 +10,12 @@
 #include <limits>
 #include <map>
 #include <span>
-#include <string>
 
-#include "analysis/claims/times.hpp"
-#include "analysis/figures/figure_parts.hpp"
+#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/inference/times.hpp"
 #include "analysis/report/assessment_words.hpp"
 
 namespace ikbench::claims {
@@ -28,33 +27,34 @@ using namespace report;
 
 Claims least_at_each_point(const Case& of) {
   const StudyResults& study = of.study();
+  const Metric metric = of.entry.metrics.front();
   if (!of.has_solver()) return {};
-  std::map<std::string, int> first;  // number of points
-  std::vector<std::vector<double>> means;
-  for (const std::string& solver : study.solvers) {
-    means.push_back(figures::averages_by_point(study, solver, of.entry.metrics.front()));
+  std::map<int, std::map<std::string, std::vector<double>>> values;  // by point and solver, one per run
+  for (const Solve& solve : study.solves) {
+    values[solve.point][solver_of(study, solve)].push_back(value_of(study, solve, metric));
   }
-  const auto points = static_cast<std::size_t>(study.points);
-  for (std::size_t point = 0; point < points; ++point) {
+  std::map<std::string, int> first;  // number of points; a tie counts for nobody
+  for (const auto& [point, of_solvers] : values) {
     std::vector<std::string> least;
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < means.size(); ++s) {
-      const double mean = point < means[s].size() ? means[s][point] : not_defined;
-      if (mean < smallest) least.clear();
-      if (mean <= smallest) least.push_back(study.solvers[s]);
-      if (mean < smallest) smallest = mean;
+    for (const auto& [solver, of_runs] : of_solvers) {
+      const double average = average_of(metric)(of_runs);
+      if (average < smallest) least.clear();
+      if (average <= smallest) least.push_back(solver);
+      smallest = std::min(smallest, average);
     }
-    if (least.size() == 1) ++first[least.front()];  // a tie counts for nobody
+    if (least.size() == 1) ++first[least.front()];
   }
   Claim claim = of.begun();
   const int own = first[of.entry.solver];
-  claim.verdict = own == study.points ? Verdict::holds : 2 * own > study.points ? Verdict::in_part : Verdict::fails;
+  claim.verdict = verdict_of(own == study.points, 2 * own > study.points);
   claim.number = fmt::format("{} of {} points", own, study.points);
   std::vector<std::string> words;
   for (const std::string& solver : study.solvers) {
     if (first[solver] > 0) words.push_back(fmt::format("{} at {}", solver, first[solver]));
   }
-  claim.evidence = {fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), points)};
+  claim.evidence = {
+      fmt::format("The smallest error, averaged over the runs: {} of {} points.", listed(words), study.points)};
   return {claim};
 }
 
@@ -63,7 +63,7 @@ Claims inside_limits(const Case& of) {
   const std::vector<SolverCounts> all = counts(of.study());
   const SolverCounts& count = *std::ranges::find(all, of.entry.solver, &SolverCounts::solver);
   Claim claim = of.begun();
-  claim.verdict = count.outside_limits == 0 ? Verdict::holds : Verdict::fails;
+  claim.verdict = verdict_of(count.outside_limits == 0);
   claim.number = fmt::format("{} of {} outside", count.outside_limits, count.solves);
   claim.evidence = {count.outside_limits == 0
                         ? fmt::format("All {} are.", count.solves)
@@ -92,45 +92,26 @@ Claims has_effect(const Case& of) {
     return {claim};
   }
   const Metric metric = of.entry.metrics.front();
-  std::array<GroupSummary, 2> means;
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    for (const Sample& sample : samples(i == 0 ? of.study() : *without, metric)) {
-      if (sample.solver == solver) means[i] = summarise(sample.values);
-    }
-  }
-  const Finding found = judge(means[0], means[1], info_of(metric).better, of.study().plan);
+  const auto means_in = [&](const StudyResults& study) {
+    const std::vector<Sample> all = samples(study, metric);
+    const auto own = std::ranges::find(all, solver, &Sample::solver);
+    return own == all.end() ? GroupSummary() : summarise(own->values);
+  };
+  const GroupSummary with = means_in(of.study()), other = means_in(*without);
+  const Finding found = judge(with, other, info_of(metric).better, of.study().plan);
   PairCounts one;
   one.add(found.relation);
   claim.verdict = verdict_on(one);
-  claim.evidence = {
-      fmt::format("{} of {} answers change without it.", changed, shared),
-      fmt::format("{}: {} with, {} without{}.", inference::capitalised(info_of(metric).name),
-                  with_unit(means[0].mean, metric), number_of(means[1].mean, metric), in_brackets(found.p))};
-  return {claim};
-}
-
-Claims singularities(const Case& of) {
-  if (!of.has_solver()) return {};
-  Claim claim = of.begun();
-  claim.verdict = Verdict::untested;
-  claim.table = "";
-  claim.evidence = {of.entry.decides};
-  const SolverFacts& facts = solver_facts(of.study(), of.entry.solver);
-  if (facts.joints.size() != of.entry.joints.size()) return {claim};
-  for (std::size_t joint = 0; joint < facts.joints.size(); ++joint) {
-    const auto& [answers, near, nearest_deg] = facts.joints[joint];
-    if (of.entry.joints[joint].empty()) continue;
-    claim.evidence.push_back(fmt::format("{} of {} answers are within {} deg of {} (the nearest: {} deg).", near,
-                                         answers, StraightJoint::near_deg, of.entry.joints[joint],
-                                         short_number(nearest_deg)));
-  }
+  claim.evidence = {fmt::format("{} of {} answers change without it.", changed, shared),
+                    fmt::format("{}: {} with, {} without{}.", title(metric), with_unit(with.mean, metric),
+                                number_of(other.mean, metric), in_brackets(found.p))};
   return {claim};
 }
 
 namespace {
 
 // The rule's claims about the study itself or the first companion that it can judge.
-Claims first_of(const Case& of, const std::function<Claims(const StudyResults&)>& rule) {
+Claims first_judged(const Case& of, const std::function<Claims(const StudyResults&)>& rule) {
   Claims claims = rule(of.study());
   for (const StudyResults& companion : of.reported.companions) {
     if (claims.empty()) claims = rule(companion);
@@ -138,86 +119,44 @@ Claims first_of(const Case& of, const std::function<Claims(const StudyResults&)>
   return claims;
 }
 
-// A study's times of a solver in a printed table of times.
-struct TimedRow {
-  PrintedTime printed;
-  TimeAssessment ours;
-};
-std::vector<TimedRow> timed_rows(const StudyResults& study, const ClaimEntry& entry) {
-  std::vector<TimedRow> result;
-  if (!std::isfinite(tolerance_cm(study))) return result;
-  const std::vector<TimeAssessment> all = assess_times(study, entry.limit_ms);
-  for (const PrintedTime& printed : printed_times(study.facts.published, entry.table, entry.row)) {
-    const auto ours = std::ranges::find(all, printed.solver, &TimeAssessment::solver);
-    const bool is_asked = std::ranges::count(entry.solvers, printed.solver) > 0;
-    if (is_asked && ours != all.end() && ours->solves > 0) result.push_back({printed, *ours});
+// Holds the times of the claim's solvers, and the printed ones, against its limit.
+Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slow) {
+  if (!std::isfinite(tolerance_cm(study))) return {};
+  const ClaimEntry& entry = of.entry;
+  const double limit = entry.limit_ms;
+  const std::vector<TimeAssessment> all = assess_times(study, limit);
+  std::vector<Verdict> here, in_print;
+  std::vector<std::string> list, printed_list;
+  Claim claim = of.begun();
+  for (const auto& [solver, printed, digits] : printed_times(study.facts.published, entry.table, entry.row)) {
+    const auto ours = std::ranges::find(all, solver, &TimeAssessment::solver);
+    if (std::ranges::count(entry.solvers, solver) == 0 || ours == all.end() || ours->solves == 0) continue;
+    const double median = ours->time_ms.median;
+    here.push_back(is_slow ? verdict_of(median >= limit) : verdict_of(ours->in_time == ours->solves, median < limit));
+    in_print.push_back(is_slow ? verdict_of(printed.mean >= limit)
+                               : verdict_of(printed.max < limit, printed.mean < limit));
+    list.push_back(fmt::format("{}: {} of {} targets reach {} cm in less than {} ms, median {} ms, slowest {} ms",
+                               solver, ours->in_time, ours->solves, tolerance_cm(study), limit, short_number(median),
+                               short_number(ours->time_ms.max)));
+    printed_list.push_back(fmt::format("{} mean {} ms, maximum {} ms", solver, printed.mean, printed.max));
+    claim.number = is_slow ? fmt::format("{} ms with {}", short_number(median), solver)
+                           : fmt::format("{} of {} in time", ours->in_time, ours->solves);
   }
-  return result;
-}
-
-// " Printed, in MATLAB on another machine: ..."
-std::string printed_elsewhere(const Case& of, const std::string& words) {
-  return fmt::format("Printed, in {} on another machine: {}.", of.file.implementation, words);
-}
-
-std::string not_judged() { return fmt::format("Not judged, because {} (see the warnings).", times_not_judged); }
-
-Verdict within(bool always, bool on_average) {
-  return always ? Verdict::holds : on_average ? Verdict::in_part : Verdict::fails;
-}
-
-}  // namespace
-
-Claims in_time(const Case& of) {
-  return first_of(of, [&](const StudyResults& study) -> Claims {
-    const std::vector<TimedRow> rows = timed_rows(study, of.entry);
-    if (rows.empty()) return {};
-    const auto& [printed, ours] = rows.front();
-    const double limit_ms = of.entry.limit_ms;
-    Claim claim = of.begun();
-    claim.evidence = {not_judged()};
+  if (here.empty()) return {};
+  if (times_are_comparable(study)) {
+    claim.verdict = verdict_on(here);
+    claim.evidence = {fmt::format("Here, in C++, {}.", fmt::join(list, "; "))};
+  } else {
     claim.number = times_not_judged;
-    if (times_are_comparable(study)) {
-      claim.verdict = within(ours.in_time == ours.solves, ours.time_ms.median < limit_ms);
-      claim.number = fmt::format("{} of {} in time", ours.in_time, ours.solves);
-      claim.evidence = {
-          fmt::format("Here, in C++: {} of {} targets reach {} cm in less than {} ms; median {} ms, slowest {} ms.",
-                      ours.in_time, ours.solves, tolerance_cm(study), limit_ms, short_number(ours.time_ms.median),
-                      short_number(ours.time_ms.max))};
-    }
-    claim.evidence.push_back(printed_elsewhere(of, printed_words(printed, limit_ms)));
-    claim.printed = within(printed.ms.max < limit_ms, printed.ms.mean < limit_ms);
-    return {claim};
-  });
+    claim.evidence = {fmt::format("Not judged, because {} (see the warnings).", times_not_judged)};
+  }
+  claim.printed = verdict_on(in_print);
+  claim.evidence.push_back(
+      fmt::format("Printed, in {} on another machine: {}.", of.file.implementation, fmt::join(printed_list, "; ")));
+  return {claim};
 }
 
-Claims too_slow(const Case& of) {
-  return first_of(of, [&](const StudyResults& study) -> Claims {
-    const std::vector<TimedRow> rows = timed_rows(study, of.entry);
-    if (rows.empty()) return {};
-    std::vector<Verdict> here, in_print;
-    std::vector<std::string> list, printed_list;
-    for (const auto& [printed, ours] : rows) {
-      here.push_back(within(ours.time_ms.median >= of.entry.limit_ms, false));
-      in_print.push_back(within(printed.ms.mean >= of.entry.limit_ms, false));
-      list.push_back(fmt::format("{} {} ms", ours.solver, short_number(ours.time_ms.median)));
-      printed_list.push_back(fmt::format("{} ms", short_number(printed.ms.mean)));
-    }
-    Claim claim = of.begun();
-    claim.evidence = {not_judged()};
-    claim.number = times_not_judged;
-    if (times_are_comparable(study)) {
-      claim.verdict = verdict_on(here);
-      claim.evidence = {fmt::format("Here, in C++, median: {}.", fmt::join(list, ", "))};
-      const TimeAssessment& last = rows.back().ours;
-      claim.number = fmt::format("{} ms with {}", short_number(last.time_ms.median), last.solver);
-    }
-    claim.printed = verdict_on(in_print);
-    claim.evidence.push_back(printed_elsewhere(of, fmt::format("{}", fmt::join(printed_list, ", "))));
-    return {claim};
-  });
-}
-
+// The largest distance of a study's target from the base [cm]; 0 if no target is known.
 double farthest_target_cm(const StudyResults& study) {
   double farthest = 0;
   for (const Solve& solve : study.solves) {
@@ -228,9 +167,44 @@ double farthest_target_cm(const StudyResults& study) {
   return farthest;
 }
 
+}  // namespace
+
+std::vector<TimeAssessment> assess_times(const StudyResults& measured, double limit_ms) {
+  constexpr double ms_in_s = 1000;
+  const StudyResults study = at_median_speed(measured);
+  constexpr double verifier_rounding_cm = 1e-7;
+  const double most = tolerance_cm(study) + verifier_rounding_cm;
+  std::vector<TimeAssessment> rows;
+  for (const std::string& solver : study.solvers) {
+    TimeAssessment& row = rows.emplace_back(TimeAssessment{.solver = solver});
+    std::vector<double> times, iterations, evaluations;
+    for (const Solve& solve : solves_of(study, solver)) {
+      times.push_back(ms_in_s * seconds_of(study, solve));
+      iterations.push_back(static_cast<double>(solve.iterations));
+      evaluations.push_back(static_cast<double>(solve.evaluations));
+      const bool is_reached = solve.position_error_cm <= most;  // never by an answer that is not finite
+      row.never_reached += is_reached ? 0 : 1;
+      row.in_time += is_reached && times.back() < limit_ms ? 1 : 0;
+    }
+    row.solves = static_cast<int>(times.size());
+    row.time_ms = describe(times);
+    row.iterations_median = describe(iterations).median;
+    row.evaluations_median = describe(evaluations).median;
+  }
+  return rows;
+}
+
+Claims in_time(const Case& of) {
+  return first_judged(of, [&](const StudyResults& study) { return held_against_limit(of, study, false); });
+}
+
+Claims too_slow(const Case& of) {
+  return first_judged(of, [&](const StudyResults& study) { return held_against_limit(of, study, true); });
+}
+
 Claims rounding_level(const Case& of) {
   constexpr double step = std::numeric_limits<double>::epsilon(), order = 10;
-  return first_of(of, [&](const StudyResults& study) -> Claims {
+  return first_judged(of, [&](const StudyResults& study) -> Claims {
     const CsvTable table = printed_table(study.facts.published, of.entry.table);
     if (study.facts.path != of.entry.path || study.solves.empty() || table.rows.empty()) return {};
     std::vector<double> printed, ours;
@@ -239,8 +213,8 @@ Claims rounding_level(const Case& of) {
     if (ours.empty()) return {};
     const double farthest_cm = farthest_target_cm(study), rounding = step * farthest_cm;
     Claim claim = of.begun();
-    claim.verdict = within(mean(ours) <= order * rounding, false);
-    claim.printed = within(mean(printed) <= order * rounding, false);
+    claim.verdict = verdict_of(mean(ours) <= order * rounding);
+    claim.printed = verdict_of(mean(printed) <= order * rounding);
     claim.number = fmt::format("{} cm", short_number(mean(ours)));
     claim.evidence = {fmt::format("Mean error {} cm over {} points; printed {} cm.", short_number(mean(ours)),
                                   ours.size(), short_number(mean(printed))),
@@ -271,7 +245,7 @@ Claim rate_claim(const Case& of, const RatesOfArm& arm, const Rate& rate) {
   claim.statement =
       filled(of.entry.sentence,
              {{"solver", rate.solver}, {"arm", arm.arm}, {"share", fmt::format("{:.2f} %", 100 * rate.printed)}});
-  claim.verdict = holds ? Verdict::holds : depends ? Verdict::depends : Verdict::fails;
+  claim.verdict = depends ? Verdict::depends : verdict_of(holds);
   claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * estimate, 100 * rate.printed);
   claim.evidence = {fmt::format("Here {:.1f} % are solved in {} iterations ({} interval {:.1f} to {:.1f} %).",
                                 100 * estimate, arm.iterations, percent(of.file.rates.level), 100 * low, 100 * high)};
@@ -287,6 +261,23 @@ Claim rate_claim(const Case& of, const RatesOfArm& arm, const Rate& rate) {
   return claim;
 }
 
+bool is_rival(const std::string& solver, const ClaimEntry& entry) {
+  return entry.against.empty() ? solver != entry.solver : solver == entry.against;
+}
+
+// The verdict of the printed table on all of its arms, also those without solves here.
+Verdict printed_more(const Case& of) {
+  const RatesPlan& plan = of.file.rates;
+  const CsvTable table = printed_table(plan.paper, plan.table);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double own = table.number(row, plan.columns.at(of.entry.solver));
+    for (const auto& [solver, column] : plan.columns) {
+      if (is_rival(solver, of.entry) && !(own > table.number(row, column))) return Verdict::fails;
+    }
+  }
+  return Verdict::holds;
+}
+
 }  // namespace
 
 Claims rate_as_printed(const Case& of) {
@@ -299,35 +290,6 @@ Claims rate_as_printed(const Case& of) {
   return claims;
 }
 
-namespace {
-
-// The compared solver that solves most; null if none is solved here.
-const Rate* best_rival(const RatesOfArm& arm, const ClaimEntry& entry) {
-  const Rate* best = nullptr;
-  for (const Rate& rate : arm.rates) {
-    const bool is_rival = entry.against.empty() ? rate.solver != entry.solver : rate.solver == entry.against;
-    if (!is_rival || !is_solved_here(rate)) continue;
-    if (best == nullptr || rate.ours.value > best->ours.value) best = &rate;
-  }
-  return best;
-}
-
-// The verdict of the printed table on all of its arms, also those without solves here.
-Verdict printed_more(const Case& of) {
-  const RatesPlan& plan = of.file.rates;
-  const results::CsvTable table = printed_table(plan.paper, plan.table);
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double own = table.number(row, plan.columns.at(of.entry.solver));
-    for (const auto& [solver, column] : plan.columns) {
-      const bool is_rival = of.entry.against.empty() ? solver != of.entry.solver : solver == of.entry.against;
-      if (is_rival && !(own > table.number(row, column))) return Verdict::fails;
-    }
-  }
-  return Verdict::holds;
-}
-
-}  // namespace
-
 Claims solves_more(const Case& of) {
   const std::string& solver = of.entry.solver;
   Claim claim = of.begun();
@@ -336,7 +298,11 @@ Claims solves_more(const Case& of) {
   const std::vector<RatesOfArm> arms = solve_rates(of.reported, of.file.rates);
   for (const RatesOfArm& arm : arms) {
     const auto own = std::ranges::find(arm.rates, solver, &Rate::solver);
-    const Rate* const rival = best_rival(arm, of.entry);
+    const Rate* rival = nullptr;  // that solves most
+    for (const Rate& rate : arm.rates) {
+      if (!is_rival(rate.solver, of.entry) || !is_solved_here(rate)) continue;
+      if (rival == nullptr || rate.ours.value > rival->ours.value) rival = &rate;
+    }
     if (rival == nullptr || own == arm.rates.end() || !is_solved_here(*own)) continue;
     const Relation relation = judge(arm.study->evidence(Metric::solved), solver, rival->solver).relation;
     auto& list = relation == Relation::better ? more : relation == Relation::worse ? fewer : open;

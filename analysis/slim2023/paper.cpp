@@ -1,4 +1,6 @@
-#include "analysis/slim2023/paper.hpp"
+// Slim, Rokbani, Neji, Terres and Beyrouthy (2023), the bat algorithm for inverse kinematics: the tables, figures and
+// sentences that only reports of its study have.
+#include "analysis/report/paper.hpp"
 
 #include <fmt/format.h>
 
@@ -13,63 +15,50 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/slim2023/agreement.hpp"
-#include "analysis/slim2023/circle.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
-#include "analysis/slim2023/time_assessment.hpp"
-#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::slim2023 {
 
 using namespace results;
-using namespace statistics;
 using namespace inference;
 using namespace report;
 
 namespace {
 
-// True for pieces that only a companion study has.
-bool is_of_companions(const std::string& piece) {
-  constexpr std::array<std::string_view, 7> names{"table-7",   "table-8",   "figure-14", "figure-15",
-                                                  "figure-16", "figure-17", "figure-18"};
-  return std::ranges::find(names, piece) != names.end();
-}
-
-// Says for the first lines how many printed numbers agree or, if that is not known, the error of the paper's solver.
+// Says for the first lines how many printed numbers agree, or what would show it.
 std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreement>& agreed) {
-  if (!agreed.empty()) {
-    return fmt::format("{} of {} printed numbers repeat.", std::ranges::count(agreed, true, &Agreement::is_expected),
-                       agreed.size());
-  }
-  const Metric metric = Metric::position_error_cm;
-  const std::vector<Sample> all = samples(study, metric);
-  const auto own = std::ranges::find(all, time_reference, &Sample::solver);
-  const std::optional<PrintedRow> printed = printed_row(study, time_reference, metric);
-  if (own == all.end() || !printed) return "";
-  return fmt::format(
-      "{}'s mean error: {} cm (printed {}). ikbench reproduce, without --quick, shows what depends on chance and on the "
-      "interpretation.",
-      time_reference, short_number(describe(own->values).mean), short_number(printed->printed.mean));
+  if (printed_table_3(study, Metric::position_error_cm).empty()) return "";
+  return agreed.empty() ? "ikbench reproduce, without --quick, shows what depends on chance and on the interpretation."
+                        : fmt::format("{} of {} printed numbers repeat.",
+                                      std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size());
 }
 
 std::map<std::string, std::string> seen(const Reported& reported) {
   const JudgedStudy& study = reported.study;
-  const std::vector<Agreement> agreed = agreements(study, reported.repetitions);
-  std::map<std::string, std::string> sentences{{"Verdict", verdict_sentence(study, agreed)},
-                                               {"figure-6", closest_point_by_point(study)},
-                                               {"figure-9", limits_sentence(study)}};
-  for (const Metric metric : paper_metrics) {
+  std::map<std::string, std::string> sentences{
+      {"Verdict", verdict_sentence(study, agreements(study, reported.repetitions))},
+      {"figure-6", closest_point_by_point(study)},
+      {"figure-9", limits_sentence(study)}};
+  for (const auto& [metric, anova, curves, boxes] : paper_metrics) {
     const bool is_judged = is_comparable(study, metric);
-    const PaperNumbers& numbers = paper_numbers(metric);
-    sentences[fmt::format("figure-{}", numbers.box_figure)] =
+    sentences[fmt::format("figure-{}", boxes)] =
         is_judged ? words_of(leader_sentence(study, metric, average_estimand(metric))) : times_sentence(study);
     if (metric != Metric::position_error_cm && is_judged) {
-      sentences[fmt::format("figure-{}", numbers.curves_figure)] = ranking_sentence(study, metric);
+      sentences[fmt::format("figure-{}", curves)] = ranking_sentence(study, metric);
     }
   }
   return sentences;
+}
+
+// Adds pieces that only a companion study has.
+template <class Piece>
+void add_of_companion(std::vector<Piece> pieces, std::vector<Piece>& all) {
+  constexpr std::array<std::string_view, 7> names{"table-7",   "table-8",   "figure-14", "figure-15",
+                                                  "figure-16", "figure-17", "figure-18"};
+  for (Piece& piece : pieces) {
+    if (std::ranges::count(names, piece.name) > 0) all.push_back(std::move(piece));
+  }
 }
 
 StudyPieces pieces(const Reported& reported) {
@@ -79,31 +68,26 @@ StudyPieces pieces(const Reported& reported) {
                   .path = "figure-5"};
   if (!reported.study.solves.empty()) all.seen = seen(reported);
   for (const StudyResults& companion : reported.companions) {
-    for (Table& table : paper_tables(companion)) {
-      if (is_of_companions(table.name)) all.tables.push_back(std::move(table));
-    }
-    for (figures::Figure& figure : paper_figures(companion)) {
-      if (is_of_companions(figure.name)) all.figures.push_back(std::move(figure));
-    }
+    add_of_companion(paper_tables(companion), all.tables);
+    add_of_companion(paper_figures(companion), all.figures);
   }
   return all;
 }
 
 std::vector<std::string> summary(const Reported& reported) {
-  return {real_time_verdict(reported.study), printed_angles_verdict(reported.study),
-          agreement_sentence(agreements(reported.study, reported.repetitions))};
+  return {agreement_sentence(agreements(reported.study, reported.repetitions))};
 }
 
 ReportPlan sections() {
   return {
-      .results = {{"Table 3", "", {"overview", "agreement|table-3"}, {"table-3", "table-3-as-printed"}},
+      .results = {{"Table 3", "", {"overview", "table-3"}, {}},
                   {"Figures 5 to 12",
                    "",
                    {"figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10", "figure-11", "figure-12"}},
                   {"Tables 4 to 6",
                    "One-way analysis of variance of error, variation and time.",
                    {},
-                   {"table-4", "table-5", "table-6", "anova-from-printed-table-3"}}},
+                   {"table-4", "table-5", "table-6"}}},
       .further = {{"Table 7: real time",
                    "How long a swarm of a given size takes to come within 0.1 cm of the target.",
                    {"table-7"},

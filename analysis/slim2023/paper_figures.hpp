@@ -1,6 +1,7 @@
-// The figures of Slim et al. (2023) for any study: 5 the path, 6-8 error, variation and time per point, 9 the joint
-// angles of each solver's first run, 10-12 box plots. For a study whose path is a circle also 14 the circle from above,
-// 15 in space with the arm, 16 the joint angles, 17 the error at each point, 18 the average error over the iterations.
+// The figures of Slim et al. (2023) for any study: 5 the path, 6 to 8 error, variation and time per point, 9 the joint
+// angles of each solver's first run, 10 to 12 box plots. For a study whose path is a circle also 14 the circle from
+// above, 15 in space with the arm, 16 the joint angles, 17 the error at each point, 18 the average error over the
+// iterations.
 #pragma once
 
 #include <vector>

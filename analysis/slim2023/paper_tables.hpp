@@ -1,46 +1,70 @@
-// The tables of Slim et al. (2023) for any study, beside the printed numbers where there are any: Table 3 (what was
-// reached), Tables 4-6 (one-way ANOVA of error, variation and time), and Table 7 (time_assessment.hpp) and 8
-// (circle.hpp) of the studies that are like the paper's.
+// The tables of Slim et al. (2023) for any study, each number beside the printed one if the study is like the paper's:
+// Table 3 (what was reached), Tables 4 to 6 (one-way ANOVA of error, variation and time), Table 7 (times to the
+// tolerance at random targets) and Table 8 (joint angles on a circle).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/claims/printed.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/repetitions.hpp"
-#include "analysis/report/study_tables.hpp"
-#include "analysis/statistics/anova.hpp"
-#include "analysis/statistics/descriptive.hpp"
+#include "analysis/report/table.hpp"
+#include "analysis/statistics/bootstrap.hpp"
 
 namespace ikbench::slim2023 {
 
-// One row of Table 3, with the printed mean and a remark on both.
-struct Comparison {
+// The paper's metrics, and the numbers of their printed pieces: the table of the ANOVA, the figures of curves over the
+// points and of box plots.
+struct PaperMetric {
+  inference::Metric metric;
+  int anova_table, curves_figure, box_figure;
+};
+constexpr std::array<PaperMetric, 3> paper_metrics{{{inference::Metric::position_error_cm, 4, 6, 10},
+                                                    {inference::Metric::variation_deg, 5, 7, 11},
+                                                    {inference::Metric::seconds, 6, 8, 12}}};
+constexpr std::string_view own_solver = "IK-BA";
+
+// The rows of the printed Table 3 for one metric, if the study is on its path. A circle is Table 8's, random targets
+// are Table 7's, whatever the labels of the solvers.
+std::vector<claims::PrintedRow> printed_table_3(const inference::StudyResults& study, inference::Metric metric);
+// One solver's row.
+std::optional<claims::PrintedRow> printed_row(const inference::StudyResults& study, std::string_view solver,
+                                              inference::Metric metric);
+
+// A printed number of error or variation of Table 3: would a repetition of our study, with other random numbers, print
+// this? The range is the 95 % predictive one of that statistic, from our study with other seeds.
+struct Agreement {
   std::string solver;
   inference::Metric metric;
-  statistics::Description ours;
-  double paper_mean = statistics::not_defined;
-  double ratio =
-      statistics::not_defined;  // ours by the printed mean; for seconds, both first divided by those of IK-BA
-  report::Graded remark = {};   // "in our range"; empty where there is nothing to hold it against
+  std::string_view statistic;  // "mean", as a column of the printed table
+  std::string printed;         // its digits
+  double ours = statistics::not_defined;
+  double ratio = statistics::not_defined;  // ours by the printed; not defined if that is 0
+  statistics::Estimate expected = {};
+  bool is_expected = false;  // a number that rounds to the printed digits is in the range
 };
 
-constexpr std::string_view time_reference = "IK-BA";
+// "1.8 times, outside our range 0.621 to 0.825"; empty in our range.
+std::string words_of(const Agreement& agreement);
 
-// `repetitions` are the run means of the same study by seed; without them, there are only ratios.
-std::vector<Comparison> compare(const inference::StudyResults& study,
-                                std::span<const report::RepeatedSolver> repetitions = {});
+// The agreement of each printed number of the repeated solvers. `repetitions` are the run means of the study by seed;
+// empty if there are none.
+std::vector<Agreement> agreements(const inference::StudyResults& study,
+                                  std::span<const report::RepeatedSolver> repetitions);
+
+// The number of agreements in our range, and the ratios of the other means; empty if there are none.
+std::string agreement_sentence(const std::vector<Agreement>& agreements);
 
 report::Table table_3(const inference::StudyResults& study, std::span<const report::RepeatedSolver> repetitions = {});
-report::Table table_3_as_printed(std::string_view paper);
-report::Table printed_anova_table(const inference::StudyResults& study,
-                                  inference::Metric metric);  // table-4, table-5, table-6
-report::Table anova_from_printed_table_3(std::string_view paper);
+std::optional<report::Table> table_7(const inference::StudyResults& study);
+std::optional<report::Table> table_8(const inference::StudyResults& study);
 
-// Every table above that the study has, in the paper's order.
+// All of them that the study has, in the paper's order.
 std::vector<report::Table> paper_tables(const inference::StudyResults& study,
                                         std::span<const report::RepeatedSolver> repetitions = {});
 

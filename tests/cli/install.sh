@@ -26,7 +26,7 @@ if unshare --map-root-user --mount true 2>/dev/null; then
 fi
 installed() { "${away[@]}" "$work/prefix/bin/ikbench" "$@" >.out 2>.err || fail "ikbench $*: $(<.err)"; }
 installed run slim2023 "${small[@]}" --out made
-for file in store.sqlite report.md report.html tables/table-3.csv tables/table-3-as-printed.md figures/style.gp; do
+for file in store.sqlite report.md report.html tables/table-3.csv tables/table-3.md figures/style.gp; do
   [ -s "made/$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then

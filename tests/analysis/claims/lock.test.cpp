@@ -1,9 +1,8 @@
 // The lock of a paper: the set-ups that its text allows, and how many printed numbers each agrees with.
-#include "analysis/claims/lock.hpp"
+#include "analysis/claims/row_agreement.hpp"
 
 #include <stdexcept>
 
-#include "analysis/claims/search_statistics.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -1,5 +1,3 @@
-#include "analysis/claims/one_at_a_time.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>

@@ -1,7 +1,6 @@
 // The rules on solve rates, with the claims of beeson2015 and studies with given numbers of solves that are ok.
 #include <algorithm>
 
-#include "analysis/claims/rules_of_solves.hpp"
 #include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "results/published.hpp"

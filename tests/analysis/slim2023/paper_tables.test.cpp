@@ -7,7 +7,7 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/report/latex_table.hpp"
-#include "analysis/slim2023/published_numbers.hpp"
+#include "analysis/report/study_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 
@@ -26,41 +26,11 @@ StudyResults paper_study(std::vector<SolveRecord> solves) {
   return study;
 }
 
-const Comparison& row_of(const std::vector<Comparison>& rows, const std::string& solver, Metric metric) {
-  const auto found =
-      std::ranges::find_if(rows, [&](const Comparison& row) { return row.solver == solver && row.metric == metric; });
-  REQUIRE(found != rows.end());
-  return *found;
-}
-
 bool contains(const std::vector<std::string>& notes, const std::string& words) {
   return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
 }
 
 }  // namespace
-
-TEST_CASE("the printed Tables 4-6 follow from the printed Table 3", "[paper]") {
-  const Metric metric = GENERATE(Metric::position_error_cm, Metric::variation_deg, Metric::seconds);
-  std::vector<GroupSummary> groups;
-  for (const PrintedRow& row : claims::printed_rows("slim2023", "table-3", metric)) groups.push_back(row.summary());
-  const AnovaTable ours = anova_from_summaries(groups);
-  const auto printed = claims::printed_anova("slim2023", "table-" + std::to_string(paper_numbers(metric).anova_table));
-  REQUIRE(printed);
-  CHECK(ours.df_between == printed->df_between);
-  CHECK(ours.df_within == printed->df_within);
-  CHECK(ours.F == Approx(printed->F).epsilon(3e-4));  // Table 3 has four digits
-  CHECK(ours.ss_total == Approx(printed->ss_total).epsilon(1e-4));
-  CHECK(f_upper_tail(printed->F, printed->df_between, printed->df_within) == Approx(printed->p).epsilon(1e-4));
-}
-
-TEST_CASE("F of the printed Table 3 to six digits", "[paper]") {
-  // R 4.2.2 from the same means and standard deviations, n = 20.
-  const auto [metric, F] = GENERATE(table<Metric, double>(
-      {{Metric::position_error_cm, 40.7736}, {Metric::variation_deg, 388.940}, {Metric::seconds, 293.939}}));
-  std::vector<GroupSummary> groups;
-  for (const PrintedRow& row : claims::printed_rows("slim2023", "table-3", metric)) groups.push_back(row.summary());
-  CHECK(anova_from_summaries(groups).F == Approx(F).epsilon(2e-6));
-}
 
 TEST_CASE("one observation is one run's mean over its points", "[study]") {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2, .points = 2});
@@ -145,25 +115,15 @@ TEST_CASE("a study larger than any is refused in a sentence", "[study]") {
   CHECK_THROWS_WITH(make_study("s", solves), "study 's' has more than 1000 solvers; expected no more");
 }
 
-TEST_CASE("without repetitions a mean is near or far, by the ratio that colours the page", "[paper]") {
-  std::vector<SolveRecord> solves = synthetic::solves({});
-  for (SolveRecord& solve : solves) {
-    const double wobble = solve.run % 2 == 0 ? 1.1 : 0.9;
-    if (solve.solver == "DE") solve.position_error_cm = 0.3653 * 1.4 * wobble;
-    if (solve.solver == "BA") solve.position_error_cm = 1.6849 * 1.6 * wobble;
-  }
-  const auto rows = compare(paper_study(solves));
-  CHECK(row_of(rows, "DE", Metric::position_error_cm).remark.nearness == Nearness::near);
-  CHECK(row_of(rows, "BA", Metric::position_error_cm).remark.nearness == Nearness::far);
-  CHECK(row_of(rows, "BA", Metric::position_error_cm).ratio == Approx(1.6));
-}
-
 TEST_CASE("the printed ANOVA stands beside ours only where both ask the same", "[paper]") {
   StudyResults six = paper_study(synthetic::solves({}));
-  CHECK(comparable_printed_anova(six, Metric::variation_deg)->F == Approx(388.9396));  // as printed
+  const auto printed = [](const StudyResults& study) {
+    return claims::comparable_anova(study, printed_table_3(study, Metric::variation_deg), "table-5");
+  };
+  CHECK(printed(six)->F == Approx(388.9396));  // as printed
   six.plan.unit = Unit::point;
-  CHECK(!comparable_printed_anova(six, Metric::variation_deg));
-  CHECK(!comparable_printed_anova(paper_study(synthetic::solves({.solvers = {"IK-BA", "BA"}})), Metric::variation_deg));
+  CHECK(!printed(six));
+  CHECK(!printed(paper_study(synthetic::solves({.solvers = {"IK-BA", "BA"}}))));
 }
 
 TEST_CASE("times taken while other programs were at work are said to be so", "[study]") {
@@ -198,35 +158,12 @@ TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[s
   CHECK(note_of("another") == "Times are not comparable: they come from different machines (another, one).");
 }
 
-TEST_CASE("computing time is compared relative to IK-BA only", "[paper]") {
-  std::vector<SolveRecord> solves = synthetic::solves({});
-  for (SolveRecord& solve : solves) solve.seconds = solve.solver == "MO-PSO" ? 0.010 : 0.001;
-  const StudyResults study = paper_study(solves);
-  // Ours 10; printed 1.2853 / 0.2439 = 5.26978.
-  CHECK(row_of(compare(study), "MO-PSO", Metric::seconds).ratio == Approx(10 / 5.26978).epsilon(1e-5));
-  const Table table = table_3(study);
-  CHECK(readable(table.rows.back().back()) == "relative only: far");
-  CHECK(readable(table.rows[12].back()) == "relative only: the reference");
-}
-
-TEST_CASE("without IK-BA there is no relative time, and the verdict says so", "[paper]") {
-  const Table table = table_3(paper_study(synthetic::solves({.solvers = {"BA", "DE"}})));
-  CHECK(readable(table.rows.back().back()) == "no time of IK-BA to compare with");
-}
-
-TEST_CASE("without published numbers their columns are empty", "[paper]") {
+TEST_CASE("without published numbers ours stand alone", "[paper]") {
   const StudyResults study = make_study("own", synthetic::solves({.solvers = {"IK-BA", "BA"}}));
-  for (const auto& row : table_3(study).rows) {
-    for (std::size_t column = 7; column < 10; ++column) CHECK(std::holds_alternative<std::monostate>(row[column]));
-  }
-  const auto tables = paper_tables(study);
-  CHECK(std::ranges::none_of(tables, [](const Table& t) { return t.name == "anova-from-printed-table-3"; }));
-}
-
-TEST_CASE("a solver that is not in the paper has empty published cells", "[paper]") {
+  for (const auto& row : table_3(study).rows) CHECK(std::holds_alternative<double>(row[2]));
   const Table table = table_3(paper_study(synthetic::solves({.solvers = {"IK-BA", "my own"}})));
-  CHECK(std::holds_alternative<std::monostate>(table.rows[1][7]));
-  CHECK(std::holds_alternative<double>(table.rows[0][7]));
+  CHECK(std::holds_alternative<OursAndPrinted>(table.rows[0][2]));
+  CHECK(std::holds_alternative<double>(table.rows[1][2]));  // a solver that is not in the paper
 }
 
 TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
@@ -236,12 +173,9 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   bad.position_error_cm = not_defined;
   bad.status = Status::not_finite;
   const StudyResults study = paper_study(solves);
-  const Comparison row = row_of(compare(study), "BA", Metric::position_error_cm);
-  CHECK(row.ours.not_finite == 1);
-  CHECK(std::isnan(row.ours.mean));
-  CHECK(std::isfinite(row.ours.median));
   const Table table_3_here = table_3(study);
-  CHECK(to_markdown(table_3_here).find("| BA | position_error_cm | not defined |") != std::string::npos);
+  CHECK(to_markdown(table_3_here).find("| BA | position_error_cm | not defined (printed 1.6849) |") !=
+        std::string::npos);
   CHECK(contains(table_3_here.notes, "not_finite 1"));
   const StudyAnova without_ba = anova(study, Metric::position_error_cm);
   CHECK(without_ba.table.df_between == 4);

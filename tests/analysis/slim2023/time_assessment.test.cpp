@@ -1,5 +1,4 @@
-#include "analysis/slim2023/time_assessment.hpp"
-
+// Table 7: times to the tolerance at random targets.
 #include <cmath>
 
 #include "analysis/inference/make_study.hpp"
@@ -72,43 +71,19 @@ TEST_CASE("Table 7 has the times in milliseconds beside the printed ones", "[tim
 }
 
 TEST_CASE("solves that never reach the tolerance are counted, and their times stay in", "[time]") {
-  CHECK(has_note(*table_7(timed_study(by_hand)), "Here 1 never reach the tolerance: 12 bats 0 of 4, 15 bats 1 of 4."));
-  CHECK(has_note(*table_7(timed_study({{"12 bats", 1}})), "Here every solve reaches the tolerance."));
   const Table not_finite = *table_7(timed_study({{"12 bats", 1, NAN}}));
   CHECK(number_at(not_finite, 0, "never_reached") == 1);
   CHECK(number_at(not_finite, 0, "mean_ms") == 1);
   // As the verifier: what rounding makes of the tolerance is within it.
   CHECK(number_at(*table_7(timed_study({{"12 bats", 1, 0.1 + 1e-8}})), 0, "never_reached") == 0);
-}
-
-TEST_CASE("the real-time verdict names who is not in time, and the worst", "[time]") {
-  CHECK(real_time_verdict(timed_study(by_hand)) ==
-        "Real time here, 0.1 cm reached in less than 50 ms: 7 of 8 solves (12 bats 4 of 4, 15 bats 3 of 4); the "
-        "longest solve took 87 ms (15 bats). Printed times, in MATLAB on another machine: 12 bats: mean 48.01 ms, "
-        "maximum 67.2 ms; on average yes, in the worst case no.");
-  CHECK(real_time_verdict(timed_study({{"12 bats", 2}, {"30 bats", 3.25}}))
-            .find("all 2 solves; the longest solve took 3.25 ms (30 bats).") != std::string::npos);
   // Quick, but the tolerance is never reached: not in time.
-  const StudyResults quick = timed_study({{"12 bats", 2}, {"12 bats", 3, 7.5}});
-  CHECK(real_time_verdict(quick).find("1 of 2 solves (12 bats 1 of 2)") != std::string::npos);
-  CHECK(number_at(*table_7(quick), 0, "share_in_time") == Approx(0.5));
-  CHECK(has_note(*table_7(timed_study(by_hand)), "Real time here"));
+  CHECK(number_at(*table_7(timed_study({{"12 bats", 2}, {"12 bats", 3, 7.5}})), 0, "share_in_time") == Approx(0.5));
 }
 
-TEST_CASE("Table 7 tells of the printed mean beyond its maximum and of the printed time per bat", "[time]") {
-  const Table table = *table_7(timed_study(by_hand));
-  CHECK(has_note(table, "20 bats (83.75 by 80.06)"));
-  CHECK(has_note(table, "printed: 12 bats 4, 15 bats 4.07, 20 bats 4.19, 30 bats 6.03."));  // 48.01 / 12 and so on
-  CHECK(has_note(table, "its longest solves take at most 2.5 times the mean"));             // 448.44 / 180.94
-}
-
-TEST_CASE("times that are not clean are told beside Table 7, and judge nothing", "[time]") {
+TEST_CASE("times that are not clean are told beside Table 7", "[time]") {
   StudyResults study = timed_study(by_hand);
   for (Solve& solve : study.solves.to_change()) solve.timing = Timing::debug_build;
-  const Table table = *table_7(study);
-  CHECK(has_note(table, "Times are not comparable"));
-  CHECK(has_note(table, "Real time: not judged, because times are not comparable."));
-  CHECK(!has_note(table, "Real time here"));
+  CHECK(has_note(*table_7(study), "Times are not comparable"));
 }
 
 TEST_CASE("Table 7 stands without the printed reference, a tolerance, or anything solved", "[time]") {
@@ -118,7 +93,6 @@ TEST_CASE("Table 7 stands without the printed reference, a tolerance, or anythin
   const char* const no_tolerance = R"({"published": "slim2023", "path": {"kind": "random"}})";
   CHECK(is_empty(*table_7(timed_study({{"12 bats", 1}}, no_tolerance)), 0, "never_reached"));
   CHECK(table_7(timed_study({}))->rows.empty());
-  CHECK(real_time_verdict(timed_study({})) == "Real time: there are no solves yet.");
 }
 
 TEST_CASE("only random targets that claim to be the paper's have a Table 7", "[time]") {
@@ -126,12 +100,11 @@ TEST_CASE("only random targets that claim to be the paper's have a Table 7", "[t
   CHECK(!table_7(timed_study(by_hand, R"({"path": {"kind": "random"}})")));
   CHECK(!table_7(timed_study(by_hand, R"({"published": "nothing", "path": {"kind": "random"}})")));
   CHECK(!table_7(timed_study(by_hand, "no JSON")));
-  CHECK(real_time_verdict(timed_study(by_hand, "{}")).empty());
 }
 
 TEST_CASE("a study of random targets is not held against Table 3", "[time]") {
-  StudyResults study = timed_study({{"IK-BA", 1}});
-  for (const Comparison& row : compare(study)) CHECK(!std::isfinite(row.paper_mean));
+  const StudyResults study = timed_study({{"IK-BA", 1}});
+  CHECK(std::holds_alternative<double>(table_3(study).rows[0][2]));
   std::vector<std::string> names;
   for (const Table& table : paper_tables(study)) names.push_back(table.name);
   CHECK(names == std::vector<std::string>{"table-3", "table-4", "table-5", "table-6", "table-7"});

@@ -9,8 +9,6 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/slim2023/paper_tables.hpp"
-#include "analysis/slim2023/time_assessment.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 
@@ -18,7 +16,6 @@ using namespace ikbench;
 using namespace ikbench::results;
 using namespace ikbench::inference;
 using namespace ikbench::report;
-using namespace ikbench::slim2023;
 
 namespace {
 
@@ -39,9 +36,6 @@ std::vector<std::string> verdicts(StudyResults of) {
   }
   for (const Claim& claim : analysis::paper("slim2023").claims({study, {}})) {
     all.push_back(fmt::format("{} {}", claim.statement, static_cast<int>(claim.verdict)));
-  }
-  for (const Comparison& row : compare(study)) {
-    if (row.metric == Metric::seconds) all.push_back(row.remark.words);
   }
   return all;
 }
@@ -78,7 +72,6 @@ StudyResults times_to_tolerance(std::vector<SolveRecord> solves) {
 
 std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
   std::vector<std::string> all = verdicts(study);
-  all.push_back(real_time_verdict(study));
   const StudyResults undisturbed = at_median_speed(study);
   for (const Finding& pair : compare_costs(undisturbed, Metric::seconds, Clusters(undisturbed))) {
     all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.relation), pair.second));
