@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -159,15 +158,6 @@ void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver)
   SolverFacts& own = data_.of_solver[solver];
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
   data_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
-  own.joints.resize(std::max(own.joints.size(), record.answer_rad.size()));
-  for (std::size_t joint = 0; joint < record.answer_rad.size(); ++joint) {
-    StraightJoint& straight = own.joints[joint];
-    const double off = std::remainder(record.answer_rad[joint], std::numbers::pi);
-    const double distance = std::abs(off / numerics::degree);
-    straight.nearest_deg = std::min(straight.nearest_deg, distance);
-    ++straight.answers;
-    straight.near += distance < StraightJoint::near_deg ? 1 : 0;
-  }
 }
 
 void StudyMaker::keep_drawn(const SolveRecord& record, bool is_first_of_solver) {

@@ -46,18 +46,10 @@ class Problems {
   std::unordered_map<std::uint64_t, std::uint32_t> index_;  // by a hash of 64 bits
 };
 
-// Counts answers in which a joint is nearly straight: within near_deg of a multiple of 180 degrees.
-struct StraightJoint {
-  static constexpr double near_deg = 5;
-  int answers = 0, near = 0;
-  double nearest_deg = std::numeric_limits<double>::infinity();
-};
-
 struct SolverFacts {
   double worst_outside_deg = 0;               // excess beyond the limit, worst joint
   std::vector<double> transport_shares = {};  // message share of each time of a program
-  std::vector<StraightJoint> joints = {};
-  int largest_batch = 1;  // problems that a program solved at once
+  int largest_batch = 1;                      // problems that a program solved at once
 };
 
 // Smoothness of the joint angles of a run.
