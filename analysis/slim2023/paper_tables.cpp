@@ -122,21 +122,21 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
   table.number = 3;
   table.caption = "position error, angles variation and computing time";
   const std::vector<Agreement> agreed = agreements(study, repetitions);
-  std::size_t row = 0;
-  for (const Metric metric : metrics) {
-    for (const std::string& solver : study.solvers) {
-      std::vector<Cell>& cells = table.rows[row++];
-      const std::optional<PrintedRow> printed = printed_row(study, solver, metric);
-      for (std::size_t s = 0; printed && s < printed_statistics.size(); ++s) {
-        Cell& cell = cells[2 + s];
-        cell = OursAndPrinted{.ours = std::get<double>(cell), .printed = printed->digits[s]};
-        const auto found = std::ranges::find_if(agreed, [&](const Agreement& each) {
-          return each.solver == solver && each.metric == metric && each.statistic == printed_statistics[s].first;
-        });
-        if (found == agreed.end()) continue;
-        std::get<OursAndPrinted>(cell).nearness = nearness_of(*found);
-        std::get<OursAndPrinted>(cell).words = words_of(*found);
+  for (std::vector<Cell>& cells : table.rows) {
+    const std::string solver = std::get<std::string>(cells[0]);
+    const Metric metric = *std::ranges::find(metrics, std::get<std::string>(cells[1]),
+                                             [](Metric each) { return std::string(name_of(each)); });
+    const std::optional<PrintedRow> printed = printed_row(study, solver, metric);
+    for (std::size_t s = 0; printed && s < printed_statistics.size(); ++s) {
+      OursAndPrinted cell{.ours = std::get<double>(cells[2 + s]), .printed = printed->digits[s]};
+      const auto found = std::ranges::find_if(agreed, [&](const Agreement& each) {
+        return each.solver == solver && each.metric == metric && each.statistic == printed_statistics[s].first;
+      });
+      if (found != agreed.end()) {
+        cell.nearness = nearness_of(*found);
+        cell.words = words_of(*found);
       }
+      cells[2 + s] = cell;
     }
   }
   if (printed_table_3(study, Metric::seconds).empty()) return table;
