@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -85,24 +86,6 @@ Evidence begin(const Given& given, const AnalysisPlan& plan) {
   return evidence;
 }
 
-// Skips the bootstrap for many values: their mean is normal anyway.
-bool bootstraps_means(const Evidence& evidence) {
-  constexpr int most_values = 2000;  // over all groups: takes about a second
-  int all = 0;
-  for (const GroupEvidence& group : evidence.groups) all += group.described.n;
-  return all <= most_values && !evidence.of_outcomes;
-}
-
-// Adds bootstrap intervals, which follow the skewness of the values.
-void bootstrap_means(Evidence& evidence, const Samples& values) {
-  constexpr std::size_t fewest_values = 5;  // fewer values have too few different resamples
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].size() < fewest_values) continue;
-    evidence.groups[i].bootstrapped = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
-    evidence.groups[i].bootstrapped.value = evidence.groups[i].described.mean;
-  }
-}
-
 // Adds mean ranks; 1 is the best.
 void add_mean_ranks(Evidence& evidence, const Samples& ranked) {
   const KruskalWallis test = kruskal_wallis(ranked);
@@ -154,12 +137,16 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
   return result;
 }
 
+Samples values_of(const Observations& observations) {
+  Samples values;
+  for (const Group& group : observations.groups) values.push_back(group.values);
+  return values;
+}
+
 // Makes values equal that only rounding keeps apart, across groups too. The rounding of a logarithm is that of its
 // number, also near 1.
 Observations exact(Observations observations) {
-  Samples values;
-  for (const Group& group : observations.groups) values.push_back(group.values);
-  std::vector<double> all = pooled(values);
+  std::vector<double> all = pooled(values_of(observations));
   if (observations.scale == ValueScale::log10) {
     std::vector<double> sizes;
     for (const double value : all) sizes.push_back(std::abs(value) + 1);
@@ -174,23 +161,12 @@ Observations exact(Observations observations) {
   return observations;
 }
 
-// Negates values if larger is better, so that smaller is better.
-std::vector<std::vector<double>> smaller_is_better(const Evidence& evidence, const Samples& values) {
-  std::vector<std::vector<double>> result(values.begin(), values.end());
-  if (evidence.better == Better::smaller) return result;
-  for (std::vector<double>& group : result) {
-    for (double& value : group) value = -value;
-  }
-  return result;
-}
-
 // Prepares values for ranking: NaN becomes worse than every number. Without blocks, sorts them once for all rank
 // methods.
 Samples rankable(const Observations& observations) {
   const double worst = observations.better == Better::smaller ? worse_than_every_number : -worse_than_every_number;
-  Samples values;
-  for (const Group& group : observations.groups) {
-    std::vector<double>& ranked = values.emplace_back(group.values);
+  Samples values = values_of(observations);
+  for (std::vector<double>& ranked : values) {
     for (double& value : ranked) value = std::isnan(value) ? worst : value;
     if (observations.blocks.empty()) std::ranges::sort(ranked);
   }
@@ -244,12 +220,6 @@ AnalysisPlan feasible(AnalysisPlan plan, const Summaries&) {
 
 namespace {
 
-Samples values_of(const Observations& observations) {
-  Samples values;
-  for (const Group& group : observations.groups) values.push_back(group.values);
-  return values;
-}
-
 // Describes the groups of exact() observations.
 Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
   Evidence result = begin(observations, plan);
@@ -295,7 +265,11 @@ void make_tests(Evidence& result, const Observations& observations) {
   }
   if (result.of_outcomes) describe_shares(result, values);
   if (result.groups.size() < 2) return;
-  const Samples comparable = rankable(observations), ranked = smaller_is_better(result, comparable);
+  const Samples comparable = rankable(observations);
+  Samples ranked = comparable;
+  if (result.better == Better::larger) {
+    for (std::vector<double>& group : ranked) std::ranges::transform(group, group.begin(), std::negate());
+  }
   const Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
   if (!result.of_outcomes) add_mean_ranks(result, ranked);
   if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, ranked);
@@ -368,11 +342,18 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
   return result;
 }
 
+// Adds bootstrap intervals, which follow the skewness of the values. Of many values the mean is normal anyway.
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
-  if (!bootstraps_means(evidence)) return evidence;
-  bootstrap_means(evidence, values_of(exact(observations)));
-  if (evidence.scale == ValueScale::log10) {
-    for (GroupEvidence& group : evidence.groups) group.bootstrapped = power_of_ten(group.bootstrapped);
+  constexpr std::size_t most_values = 2000;  // over all groups: takes about a second
+  constexpr std::size_t fewest_values = 5;   // of a group; fewer have too few different resamples
+  const Samples values = values_of(exact(observations));
+  if (evidence.of_outcomes || pooled(values).size() > most_values) return evidence;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].size() < fewest_values) continue;
+    GroupEvidence& group = evidence.groups[i];
+    group.bootstrapped = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
+    if (evidence.scale == ValueScale::log10) group.bootstrapped = power_of_ten(group.bootstrapped);
+    group.bootstrapped.value = group.described.mean;
   }
   return evidence;
 }
