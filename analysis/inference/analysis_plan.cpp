@@ -50,7 +50,7 @@ class JsonReader {
       for (const auto& [name, choice] : choices) {
         if (std::ranges::count(value, Json(name)) == 1) field.push_back(choice);
       }
-      return !field.empty() && field.size() == value.size();
+      return value.is_array() && !field.empty() && field.size() == value.size();
     });
   }
   void whole(const char* key, int& field, std::pair<int, int> range, std::string_view meaning) {
