@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/inference/judge.hpp"
 #include "analysis/inference/evidence.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_sentences.hpp"
 #include "tests/catch.hpp"
