@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "cli/commands.hpp"
@@ -118,37 +119,15 @@ std::string tool_text(const Robot& arm, const Configuration& q) {
   return text;
 }
 
-// The corners from the base to the tool: the origins of a description's joints, or the ends of the table's steps along
-// z and x.
-std::vector<Eigen::Vector3d> corners(const Robot& arm, const Configuration& q) {
-  std::vector<Eigen::Vector3d> points{Eigen::Vector3d::Zero()};
-  Description so_far;
-  for (const DescribedJoint& joint : arm.description) {
-    so_far.push_back(joint);
-    points.emplace_back(pose_of(so_far, q).translation());
-  }
-  if (!arm.description.empty()) return points;
-  std::vector<DhLink> links;
-  for (const DhLink& link : arm.chain.links()) {
-    links.push_back(link);
-    for (const double along_x : {0.0, link.a}) {
-      links.back().a = along_x;
-      points.emplace_back(Chain(links, arm.chain.base(), {}).position(q.head(static_cast<Eigen::Index>(links.size()))));
-    }
-  }
-  points.emplace_back(arm.chain.position(q));
-  return points;
-}
-
 Figure picture(const Robot& arm, const Configuration& q) {
   Figure figure{.name = "robot",
                 .caption = fmt::format("{}: {}.", arm.name, tool_text(arm, q)),
                 .height_cm = 8.0,
                 .data = "# the arm from the base to the tool: x, y, z [cm]\n"};
   std::array<std::vector<double>, 3> coordinates;
-  for (const Eigen::Vector3d& point : corners(arm, q)) {
+  for (const Point& point : arm_points(arm, q)) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      coordinates[axis].push_back(point[static_cast<Eigen::Index>(axis)] / centimetre);
+      coordinates[axis].push_back(point[axis] / centimetre);
       figure.data += data_number(coordinates[axis].back()) + (axis < 2 ? ' ' : '\n');
     }
   }

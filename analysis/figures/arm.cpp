@@ -4,35 +4,40 @@
 #include <cmath>
 #include <optional>
 
-#include "robots/robot.hpp"
-
 namespace ikbench::figures {
 
 using namespace inference;
 using namespace robots;
 
+std::vector<Point> arm_points(const Robot& arm, const Eigen::VectorXd& q) {
+  std::vector<Point> points{{0, 0, 0}};
+  const auto add = [&](const Eigen::Vector3d& at) { points.push_back({at.x(), at.y(), at.z()}); };
+  Description joints;  // up to the corner
+  for (const DescribedJoint& joint : arm.description) {
+    joints.push_back(joint);
+    add(pose_of(joints, q).translation());
+  }
+  if (joints.empty()) {
+    add(arm.chain.base().position);
+    std::vector<DhLink> links;
+    for (const DhLink& link : arm.chain.links()) {
+      links.push_back(link);
+      for (const double along_x : {0.0, link.a}) {
+        links.back().a = along_x;
+        add(Chain(links, arm.chain.base(), {}).position(q.head(static_cast<Eigen::Index>(links.size()))));
+      }
+    }
+    add(arm.chain.position(q));
+  }
+  points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
+  return points;
+}
+
 std::vector<Point> arm_points(const StudyFacts& facts, const std::vector<double>& angles_rad) {
   const std::optional<Robot> arm = stored_arm(facts.json);
   const Eigen::Map<const Eigen::VectorXd> q(angles_rad.data(), static_cast<Eigen::Index>(angles_rad.size()));
   if (!arm || q.size() != arm->joints() || !q.allFinite()) return {};
-  std::vector<Point> points{{0, 0, 0}};
-  std::vector<DhLink> links;  // up to the corner
-  const auto add_corner = [&](const Frame& tool) {
-    const Chain chain(links, arm->chain.base(), tool);
-    const Eigen::Vector3d at = chain.position(q.head(chain.joints()));
-    points.push_back({at.x(), at.y(), at.z()});
-  };
-  add_corner({});
-  for (const DhLink& link : arm->chain.links()) {
-    links.push_back(link);
-    links.back().a = 0;  // the corner between the lengths along z and x
-    add_corner({});
-    links.back().a = link.a;
-    add_corner({});
-  }
-  add_corner(arm->chain.tool());
-  points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
-  return points;
+  return arm_points(*arm, q);
 }
 
 }  // namespace ikbench::figures

@@ -1,17 +1,20 @@
-// The places of the joints of a study's arm, for drawing it.
+// The places of the joints of an arm, for drawing it.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "analysis/inference/study_facts.hpp"
+#include "robots/robot.hpp"
 
 namespace ikbench::figures {
 
 using Point = std::array<double, 3>;  // x, y, z [m]
 
-// The corners of the arm from the base to the tool. None where the definition has no arm, or the angles are not those
-// of its joints.
+// The corners from the base to the tool: the origins of a description's joints, or the ends of the table's steps along
+// z and x.
+std::vector<Point> arm_points(const robots::Robot& arm, const Eigen::VectorXd& q);
+// Those of the study's arm. None where the definition has no arm, or the angles are not those of its joints.
 std::vector<Point> arm_points(const inference::StudyFacts& facts, const std::vector<double>& angles_rad);
 
 }  // namespace ikbench::figures

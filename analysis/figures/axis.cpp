@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "analysis/inference/text.hpp"
@@ -20,14 +21,10 @@ namespace {
 constexpr double spread_for_logarithmic = 30;
 constexpr double smallest_range = 1e-303;  // of a linear axis: denormal numbers have no round steps
 
-struct DrawnUnit {
-  std::string unit;
-  double factor = 1;  // drawn by given value
-};
-
-DrawnUnit drawn_unit(const std::string& unit, double largest) {
-  if (unit != "s" || !(largest > 0) || largest >= 0.1) return {.unit = unit};
-  return largest < 1e-4 ? DrawnUnit{.unit = "µs", .factor = 1e6} : DrawnUnit{.unit = "ms", .factor = 1e3};
+// The unit that is drawn, and the drawn by the given value.
+std::pair<std::string, double> drawn_unit(const std::string& unit, double largest) {
+  if (unit != "s" || !(largest > 0) || largest >= 0.1) return {unit, 1};
+  return largest < 1e-4 ? std::pair("µs", 1e6) : std::pair("ms", 1e3);
 }
 
 // Whole decades around two drawn values. Values that are too small are drawn at the lower edge, which says so; the
@@ -81,14 +78,11 @@ constexpr std::size_t most_beside_x = 44, most_beside_y = 32;
 
 // A title of at most two lines, as a gnuplot expression. A line of `most` characters fits beside the axis.
 std::string axis_title(std::string_view quantity, std::size_t most) {
-  constexpr std::size_t overhang = 6, off_middle = 4;  // a second line may be longer, a first one past the middle
   const std::string text = shortened(quantity, 2 * most);
-  if (character_count(text) <= most) return gnuplot_string(text);
   const std::size_t bracket = text.rfind('(', most);  // the best place if the rest fits
-  const bool fits = bracket != std::string::npos && bracket > 0 &&
-                    character_count(std::string_view(text).substr(bracket)) <= most + overhang;
-  const std::size_t blank = text.rfind(' ', fits ? bracket : text.size() / 2 + off_middle);
-  if (blank == std::string::npos) return gnuplot_string(text);
+  const bool fits = bracket != std::string::npos && text.size() - bracket <= most + 6;
+  const std::size_t blank = text.rfind(' ', fits ? bracket : text.size() / 2 + 4);
+  if (character_count(text) <= most || blank == std::string::npos) return gnuplot_string(text);
   return fmt::format("{}.\"\\n\".{}", gnuplot_string(text.substr(0, blank)), gnuplot_string(text.substr(blank + 1)));
 }
 

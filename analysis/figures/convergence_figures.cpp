@@ -7,9 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/figures/axis.hpp"
 #include "analysis/figures/figure_parts.hpp"
-#include "analysis/figures/share_curves.hpp"
 #include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
@@ -52,45 +50,26 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
   const std::vector<Solves> traces = traced_by_solver(study);
   const std::vector<double> positions = evaluations_axis(study, traces);
   if (positions.empty()) return std::nullopt;
-  Figure figure{.name = "statistics-convergence"};
   const std::string error = study.facts.pose ? "error of the pose" : "position error";
-  figure.data = fmt::format("# evaluations; 25, 50 and 75 % quantiles over the solves of the best {} [cm]\n", error);
   const bool has_bands = study.solvers.size() <= most_bands;
-  std::vector<std::string> fills, lines, labels = study.solvers;
+  std::vector<Curve> curves;
   std::vector<double> all;
-  int block = 0;
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    const std::vector<Estimate> bands = error_bands(study, traces[i], positions);
-    if (std::ranges::all_of(bands, [](const Estimate& band) { return band.value == censored; })) {
-      labels[i] = add_missing_curve(lines, place_of(study, study.solvers[i]), study.solvers[i]);
-      continue;
-    }
+  for (const Solves& solves : traces) {
+    const std::vector<Estimate> errors = error_bands(study, solves, positions);
     double last = 0;
-    for (const Solve* solve : traces[i]) last = std::max(last, total_cost(study, *solve, Metric::evaluations));
-    figure.data += fmt::format("{}# {}\n", block == 0 ? "" : "\n\n", one_line(study.solvers[i]));
-    std::size_t rows = 0, rows_before_band = 0;
+    for (const Solve* solve : solves) last = std::max(last, total_cost(study, *solve, Metric::evaluations));
+    Curve& curve = curves.emplace_back();
     for (std::size_t k = 0; k < positions.size() && (k == 0 || positions[k - 1] < last); ++k) {
-      const auto& [median, low, high] = bands[k];
-      if (median == censored) continue;
-      figure.data +=
-          fmt::format("{} {} {} {}\n", text_of(positions[k]), data_number(low), data_number(median), data_number(high));
-      ++rows;
-      if (high == censored) rows_before_band = rows;
-      all.push_back(median);
-      if (has_bands) all.insert(all.end(), {low, high});
+      if (errors[k].value == censored) continue;
+      curve.add(positions[k], errors[k]);
+      if (errors[k].high == censored) curve.band = curve.count;
+      all.push_back(errors[k].value);
+      if (has_bands) all.insert(all.end(), {errors[k].low, errors[k].high});
     }
-    if (rows_before_band < rows) {
-      fills.push_back(
-          fmt::format("'{}.dat' index {} every ::{} using 1:(shown($2)):(shown($4)) with filledcurves ls {} fillstyle "
-                      "transparent solid 0.15 noborder notitle",
-                      figure.name, block, rows_before_band, place_of(study, study.solvers[i]) + 1));
-    }
-    add_curve(lines, {.source = fmt::format("'{}.dat' index {} using 1:(shown($3))", figure.name, block),
-                      .rows = rows,
-                      .solver = place_of(study, study.solvers[i]),
-                      .label = study.solvers[i]});
-    ++block;
+    if (curve.band > curve.count) curve.band = 0;
   }
+  const Axis axis = value_axis(all, {error, "cm"}, Scale::logarithmic);
+  Figure figure{.name = "statistics-convergence"};
   figure.caption = fmt::format(
       "Best {} [cm] against evaluations, over all solves: median{}.{} Iteration i of n counts as i/n of a "
       "solve's evaluations. A solve that has stopped keeps its last error, and a curve ends with the longest solve. An "
@@ -100,15 +79,47 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
       study.facts.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
                        : "",
       dependence(study), without_trace(study));
-  const Axis axis = value_axis(all, {error, "cm"}, Scale::logarithmic);
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
   figure.settings = axis.settings + ratio_axis(positions.front(), positions.back(), "evaluations").settings;
-  add_legend(figure, labels);
-  std::vector<std::string> clauses{"NaN notitle"};
-  if (has_bands) clauses.insert(clauses.end(), fills.begin(), fills.end());
-  clauses.insert(clauses.end(), lines.begin(), lines.end());
-  figure.plot = plot_command(clauses);
+  figure.data = fmt::format("# evaluations; 50, 25 and 75 % quantiles over the solves of the best {} [cm]\n", error);
+  add_legend(figure, add_curves(figure, study, curves));
   return figure;
+}
+
+// A curve as the corners of its stairs.
+Curve stairs(const std::vector<Share>& shares, const Axis& axis) {
+  Curve curve;
+  if (shares.empty()) return curve;
+  if (std::ranges::any_of(shares, [](const Share& share) { return std::isfinite(share.low); })) curve.band = 0;
+  Estimate before{0, 0, 0};
+  curve.add(std::min(axis.low, shares.front().at), before);
+  for (const Share& share : shares) {
+    curve.add(share.at, before);
+    const bool is_step = share.share != before.value;
+    before = {share.share, share.low, share.high};
+    if (is_step) curve.add(share.at, before);
+  }
+  curve.add(axis.high, before);
+  return curve;
+}
+
+// Adds a curve of shares for each solver; empty if there is nothing to show.
+void draw_shares(Figure& figure, const StudyResults& study, const std::vector<std::vector<Share>>& shares,
+                 const std::string& label, const std::string& share_of) {
+  double smallest = censored, largest = 0;
+  for (const auto& curve : shares) {
+    for (const Share& share : curve) {
+      if (share.at > 0) smallest = std::min(smallest, share.at);
+      largest = std::max(largest, share.at);
+    }
+  }
+  const Axis axis = ratio_axis(smallest, largest, label);
+  std::vector<Curve> curves;
+  for (const auto& curve : shares) curves.push_back(stairs(curve, axis));
+  figure.settings =
+      axis.settings + fmt::format("set ylabel '{}'\nset yrange [-0.02:1.02]\nset ytics 0.2\nshown(y) = y\n", share_of);
+  figure.data = fmt::format("# {}; {}, and its interval: corners of the stairs\n", label, share_of);
+  add_legend(figure, add_curves(figure, study, curves));
 }
 
 // The shares of each solver's values that are at most so large, with the intervals that the clusters give.
@@ -130,11 +141,7 @@ std::vector<std::vector<Share>> shares_of(const std::vector<Solves>& by_solver, 
 
 Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
   const std::vector<double> targets = target_errors_cm(study);
-  const ShareCurves shares{
-      .curves = shares_of(traced_by_solver(study), clusters,
-                          [&](const Solve& solve) { return costs_to_targets(study, solve, targets, cost); }),
-      .label = quantity(cost),
-      .share_of = "share of solves and targets"};
+  const auto costs_of = [&](const Solve& solve) { return costs_to_targets(study, solve, targets, cost); };
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   Figure figure{.name = fmt::format("statistics-ecdf-{}", name_of(cost))};
   figure.caption = fmt::format(
@@ -147,23 +154,22 @@ Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metri
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
       info_of(cost).slug, bands(study, clusters), without_trace(study));
   if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
-  draw_shares(figure, study, shares);
+  draw_shares(figure, study, shares_of(traced_by_solver(study), clusters, costs_of), quantity(cost),
+              "share of solves and targets");
   return figure;
 }
 
 Figure error_figure(const StudyResults& study, const Clusters& clusters) {
   const auto error_of = [](const Solve& solve) { return std::vector{std::max(0.0, final_error_cm(solve))}; };
-  const ShareCurves shares{.curves = shares_of(solves_by_solver(study), clusters, error_of),
-                           .label = quantity(Metric::position_error_cm),
-                           .share_of = "share of solves"};
+  const auto shares = shares_of(solves_by_solver(study), clusters, error_of);
   Figure figure{.name = "statistics-ecdf-error",
                 .caption =
                     "Share of solves with at most this position error. An answer that is not finite counts as a solve "
                     "without an error." +
                     bands(study, clusters)};
   const auto has_zero = [](const auto& curve) { return !curve.empty() && curve.front().at == 0; };
-  if (std::ranges::any_of(shares.curves, has_zero)) figure.caption += " Errors of zero are drawn at the left edge.";
-  draw_shares(figure, study, shares);
+  if (std::ranges::any_of(shares, has_zero)) figure.caption += " Errors of zero are drawn at the left edge.";
+  draw_shares(figure, study, shares, quantity(Metric::position_error_cm), "share of solves");
   return figure;
 }
 
@@ -192,11 +198,10 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   const bool in_seconds = cost == Metric::seconds;
   const std::string_view name = !cost ? "error" : in_seconds ? "seconds" : "evaluations";
   const std::string_view words = !cost ? "position error" : in_seconds ? "time" : "number of evaluations";
-  ShareCurves shares{.label = fmt::format("{} / smallest of all solvers", cost ? name : words),
-                     .share_of = "share of problems"};
+  std::vector<std::vector<Share>> shares;
   const std::vector<std::size_t> clusters_of_problems = clusters.of(profile.solves);
   for (const auto& ratios : profile.ratios) {
-    shares.curves.push_back(banded_shares({.values = ratios, .clusters = clusters_of_problems}, clusters));
+    shares.push_back(banded_shares({.values = ratios, .clusters = clusters_of_problems}, clusters));
   }
   Figure figure{.name = fmt::format("statistics-profile-{}", name)};
   figure.caption = fmt::format(
@@ -217,7 +222,8 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   if (profile.left_out > 0) {
     figure.caption += fmt::format(" {} problems that not every solver was given are left out.", profile.left_out);
   }
-  draw_shares(figure, study, shares);
+  draw_shares(figure, study, shares, fmt::format("{} / smallest of all solvers", cost ? name : words),
+              "share of problems");
   return figure;
 }
 
@@ -227,11 +233,9 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric
   const auto cost_of = [&](const Solve& solve) {
     return std::vector{is_ok(solve) ? total_cost(study, solve, cost) : censored};
   };
-  ShareCurves shares{.curves = shares_of(by_solver, clusters, cost_of),
-                     .label = quantity(cost),
-                     .share_of = "share of solves that are ok"};
+  auto shares = shares_of(by_solver, clusters, cost_of);
   for (std::size_t i = 0; i < by_solver.size(); ++i) {
-    if (!by_solver[i].empty() && shares.curves[i].empty()) shares.curves[i].push_back({.at = 0, .share = 0});
+    if (!by_solver[i].empty() && shares[i].empty()) shares[i].push_back({.at = 0, .share = 0});
   }
   Figure figure{.name = fmt::format("statistics-solved-{}", name_of(cost))};
   figure.caption =
@@ -239,7 +243,7 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric
                   cost == Metric::seconds ? "time" : "number of evaluations",
                   within_words(study, Metric::position_error_cm), bands(study, clusters));
   if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
-  draw_shares(figure, study, shares);
+  draw_shares(figure, study, shares, quantity(cost), "share of solves that are ok");
   return figure;
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <set>
 
@@ -12,53 +12,31 @@ namespace ikbench::figures {
 
 namespace {
 
-using Rgb = std::array<int, 3>;
-
-std::optional<int> number_of(std::string_view text, int base) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  const bool is_whole = error == std::errc() && end == text.data() + text.size();
-  return is_whole && value >= 0 && value <= 255 ? std::optional(value) : std::nullopt;
-}
+using Rgb = std::array<unsigned, 3>;
 
 // Reads "#1a2B3c", "rgb( 26, 43,  60)", "black", "white", as gnuplot writes colours; nothing for anything else.
-std::optional<Rgb> rgb_of(std::string_view text) {
+std::optional<Rgb> rgb_of(const std::string& text) {
   if (text == "black") return Rgb{0, 0, 0};
   if (text == "white") return Rgb{255, 255, 255};
-  Rgb rgb{};
-  if (text.size() == 7 && text.front() == '#') {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = number_of(text.substr(1 + 2 * i, 2), 16);
-      if (!value) return std::nullopt;
-      rgb[i] = *value;
-    }
-    return rgb;
+  for (const char* const form : {"#%2x%2x%2x%n", "rgb(%3u,%3u,%3u)%n"}) {
+    unsigned r = 0, g = 0, b = 0;
+    int length = 0;
+    std::sscanf(text.c_str(), form, &r, &g, &b, &length);  // NOLINT(cert-err34-c): `length` says whether all was read
+    if (length > 0 && text.substr(static_cast<std::size_t>(length)).empty() && std::max({r, g, b}) <= 255)
+      return Rgb{r, g, b};
   }
-  if (!text.starts_with("rgb(") || !text.ends_with(')')) return std::nullopt;
-  text = text.substr(4, text.size() - 5);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    const auto value = number_of(text.substr(0, comma), 10);
-    if (!value || (i < 2) == (comma == text.size())) return std::nullopt;
-    rgb[i] = *value;
-    text.remove_prefix(std::min(comma + 1, text.size()));
-  }
-  return rgb;
+  return std::nullopt;
 }
 
 // The dark colour; empty if the colour stays.
 std::string dark_of(const Rgb& rgb) {
   for (std::size_t i = 0; i < series_colours.size(); ++i) {
-    if (rgb_of(series_colours[i]) == rgb) return std::string(dark_series_colours[i]);
+    if (rgb_of(std::string(series_colours[i])) == rgb) return std::string(dark_series_colours[i]);
   }
   if (rgb[0] != rgb[1] || rgb[1] != rgb[2]) return "";
-  const Rgb black = *rgb_of(dark_series_colours.back()), white = *rgb_of(dark_ground);
-  Rgb mixed{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    mixed[i] = static_cast<int>(std::lround(black[i] + (white[i] - black[i]) * rgb[i] / 255.0));
-  }
-  return fmt::format("#{:02X}{:02X}{:02X}", mixed[0], mixed[1], mixed[2]);
+  const Rgb black = *rgb_of(std::string(dark_series_colours.back())), white = *rgb_of(std::string(dark_ground));
+  const auto mixed = [&](std::size_t i) { return std::lround(std::lerp(black[i], white[i], rgb[i] / 255.0)); };
+  return fmt::format("#{:02X}{:02X}{:02X}", mixed(0), mixed(1), mixed(2));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <stdexcept>
@@ -15,9 +16,9 @@
 #include <thread>
 
 #include "analysis/figures/dark.hpp"
-#include "analysis/figures/edited.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/inference/text.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"
 
@@ -28,7 +29,9 @@ using namespace results;
 
 namespace {
 
-const std::string style_file = "style.gp";
+constexpr EmbeddedFile style_file[]{
+#include "style.inc"
+};
 
 struct PictureType {
   std::string_view name, end;  // the end of a whole file
@@ -88,6 +91,36 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
   }
 }
 
+// The complete script of a figure.
+std::string script_of(const Figure& figure) {
+  std::string script = fmt::format(
+      "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nload 'style.gp'\n\n{3}\n",
+      figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.settings);
+  const bool can_repeat = !figure.plot.starts_with("set multiplot");
+  for (const PictureType& type : picture_types) {
+    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", type.name, figure.name,
+                          can_repeat && type.name != "svg" ? "replot" : figure.plot);
+  }
+  return script + "unset output\n";
+}
+
+// A line above a script with its digest, so that an edit shows.
+std::string first_line(std::string_view script) {
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+  for (const char c : script) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return fmt::format("# Written by ikbench ({:016x}). Edit it: the next report keeps it and draws with it.\n", hash);
+}
+
+// The script in the file if the user has edited it. Ignores links, which may lead anywhere.
+std::optional<std::string> edited_script(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) return std::nullopt;
+  std::optional<std::string> text = read_file(file);
+  if (!text || text->empty()) return std::nullopt;
+  const std::string_view rest = std::string_view(*text).substr(std::min(text->find('\n'), text->size() - 1) + 1);
+  return *text == first_line(rest).append(rest) ? std::nullopt : text;
+}
+
 struct Source {
   std::string file, text;
   bool is_edited = false;  // by the user, so it stays
@@ -98,9 +131,12 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::fi
   std::vector<Source> sources;
   const auto add_script = [&](const std::string& file, const std::string& script) {
     const std::optional<std::string> edited = edited_script(folder / file);
-    sources.push_back({file, edited.value_or(with_digest(script)), edited.has_value()});
+    sources.push_back({file, edited.value_or(first_line(script) + script), edited.has_value()});
   };
-  add_script(style_file, figure_style());
+  std::string style(style_file->text);
+  constexpr std::string_view place = "COLOURS";
+  style.replace(style.find(place), place.size(), fmt::format("{}", fmt::join(series_colours, " ")));
+  add_script(std::string(style_file->name), style);
   for (const Figure& figure : figures) {
     add_script(figure.name + ".gp", script_of(figure));
     sources.push_back({.file = figure.name + ".dat", .text = figure.data});
@@ -109,72 +145,6 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::fi
 }
 
 }  // namespace
-
-std::string figure_style() {
-  std::string style = R"(# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
-set encoding utf8
-
-# Characters that mean something to gnuplot, for labels.
-array character[126]
-do for [i = 33:126] { character[i] = sprintf("%c", i) }
-
-# A palette that the colour-blind can tell apart, and none of it too pale for white; markers tell the curves apart without
-# colour, and dashes those that would repeat a colour.
-colours = "COLOURS"
-markers = "7 5 9 11 13 4 2 6 8 10 12 1 3"
-dashes = "1 11 12 13 14"
-set dashtype 11 (5, 2)
-set dashtype 12 (1.5, 2)
-set dashtype 13 (6, 2, 1.5, 2)
-set dashtype 14 (2.5, 1.5)
-do for [i = 1:91] {
-  set style line i lw 0.9 ps 0.45 lc rgb word(colours, (i - 1) % 7 + 1) pt int(word(markers, (i - 1) % 13 + 1)) \
-    dt int(word(dashes, int((i - 1) / 7) % 5 + 1))
-}
-set style line 100 lw 0.4 lc rgb "#DDDDDD" dt 1
-set style line 101 lw 1.3 lc rgb "#000000" dt 1
-
-set border 3 lw 0.6
-set tics out nomirror scale 0.6, 0.3
-set grid xtics ytics ls 100
-set key below horizontal Left reverse noenhanced samplen 2 spacing 1.1 height 0.8
-set xtics noenhanced offset 0, 0.3
-set xlabel offset 0, 0.85
-set ylabel offset 0.5, 0
-
-# The size of text [pt]. Names beside an axis are smaller, remarks smaller still. Heights, margins and legends follow it.
-text = 8
-height_cm = height_cm * text / 8
-names = sprintf(",%g", 0.875 * text)
-remarks = sprintf(",%g", 0.75 * text)
-margin(cm) = cm * text / 8 < 0.65 * width_cm ? cm * text / 8 / width_cm : 0.65
-columns(cm) = cm * text / 8 < width_cm ? int(width_cm / cm / text * 8) : 1
-
-# Three outputs of the same size, with thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a point of
-# text is 1/96 inch.
-svg = sprintf("svg enhanced size %d,%d dynamic font 'Liberation Sans,%g' linewidth 0.8 background '#FFFFFF'", \
-  width_cm / 2.54 * 72, height_cm / 2.54 * 72, text)
-pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font 'Liberation Sans,%g' fontscale 0.75 linewidth 1.2 pointscale 1.1", \
-  width_cm, height_cm, text)
-png = sprintf("pngcairo enhanced size %d,%d font 'Liberation Sans,%g' fontscale 3.125 linewidth 4 pointscale 3.5", \
-  width_cm / 2.54 * 300, height_cm / 2.54 * 300, text)
-)";
-  constexpr std::string_view place = "COLOURS";
-  return style.replace(style.find(place), place.size(), fmt::format("{}", fmt::join(series_colours, " ")));
-}
-
-std::string script_of(const Figure& figure) {
-  std::string script = fmt::format("# To draw it again: gnuplot {}.gp\n", figure.name);
-  script += fmt::format("width_cm = {}\nheight_cm = {}\nload 'style.gp'\n\n", text_of(figure.width_cm),
-                        text_of(figure.height_cm));
-  script += figure.settings + '\n';
-  for (const PictureType& type : picture_types) {
-    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n", type.name, figure.name);
-    const bool is_to_be_said = &type == &picture_types.front() || figure.plot.starts_with("set multiplot");
-    script += is_to_be_said ? figure.plot + '\n' : "replot\n";
-  }
-  return script + "unset output\n";
-}
 
 WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                              const RenderOptions& options) {

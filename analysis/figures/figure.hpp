@@ -22,8 +22,9 @@ struct Figure {
   double width_cm = 8.5;  // one column of a journal
   double height_cm = 6.4;
   std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_string
-  std::string plot = {};      // the one plot or splot command, or those from "set multiplot" on; reads NAME.dat
-  std::string data = {};      // the numbers as drawn; comment lines start with '#'
+  std::string plot =
+      {};  // the one plot or splot command, or those from "set multiplot" on; reads the file `data`, which is NAME.dat
+  std::string data = {};  // the numbers as drawn; comment lines start with '#'
   std::vector<HoverTexts> hover_texts = {};
 };
 
@@ -49,9 +50,5 @@ struct WrittenFigures {
 // std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
 WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                              const RenderOptions& options);
-
-// The complete script of a figure, and the style that all scripts load.
-std::string script_of(const Figure& figure);
-std::string figure_style();
 
 }  // namespace ikbench::figures

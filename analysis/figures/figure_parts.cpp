@@ -1,6 +1,7 @@
 #include "analysis/figures/figure_parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,12 @@ std::string value_words(Metric metric, double value) {
 
 std::string data_number(double value) { return std::isfinite(value) ? text_of(value) : "NaN"; }
 
+std::string data_line(const std::vector<double>& values) {
+  std::string line;
+  for (const double value : values) line += (line.empty() ? "" : " ") + data_number(value);
+  return line + '\n';
+}
+
 std::string with_notes(std::string caption, const StudyResults& study, Metric metric, const Axis& axis) {
   if (axis.shows_at_edge) {
     caption += axis.least > 0 ? fmt::format(" Values up to {}, which are rounding, are drawn at the lower edge.",
@@ -44,6 +51,37 @@ std::string with_notes(std::string caption, const StudyResults& study, Metric me
     if (const std::string note = words_of(times_doubts(study)); !note.empty()) caption += ' ' + note;
   }
   return caption;
+}
+
+double label_cm(std::string_view label) {
+  constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -", wide = "mwMW@%";
+  double cm = 0;
+  for (const char c : label) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) continue;  // not the first byte of a character
+    const bool is_wide = wide.find(c) != std::string_view::npos || byte >= 0xE3, is_capital = c >= 'A' && c <= 'Z';
+    cm += narrow.find(c) != std::string_view::npos ? 0.09 : is_wide ? 0.25 : is_capital ? 0.17 : 0.14;
+  }
+  return cm;
+}
+
+void add_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {
+  constexpr std::size_t longest = 2 * longest_label + 3;  // two names in a row of a comparison
+  std::vector<std::string> ticks;
+  double widest_cm = 0;
+  for (const std::string& name : labels) {
+    const std::string label = row_label(name, longest);
+    widest_cm = std::max(widest_cm, label_cm(label));
+    ticks.push_back(fmt::format("{} {}", tick_label(label), ticks.size() + 1));
+  }
+  const std::size_t rows = std::max<std::size_t>(labels.size(), 1);
+  if (widest_cm > 2.8) figure.width_cm = two_columns_cm;
+  figure.height_cm = 1.4 + row_cm * static_cast<double>(rows);
+  figure.settings += fmt::format(
+      "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced ({}) font names\nset border 1\nset ytics scale 0\n"
+      "set grid noytics\nset xtics enhanced\nset lmargin at screen margin({})\n",
+      rows, fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
+  if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }
 
 void add_legend(Figure& figure, const std::vector<std::string>& labels) {
@@ -60,17 +98,13 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
 
 std::string point_axis(int points) {
   const double step = points <= 10 ? 1 : round_step(points, 5);
-  return fmt::format("set xlabel 'point'\nset xrange [0.5:{}.5]\nset xtics {}\n{}", points, step,
+  return fmt::format("set xlabel 'point'\nset xrange [0.5:{}.5]\nset xtics {}\n{}shown_x(x) = x\n", points, step,
                      step > 1 ? "set xtics add ('1' 1)\n" : "");
 }
 
 std::string lines_by_point(const std::map<int, std::vector<double>>& values) {
   std::string lines;
-  for (const auto& [point, row] : values) {
-    lines += fmt::to_string(point);
-    for (const double value : row) lines += ' ' + data_number(value);
-    lines += '\n';
-  }
+  for (const auto& [point, row] : values) lines += fmt::format("{} {}", point, data_line(row));
   return lines;
 }
 
@@ -78,13 +112,59 @@ std::string plot_command(const std::vector<std::string>& clauses, std::string_vi
   return fmt::format("{} {}", command, fmt::join(clauses, ", \\\n  "));
 }
 
-std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
+void Curve::add(double x, const Estimate& y) {
+  rows += data_line({x, y.value, y.low, y.high});
+  ++count;
+}
+
+std::vector<std::string> add_curves(Figure& figure, const StudyResults& study, const std::vector<Curve>& curves,
+                                    std::vector<std::string> clauses, std::string_view with) {
+  std::vector<std::string> lines, labels;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Curve& curve = curves[i];
+    const std::size_t place = place_of(study, study.solvers[i]), style = place + 1;
+    labels.push_back(shortened(study.solvers[i], longest_label) + (curve.count == 0 ? " (nothing to show)" : ""));
+    figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(study.solvers[i]),
+                               curve.count == 0 ? "NaN NaN NaN NaN\n" : curve.rows);
+    if (curve.band < curve.count && study.solvers.size() <= most_bands) {
+      clauses.push_back(
+          fmt::format("data index {} every ::{} using (shown_x($1)):(shown($3)):(shown($4)) with filledcurves ls {} "
+                      "fillstyle transparent solid 0.13 noborder",
+                      i, curve.band, style));
+    }
+    const std::string title = gnuplot_string(labels.back());
+    const auto add = [&](std::string_view every, std::string_view as) {
+      lines.push_back(fmt::format("data index {}{} using (shown_x($1)):(shown($2)) with {}", i, every, as));
+    };
+    if (curve.count > 0 && !with.empty()) {
+      add("", fmt::format("{} ls {} pointinterval {} title {}", with, style, 1 + curve.count / 40, title));
+      continue;
+    }
+    if (curve.count > 0) {
+      const std::size_t interval = std::max<std::size_t>(1, curve.count / 9);
+      add("", fmt::format("lines ls {}", style));
+      add(fmt::format(" every {}::{}", interval, std::min(curve.count - 1, 1 + place * 5 % interval)),
+          fmt::format("points ls {} dt 1", style));
+    }
+    lines.push_back(fmt::format("keyentry with {} ls {} title {}", with.empty() ? "linespoints" : with, style, title));
+  }
+  clauses.insert(clauses.begin(), "NaN");
+  clauses.insert(clauses.end(), lines.begin(), lines.end());
+  figure.plot = plot_command(clauses);
+  return labels;
+}
+
+std::vector<std::vector<double>> values_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(study.points));
   for (const Solve& solve : solves_of(study, solver)) {
     values[static_cast<std::size_t>(solve.point) - 1].push_back(value_of(study, solve, metric));
   }
+  return values;
+}
+
+std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
   std::vector<double> averages;
-  for (const auto& at_point : values) averages.push_back(average_of(metric)(at_point));
+  for (const auto& values : values_by_point(study, solver, metric)) averages.push_back(average_of(metric)(values));
   return averages;
 }
 

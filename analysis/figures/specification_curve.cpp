@@ -57,9 +57,6 @@ std::vector<std::string> curve_ticks(const CurveAxis& axis) {
   return ticks;
 }
 
-// The side of the whole interval: below 1, above, or 0 for both.
-int side_of(const SpecificationCurve::Universe& universe) { return universe.high < 0 ? -1 : universe.low > 0 ? 1 : 0; }
-
 // Escapes a text for labels of enhanced text.
 std::string literal_label(std::string_view text) {
   constexpr std::string_view meaningful = "_^{}@&~\\";
@@ -97,7 +94,7 @@ Figure specification_curve(const SpecificationCurve& curve) {
                 .height_cm = 1.6 + row_height_cm * (curve_rows - place)};
   figure.settings = fmt::format(
       "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen margin({})\nset rmargin at screen 0.97\n"
-      "side(low, high) = high < 0 ? -1 : low > 0 ? 1 : 0\nset xrange [0:100]\nset yrange [{}:{}]\n"
+      "set xrange [0:100]\nset yrange [{}:{}]\n"
       "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced ({}) font names\nset grid noytics noxtics\n"
       "set label {} at graph 0.01, first {} left font names\n{}",
       text_of(two_columns_cm * (0.03 + label_width * static_cast<double>(longest))), text_of(place - 0.6),
@@ -106,38 +103,30 @@ Figure specification_curve(const SpecificationCurve& curve) {
   figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
                                  text_of(axis.at(0)));
   figure.data =
-      "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture\n";
-  const auto x_of = [&](std::size_t i) {
-    return 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
-  };
+      "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture; side of "
+      "the interval, -1: below 1, 1: above, 0: neither\n";
+  std::string choices = "\n\n# share of interpretations before it [%], row of a choice, side of its interval\n";
   bool is_cut = false;
   for (std::size_t i = 0; i < curve.universes.size(); ++i) {
     const SpecificationCurve::Universe& each = curve.universes[i];
-    const auto shown = [&](double value) { return data_number(axis.at(std::clamp(value, axis.low, axis.high))); };
+    const double x = 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(curve.universes.size());
+    const double side = each.high < 0 ? -1 : each.low > 0 ? 1 : 0;
+    const auto shown = [&](double value) { return axis.at(std::clamp(value, axis.low, axis.high)); };
     is_cut = is_cut || each.low < axis.low || each.high > axis.high;
-    figure.data +=
-        fmt::format("{} {} {} {} {} {} {}\n", text_of(x_of(i)), data_number(each.estimate), data_number(each.low),
-                    data_number(each.high), shown(each.estimate), shown(each.low), shown(each.high));
+    figure.data += data_line(
+        {x, each.estimate, each.low, each.high, shown(each.estimate), shown(each.low), shown(each.high), side});
+    for (const std::size_t row : each.rows) choices += data_line({x, places.at(row), side});
   }
+  figure.data += choices;
   if (is_cut) figure.caption += " Longer intervals are cut at the edge of the picture.";
-  figure.data +=
-      "\n\n# share of interpretations before it [%], row of a choice; -1: the interval is below 1, 1: above, 0: neither\n";
-  for (std::size_t i = 0; i < curve.universes.size(); ++i) {
-    for (const std::size_t row : curve.universes[i].rows) {
-      figure.data += fmt::format("{} {} {}\n", text_of(x_of(i)), text_of(places.at(row)), side_of(curve.universes[i]));
-    }
-  }
-  const std::string file = fmt::format("'{}.dat'", curve.name);
   std::vector<std::string> clauses;
   const auto add = [&](int side, std::string_view colour, std::string_view title) {
-    const std::string is_its = fmt::format("(side($3, $4) == {})", side);
+    clauses.push_back(fmt::format(
+        "data index 0 using 1:($8 == {} ? $6 : NaN):(0):($7 - $6) with vectors nohead lw 0.5 lc rgb {}", side, colour));
     clauses.push_back(
-        fmt::format("{} index 0 using 1:({} ? $6 : NaN):(0):($7 - $6) with vectors nohead lw 0.5 lc rgb {} notitle",
-                    file, is_its, colour));
-    clauses.push_back(fmt::format("{} index 0 using 1:({} ? $5 : NaN) with points pt 7 ps 0.3 lc rgb {} notitle", file,
-                                  is_its, colour));
-    clauses.push_back(fmt::format("{} index 1 using 1:($3 == {} ? $2 : NaN) with points pt 7 ps 0.25 lc rgb {} notitle",
-                                  file, side, colour));
+        fmt::format("data index 0 using 1:($8 == {} ? $5 : NaN) with points pt 7 ps 0.3 lc rgb {}", side, colour));
+    clauses.push_back(
+        fmt::format("data index 1 using 1:($3 == {} ? $2 : NaN) with points pt 7 ps 0.25 lc rgb {}", side, colour));
     clauses.push_back(
         fmt::format("keyentry with points pt 7 ps 0.6 lc rgb {} title {}", colour, gnuplot_string(title)));
   };

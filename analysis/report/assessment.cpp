@@ -7,8 +7,8 @@
 
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
-#include "analysis/figures/differences_figure.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/row_figures.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/figures/rates_figure.hpp"
+#include "analysis/figures/row_figures.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/over_arms.hpp"

@@ -6,8 +6,11 @@
 #include <string>
 
 #include "analysis/figures/figure.hpp"
+#include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
+using namespace ikbench;
 using namespace ikbench::figures;
 
 namespace {
@@ -81,7 +84,9 @@ TEST_CASE("any two series are farther apart than two blues were that readers too
 TEST_CASE("the style of the figures has the colours of the series", "[figure]") {
   std::string colours;
   for (const std::string_view colour : series_colours) colours += (colours.empty() ? "" : " ") + std::string(colour);
-  CHECK(figure_style().find("colours = \"" + colours + '"') != std::string::npos);
+  const ScratchFolder folder;
+  write_figures({}, folder.path, {.render = false});
+  CHECK(contains(text_of_file(folder.path / "style.gp"), "colours = \"" + colours + '"'));
 }
 
 TEST_CASE("a picture has the dark colours beside its own, and nothing that its labels say", "[figure]") {

@@ -186,16 +186,15 @@ TEST_CASE("a box plot says how small values and failures count, and whose drawn 
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"A", "B", "C"}, .runs = 9, .points = 1});
   for (SolveRecord& solve : solves) solve.cpu_seconds = (solve.solver == "C" ? 0.5 : 1) * solve.seconds;
   const Figure times = box_figure(make_study("s", solves), Metric::seconds, "times");
-  CHECK(contains(times.plot, "index 3 using"));  // C is drawn
+  CHECK(contains(times.plot, "for [row=1:3] data index row using"));  // C is drawn
   CHECK(contains(times.caption, "Times of C are not compared, because 9 of 9 solves"));
 }
 
 TEST_CASE("a solver keeps its colour where another one is left out", "[figure]") {
   const StudyResults all = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 9, .points = 1}));
   const StudyResults alone = of_solvers(all, [](std::string_view solver) { return solver == "B"; });
-  const std::string plot = box_figure(alone, Metric::position_error_cm, "boxes").plot;
-  CHECK(contains(plot, "word(colours, 2)"));
-  CHECK(!contains(plot, "word(colours, 1)"));
+  CHECK(contains(box_figure(alone, Metric::position_error_cm, "boxes").settings,
+                 "colour(row) = word(colours, int(word('2', row)))"));
 }
 
 TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, and no stale picture", "[figure]") {
@@ -276,7 +275,7 @@ TEST_CASE("where no arm is drawn, a mark is at the first target", "[figure]") {
   const StudyResults study =
       make_study(StudyEntry{.name = "s", .definition = R"({"path": {"kind": "helix"}})", .series = {}},
                  synthetic::solves({.runs = 1}));
-  CHECK(contains(path_figure(study, "path").plot, "every ::0::0 with points"));
+  CHECK(contains(path_figure(study, "path").plot, "every ::0::0 using 1:2:3 with points"));
   CHECK(contains(path_figure(study, "path").plot, "title 'start'"));
 }
 
@@ -297,7 +296,7 @@ TEST_CASE("numbers from elsewhere stand in grey below the values of their group"
   CHECK(figure.data.ends_with(
       "# marks: row, smallest, median, largest, whether the smallest is less\n2 5e-05 0.01 0.02 1\n"));
   CHECK(contains(figure.plot, "($5==1 ? shown($2) : NaN):($1+0.4):(shown($4)-shown($2)):(0) with vectors backhead"));
-  CHECK(contains(figure.plot, "'boxes.dat' index 3 using"));
+  CHECK(contains(figure.plot, "data index 3 using"));
 }
 
 TEST_CASE("a printed minimum of zero is below its last digit", "[figure][paper]") {

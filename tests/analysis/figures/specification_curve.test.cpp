@@ -57,7 +57,7 @@ TEST_CASE("an interval far beyond the estimates is cut, and the caption says so"
   const Figure figure =
       specification_curve(curve_of({{-1, -HUGE_VAL, 0, {0}}, {0, -0.5, 300, {0}}, {1, 0, 2, {1}}, {1, NAN, NAN, {1}}}));
   CHECK(contains(figure.caption, "Longer intervals are cut at the edge of the picture."));
-  CHECK(contains(figure.data, " NaN NaN\n"));
+  CHECK(contains(figure.data, " NaN NaN 0\n"));
   const std::vector<Place> places = places_of(figure);
   CHECK(places[0].low == 1);  // -3: two decades below the smallest estimate
   CHECK(places[1].high == rows);

@@ -7,8 +7,8 @@
 
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
-#include "analysis/figures/differences_figure.hpp"
-#include "analysis/figures/row_chart.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/row_figures.hpp"
 #include "analysis/inference/text.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
@@ -185,7 +185,7 @@ TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m"
 TEST_CASE("without a critical difference nothing is joined, and ranks that are none are told", "[figure]") {
   CHECK(lines_below(demsar(NAN, 0.05).data, "# undecided differences") == Texts{"NaN NaN NaN"});
   CHECK(contains(demsar(NAN, 0.05).caption, "critical difference is not defined"));
-  CHECK(contains(demsar(20, 0.05).caption, "cut at the axis' end"));
+  CHECK(contains(demsar(20, 0.05).settings, "CD = 20 (longer than the axis)"));
   const Figure figure = critical_difference_figure(
       {.name = "cd", .labels = {"a", "b", "c", "d"}, .average_ranks = {1, NAN, 1e308, 0}, .critical_difference = 1});
   CHECK(contains(figure.caption, "Only 1 of 4 are shown"));
