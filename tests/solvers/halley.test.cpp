@@ -4,6 +4,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
+#include "tests/solvers/pseudo_inverse.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

@@ -27,7 +27,8 @@ TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and r
         const Eigen::AngleAxisd turn(task.goal.target.linear() * reached.linear().transpose());
         Eigen::VectorXd to_go(6);
         to_go << task.goal.target.translation() - reached.translation(), turn.angle() * turn.axis();
-        const Eigen::VectorXd step = J.transpose() * (J * J.transpose()).inverse() * to_go;  // J has all its rows
+        const Eigen::MatrixXd A = J * J.transpose();
+        const Eigen::VectorXd solved = A.inverse() * to_go, step = J.transpose() * solved;  // J has all its rows
         newton->step(recorded, random);
         REQUIRE((recorded.candidates.back() - (q + step)).norm() < 1e-9 * (1 + step.norm()));
       }

@@ -1,7 +1,7 @@
 // Objectives that record, script or spoil the evaluations of a solver, and tasks to evaluate it on.
 #pragma once
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -73,10 +73,6 @@ class SpoiltObjective final : public solvers::Objective {
   int period_;
   int turn_ = 0;
 };
-
-inline Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) {
-  return A.completeOrthogonalDecomposition().pseudoInverse();
-}
 
 struct Task {
   robots::Chain chain;
