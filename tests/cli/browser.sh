@@ -10,6 +10,19 @@ for name in chromium chromium-browser google-chrome; do
 done
 [ -n "$browser" ] || exit 77
 
+# A page shows SVG alone, so no picture is drawn in other formats.
+if command -v gnuplot >/dev/null; then
+  mkdir bin
+  cat >bin/gnuplot <<E2
+#!/usr/bin/env bash
+sed '/^set terminal @pdf/,\$d' "\$2" >"svg-\$2" && "$(command -v gnuplot)" -d "svg-\$2" || exit 1
+printf '%%%%EOF' >"\${2%.gp}.pdf"
+printf 'IEND\xAE\x42\x60\x82' >"\${2%.gp}.png"
+E2
+  chmod +x bin/gnuplot
+  PATH=$work/bin:$PATH
+fi
+
 # These would leave a mark on the page, or on a figure opened by itself, if any of it ran.
 mark="document.documentElement.setAttribute('marked',1)"
 hostile=("</text></svg><script>$mark</script>" "\" onload=\"$mark" "\"><img src=x onerror=$mark>" '{{{title}}} &amp; "')
