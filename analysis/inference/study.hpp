@@ -25,12 +25,12 @@ namespace ikbench::inference {
 
 struct StudyResults {
   std::string name;
-  std::vector<std::string> solvers = {};  // labels, in the order of the study
-  int runs = 0;                           // per solver, as defined
-  int points = 0;                         // per run, as defined
-  std::string departed_from = {};         // the paper that it names but whose arm or task it does not have
-  results::AnalysisPlan plan = {};        // decides how it is judged
-  std::set<std::string> cpus = {};        // CPUs of its sessions, as far as recorded
+  std::vector<std::string> solvers = {};   // labels, in the order of the study
+  int runs = 0;                            // per solver, as defined
+  int points = 0;                          // per run, as defined
+  std::string departed_from = {};          // the paper that it names but whose arm or task it does not have
+  results::AnalysisPlan plan = {};         // decides how it is judged
+  std::set<std::string> cpus = {};         // CPUs of its sessions, as far as recorded
   StudyFacts facts = {};                   // from its definition
   std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
   SolveList solves = {};

@@ -1,13 +1,12 @@
 // Metrics of whole runs, of turned answers and of targets beyond the reach, by hand; and the metrics that a report
 // shows.
-#include "analysis/inference/metrics.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/inference/metrics.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
