@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -63,6 +64,12 @@ std::vector<double> of_found(Searches all, double Search::*value) {
   return found;
 }
 
+// The values are whole numbers, so that their sum is exact.
+double mean_of_found(Searches all, double Search::*value) {
+  const std::vector<double> found = of_found(all, value);
+  return std::accumulate(found.begin(), found.end(), 0.0) / static_cast<double>(found.size());
+}
+
 // The middle one of the sorted iterations, the upper of two.
 double median_of_found(Searches all) {
   std::vector<double> found = of_found(all, &Search::iterations);
@@ -82,10 +89,10 @@ double count_of(Searches all, bool Search::*is_it, bool wanted) {
 }
 
 constexpr SearchStatistic search_statistics[]{
-    {"iterations_mean", "mean iterations", [](Searches all) { return mean(of_found(all, &Search::iterations)); }},
+    {"iterations_mean", "mean iterations", [](Searches all) { return mean_of_found(all, &Search::iterations); }},
     {"iterations_median", "median iterations", median_of_found, true},
     {"infeasible", "no solution", [](Searches all) { return count_of(all, &Search::is_found, false); }, true},
-    {"searches_mean", "mean searches", [](Searches all) { return mean(of_found(all, &Search::searches)); }},
+    {"searches_mean", "mean searches", [](Searches all) { return mean_of_found(all, &Search::searches); }},
     {"searches_most", "most searches", most_searches, true, false},
     {"violations", "outside the limits", [](Searches all) { return count_of(all, &Search::is_outside, true); }, true},
     {.column = "error_rate_percent",

@@ -135,9 +135,11 @@ Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slo
     here.push_back(is_slow ? verdict_of(median >= limit) : verdict_of(ours->in_time == ours->solves, median < limit));
     in_print.push_back(is_slow ? verdict_of(printed.mean >= limit)
                                : verdict_of(printed.max < limit, printed.mean < limit));
-    list.push_back(fmt::format("{}: {} of {} targets reach {} cm in less than {} ms, median {} ms, slowest {} ms",
-                               solver, ours->in_time, ours->solves, tolerance_cm(study), limit, short_number(median),
-                               short_number(ours->time_ms.max)));
+    list.push_back(is_slow
+                       ? fmt::format("{} {} ms", solver, short_number(median))
+                       : fmt::format("{}: {} of {} targets reach {} cm in less than {} ms, slowest {} ms, median {} ms",
+                                     solver, ours->in_time, ours->solves, tolerance_cm(study), limit,
+                                     short_number(ours->time_ms.max), short_number(median)));
     printed_list.push_back(fmt::format("{} mean {} ms, maximum {} ms", solver, printed.mean, printed.max));
     claim.number = is_slow ? fmt::format("{} ms with {}", short_number(median), solver)
                            : fmt::format("{} of {} in time", ours->in_time, ours->solves);
@@ -145,7 +147,7 @@ Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slo
   if (here.empty()) return {};
   if (times_are_comparable(study)) {
     claim.verdict = verdict_on(here);
-    claim.evidence = {fmt::format("Here, in C++, {}.", fmt::join(list, "; "))};
+    claim.evidence = {fmt::format("Here, in C++{}: {}.", is_slow ? ", median" : "", fmt::join(list, "; "))};
   } else {
     claim.number = times_not_judged;
     claim.evidence = {fmt::format("Not judged, because {} (see the warnings).", times_not_judged)};
