@@ -1,3 +1,5 @@
+#include "analysis/claims/one_at_a_time.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
-// Rules for claims about a solver's means against others', of the study's numbers or the printed ones: who is first or
-// last, in which order, which compromise is the best, whether they differ at all, and whose runs spread least.
+#include "analysis/claims/rules_of_means.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +9,6 @@
 #include <map>
 #include <utility>
 
-#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/ranking.hpp"

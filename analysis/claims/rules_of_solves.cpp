@@ -1,17 +1,15 @@
-// Rules for claims about the solves of one solver: at each point, about its joints and its times, about its work
-// without one of its equations, and about the poses that it solves on the arm of each study that is reported together.
+#include "analysis/claims/rules_of_solves.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <span>
 
-#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"

@@ -1,6 +1,4 @@
-// Slim, Rokbani, Neji, Terres and Beyrouthy (2023), the bat algorithm for inverse kinematics: the tables, figures and
-// sentences that only reports of its study have.
-#include "analysis/report/paper.hpp"
+#include "analysis/slim2023/paper.hpp"
 
 #include <fmt/format.h>
 
