@@ -1,9 +1,7 @@
 // ikbench audit: checks whether a paper's printed numbers agree with each other.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -40,16 +38,6 @@ std::string shown(const std::vector<AuditItem>& items) {
   return text;
 }
 
-std::string counted(const std::vector<AuditItem>& items) {
-  std::vector<std::string> parts;
-  for (const std::string_view verdict : audit_verdicts) {
-    parts.push_back(fmt::format(
-        "{} {}", std::ranges::count_if(items, [&](const AuditItem& item) { return words_of(item) == verdict; }),
-        verdict));
-  }
-  return fmt::format("{} checks: {}", items.size(), fmt::join(parts, ", "));
-}
-
 }  // namespace
 
 void add_audit(CLI::App& app, Invocation&) {
@@ -77,7 +65,7 @@ void add_audit(CLI::App& app, Invocation&) {
     if (!arguments->out.empty()) {
       write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");
     }
-    fmt::print("{}\n{}\n", shown(items), counted(items));
+    fmt::print("{}\n{}\n", shown(items), audit_sentence(items));
   });
 }
 

@@ -9,7 +9,6 @@
 #include "analysis/figures/figure.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/paper.hpp"
-#include "analysis/report/repetitions.hpp"
 #include "analysis/report/table.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"

@@ -15,7 +15,7 @@
 #include "analysis/inference/observations_csv.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment.hpp"
-#include "analysis/report/statistics_report.hpp"
+#include "analysis/report/publish.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
@@ -248,13 +248,14 @@ void add_stats(CLI::App& app, Invocation& invocation) {
     const std::vector<Assessment> assessments = assessments_of(*arguments);
     check_margin_cm(arguments->plan, assessments);
     const Report report = write_statistics(
-        assessments,
-        {.title = fmt::format("Statistics of {}",
+        {.study = source,
+         .kind = "Statistics of the file",
+         .title = fmt::format("Statistics of {}",
                               source == "-" ? "standard input" : std::filesystem::path(source).filename().string()),
-         .source = source,
          .command = invocation.command,
-         .folder = arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
-         .figures = {.render = !arguments->without_figures}});
+         .assessments = assessments},
+        arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
+        {.render = !arguments->without_figures});
     for (const Assessment& assessment : assessments) print(assessment);
     std::fflush(stdout);  // both streams may go to one place
     for (const std::string& warning : report.warnings) say("warning: " + warning);

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/report/audit.hpp"
+#include "analysis/report/claims.hpp"
 
 namespace ikbench::claims {
 

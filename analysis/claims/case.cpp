@@ -10,7 +10,7 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/report/provenance.hpp"
+#include "analysis/report/study_tables.hpp"
 
 namespace ikbench::claims {
 

@@ -3,7 +3,7 @@
 
 #include "analysis/claims/claims_file.hpp"
 #include "analysis/inference/multiverse.hpp"
-#include "analysis/report/multiverse.hpp"
+#include "analysis/report/paper.hpp"
 
 namespace ikbench::claims {
 

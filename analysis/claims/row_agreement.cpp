@@ -299,8 +299,8 @@ PrintedNumbers agreeing(const CsvTable& printed, std::span<const SolveRecord> so
 
 }  // namespace
 
-RowsOfPaper compared_rows(const Reported& reported, const std::string& paper, const std::vector<PrintedTable>& tables) {
-  RowsOfPaper result;
+StudyPieces compared_rows(const Reported& reported, const std::string& paper, const std::vector<PrintedTable>& tables) {
+  StudyPieces result;
   Counts rows;
   for (const PrintedTable& plan : tables) {
     const StudyResults* const study = study_named(reported, plan.study);
@@ -309,9 +309,9 @@ RowsOfPaper compared_rows(const Reported& reported, const std::string& paper, co
   }
   const int attempted = rows[Agreed::digits] + rows[Agreed::rounding] + rows[Agreed::chance] + rows[Agreed::outside];
   if (attempted == 0) return result;
-  result.sentence = fmt::format(words::rows_agree, "digits"_a = rows[Agreed::digits], "attempted"_a = attempted,
-                                "rounding"_a = rows[Agreed::rounding], "chance"_a = rows[Agreed::chance],
-                                "outside"_a = rows[Agreed::outside], "missing"_a = rows[Agreed::not_attempted]);
+  result.verdict = {{"", fmt::format(words::rows_agree, "digits"_a = rows[Agreed::digits], "attempted"_a = attempted,
+                                     "rounding"_a = rows[Agreed::rounding], "chance"_a = rows[Agreed::chance],
+                                     "outside"_a = rows[Agreed::outside], "missing"_a = rows[Agreed::not_attempted])}};
   return result;
 }
 

@@ -23,7 +23,7 @@ struct PrintedTable {
 // solves. A number agrees if ours rounds to its digits; else it is held against the range of rounding (last_bits.hpp),
 // and then against the central 95 % of what other targets would give, by a bootstrap of targets. The sentence counts
 // the rows.
-report::RowsOfPaper compared_rows(const report::Reported& reported, const std::string& paper,
+report::StudyPieces compared_rows(const report::Reported& reported, const std::string& paper,
                                   const std::vector<PrintedTable>& tables);
 
 // The lock as the paper's collection says it. Throws std::invalid_argument, also where a solver is not a row of the

@@ -67,7 +67,7 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const bool has_times = times_are_comparable(study), has_rings = !printed.empty();
   Figure figure{
       .name = "overview",
-      .caption = has_times ? "Size of a dot: median time, at least a sixteenth of the longest." : "Without times.",
+      .caption = has_times ? "Size of a dot: median time." : "Without times.",
       .height_cm = 6.6};
   std::vector<double> errors;
   double widest = 1e-9;

@@ -1,11 +1,11 @@
-#include "analysis/report/answer.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -27,6 +27,57 @@ namespace {
 using Pairs = std::vector<const Finding*>;
 using Label = std::function<std::string(std::size_t group)>;
 
+// "mean 1 vs 2, by 0.9 to 1.1 (margin 5 %; p = 0.03)"
+struct Clause {
+  std::string text;
+  std::vector<std::string> remarks = {};
+};
+
+std::string words_of(const Clause& clause) {
+  if (clause.remarks.empty()) return clause.text;
+  return fmt::format("{}{}({})", clause.text, clause.text.empty() ? "" : " ", fmt::join(clause.remarks, "; "));
+}
+
+// "0.0019 vs 0.365", with enough digits to tell them apart.
+std::string against(double mean, double other) {
+  std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
+  for (int digits = 4; one == two && digits <= 12; ++digits) {
+    one = rounded_number(mean, digits);
+    two = rounded_number(other, digits);
+  }
+  return fmt::format("{} vs {}", one, two);
+}
+
+// Two digits, rounded up.
+std::string at_most(double p) {
+  const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
+  return rounded_number(std::ceil(p / unit) * unit, 2);
+}
+
+// "it takes 31 to 122 observations per group to see a difference of 5 %"; for constants and outcomes "it takes at least
+// 4 ...". Empty if unknown or already reached.
+std::string runs_words(const Evidence& evidence, const Estimate& runs) {
+  if (std::isnan(runs.value) && std::isnan(runs.low)) return "";  // a margin of 0 is never found
+  const double most = std::fmax(runs.value, runs.high);
+  const bool more =
+      std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
+  if (!more) return "";
+  const std::string_view of = replicates_words(evidence);
+  if (!std::isfinite(runs.low)) return fmt::format(words::runs_at_least, "runs"_a = runs.value, "of"_a = of);
+  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, runs.high), "of"_a = of,
+                     "margin"_a = margin_words(evidence));
+}
+
+// Observations needed by these pairs: the least and the most.
+Estimate runs_of_all(const Pairs& pairs) {
+  Estimate all;
+  for (const Finding* pair : pairs) {
+    const Estimate& own = pair->runs_to_decide;
+    all = {std::fmax(all.value, own.value), std::fmin(all.low, own.low), std::fmax(all.high, own.high)};
+  }
+  return all;
+}
+
 std::size_t better_of(const Finding& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
 std::size_t other_than(std::size_t group, const Finding& pair) {
   return pair.first == group ? pair.second : pair.first;
@@ -37,20 +88,22 @@ bool have_same_bits(const Evidence& evidence, const Finding& pair) {
   return bits > 0 && bits == evidence.groups[pair.second].bits;
 }
 
-// Puts what is said of several items together: "A and B (reason); C (another)".
-class ByReason {
- public:
-  void add(const std::string& reason, std::string item) {
-    auto found = std::ranges::find(items_, reason, &Items::first);
-    if (found == items_.end()) found = items_.insert(found, {reason, {}});
-    found->second.push_back(std::move(item));
-  }
-  using Items = std::pair<std::string, std::vector<std::string>>;
-  const std::vector<Items>& items() const { return items_; }
+// Items by what is said of them: "A and B (reason); C (another)".
+using ByReason = std::map<std::string, std::vector<std::string>>;
 
- private:
-  std::vector<Items> items_ = {};
+// Words for a scale: an average, a difference, that of averages, what the size of one is counted in, and that in the
+// unit of the values.
+struct ScaleWords {
+  std::string_view average, difference, of_averages, none, unit;
+  double in_unit = 1;
 };
+const ScaleWords& words_of_scale(const Evidence& evidence) {
+  static constexpr std::array<ScaleWords, 3> all{
+      {{"mean", "difference", "difference between means", "zero", ""},
+       {"geometric mean", "ratio", "ratio", "1", " times"},
+       {"share", "difference", "difference", "zero", " percentage points", 0.01}}};
+  return all[static_cast<std::size_t>(evidence.scale)];
+}
 
 bool includes_none(const Evidence& evidence, const Finding& pair) {
   return pair.estimate.low < no_difference(evidence) && pair.estimate.high > no_difference(evidence);
@@ -73,11 +126,9 @@ std::string doubt_words(const Evidence& evidence, const Finding& pair) {
   const double none = no_difference(evidence);
   std::vector<std::string> doubts, measures;
   if (is_open ? pair.estimate.low > none || pair.estimate.high < none : includes_none(evidence, pair)) {
-    doubts.push_back(fmt::format(words::interval_against,
-                                 "of"_a = evidence.scale == ValueScale::log10   ? "ratio"
-                                          : evidence.scale == ValueScale::share ? "difference"
-                                                                                : "difference between means",
-                                 "includes"_a = is_open ? "excludes" : "includes", "none"_a = none_words(evidence)));
+    const ScaleWords& scale = words_of_scale(evidence);
+    doubts.push_back(fmt::format(words::interval_against, "of"_a = scale.of_averages,
+                                 "includes"_a = is_open ? "excludes" : "includes", "none"_a = scale.none));
   }
   if (!is_open) {
     if (is_against(evidence, pair, &Description::mean)) measures.emplace_back("the mean");
@@ -96,27 +147,21 @@ std::string doubt_words(const Evidence& evidence, const Finding& pair) {
 // "0.156 to 0.57", "12 to 30 percentage points"
 std::string size_words(const Evidence& evidence, const Finding& pair) {
   const auto [low, high] = interval_sizes(evidence, pair);
-  const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
-  const std::string least = rounded_number(low / unit, 3), most = rounded_number(high / unit, 3);
-  return fmt::format("{}{}{}", least, least == most ? "" : " to " + most,
-                     evidence.scale == ValueScale::share   ? " percentage points"
-                     : evidence.scale == ValueScale::log10 ? " times"
-                                                           : "");
+  const ScaleWords& scale = words_of_scale(evidence);
+  const std::string least = rounded_number(low / scale.in_unit, 3), most = rounded_number(high / scale.in_unit, 3);
+  return fmt::format("{}{}{}", least, least == most ? "" : " to " + most, scale.unit);
 }
 
 // The interval of `first` less the other of the pair, or of their ratio.
 std::string interval_words(const Evidence& evidence, const Finding& pair, std::size_t first) {
-  const double unit = evidence.scale == ValueScale::share ? 0.01 : 1;
-  const bool is_ratio = evidence.scale == ValueScale::log10 || evidence.ranks_decide();
-  const Estimate& of = evidence.ranks_decide() ? pair.ratio : pair.estimate;
+  const ScaleWords& scale = words_of_scale(evidence);
+  const bool by_ranks = evidence.ranks_decide(), is_ratio = by_ranks || evidence.scale == ValueScale::log10;
+  const Estimate& of = by_ranks ? pair.ratio : pair.estimate;
   const Estimate difference = first == pair.first ? of : reversed(of, is_ratio);
-  return fmt::format(words::interval,
-                     "what"_a = evidence.ranks_decide() ? "typical ratio"
-                                : is_ratio              ? "ratio"
-                                                        : "difference",
-                     "low"_a = rounded_number(difference.low / unit, 3),
-                     "high"_a = rounded_number(difference.high / unit, 3),
-                     "unit"_a = evidence.scale == ValueScale::share ? " percentage points" : "");
+  return fmt::format(words::interval, "what"_a = by_ranks ? "typical ratio" : scale.difference,
+                     "low"_a = rounded_number(difference.low / scale.in_unit, 3),
+                     "high"_a = rounded_number(difference.high / scale.in_unit, 3),
+                     "unit"_a = is_ratio ? "" : scale.unit);
 }
 
 std::string mean_words(const Evidence& evidence, std::size_t group) {
@@ -137,38 +182,20 @@ Clause effect_of(const Evidence& evidence, const Finding& pair, std::size_t grou
                         : fmt::format(words::ahead, "share"_a = percent(share),
                                       "of"_a = evidence.blocks > 0 ? evidence.block_noun : "pairs of observations");
   if (!std::isfinite(mean + of_other)) return {ahead, {mean_words(evidence, group), mean_words(evidence, other)}};
-  const std::string_view average = evidence.scale == ValueScale::share   ? "share"
-                                   : evidence.scale == ValueScale::log10 ? "geometric mean"
-                                                                         : "mean";
   const std::string means =
-      fmt::format("{} {}", average,
+      fmt::format("{} {}", words_of_scale(evidence).average,
                   evidence.scale == ValueScale::share ? fmt::format("{} vs {}", percent(mean), percent(of_other))
                                                       : against(mean, of_other));
   if (evidence.ranks_decide()) return {ahead, {fmt::format(words::not_by_ranks, "means"_a = means)}};
-  Clause effect = extent_clause(evidence, pair);
+  const auto [extent, remark] = extent_words(evidence, pair);
   const bool has_size = !includes_none(evidence, pair) && !is_against(evidence, pair, &Description::mean) &&
                         std::isfinite(pair.estimate.low + pair.estimate.high);
   std::vector<std::string> parts{means};
   if (has_size) parts.push_back("by " + size_words(evidence, pair));
-  if (!effect.text.empty()) parts.push_back((has_size ? "" : "by ") + effect.text);
-  effect.text = fmt::format("{}", fmt::join(parts, ", "));
+  if (!extent.empty()) parts.push_back((has_size ? "" : "by ") + extent);
+  Clause effect{fmt::format("{}", fmt::join(parts, ", "))};
+  if (!remark.empty()) effect.remarks = {remark};
   return effect;
-}
-
-// Names a test that would judge unjudged pairs; empty if none would.
-std::string another_test_words(const Evidence& evidence, const Pairs& pairs) {
-  bool by_means = false, by_ranks = false;
-  for (const Finding* pair : pairs) {
-    const Description &first = evidence.groups[pair->first].described,
-                      &second = evidence.groups[pair->second].described;
-    if (std::min(first.n, second.n) < 2) continue;  // no test judges it
-    (std::isfinite(first.std) && std::isfinite(second.std) ? by_means : by_ranks) = true;
-  }
-  const bool has_other = !evidence.from_summaries && !evidence.ranks_decide();
-  const std::string_view test = has_other && by_ranks                           ? "kruskal_wallis"
-                                : by_means && evidence.plan.test == "bootstrap" ? "tamhane"
-                                                                                : "";
-  return test.empty() ? "" : fmt::format(words::another_test, "test"_a = test);
 }
 
 // The best group (or the control) against the others.
@@ -221,19 +248,31 @@ class Answer {
         (is_short_ ? clause.text + separator + fmt::format("{}", fmt::join(clause.remarks, "; ")) : words_of(clause)) +
         doubts);
   }
-  // ", although the median favours the other"; names the pairs unless it holds for all.
-  std::string doubts(const Pairs& pairs) const {
-    ByReason doubts;
+  // The others by what is said of their pairs; leaves out pairs of which nothing is said.
+  ByReason by_reason(const Pairs& pairs, const std::function<std::string(const Finding&)>& reason_of) const {
+    ByReason reasons;
     for (const Finding* pair : pairs) {
-      if (const std::string doubt = doubt_words(evidence_, *pair); !doubt.empty()) {
-        doubts.add(doubt, name_words(evidence_, other_than(best_, *pair)));
+      if (const std::string reason = reason_of(*pair); !reason.empty()) {
+        reasons[reason].push_back(name_words(evidence_, other_than(best_, *pair)));
       }
     }
+    return reasons;
+  }
+  ByReason reasons_of(const Pairs& pairs) const {
+    return by_reason(pairs, [](const Finding& pair) { return pair.why; });
+  }
+  // ", although the median favours the other"; names the pairs unless it holds for all.
+  std::string doubts(const Pairs& pairs) const {
     std::vector<std::string> parts;
-    for (const auto& [doubt, names] : doubts.items()) {
+    for (const auto& [doubt, names] :
+         by_reason(pairs, [&](const Finding& pair) { return doubt_words(evidence_, pair); })) {
       parts.push_back(names.size() == pairs.size() ? doubt : fmt::format("{} ({})", doubt, listed(names)));
     }
     return parts.empty() ? "" : ", although " + listed(parts);
+  }
+  // The interval that goes with the deciding test.
+  const Estimate& interval_of(const Finding& pair) const {
+    return evidence_.ranks_decide() ? pair.ratio : pair.estimate;
   }
 
   // "IK-BA is better than K-ABC and BA (p at most 0.0003)", "Against K-ABC, the best of these: mean ...".
@@ -272,7 +311,7 @@ class Answer {
                             "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
     if (is_one && front.is_fact) {
       text.remarks.emplace_back(have_same_bits(evidence_, front) ? words::same_bits : words::is_fact);
-    } else if (is_one && !is_short_ && !is_point(front)) {
+    } else if (is_one && !is_short_ && interval_of(front).low < interval_of(front).high) {
       text.remarks = {interval_words(evidence_, front, best_)};
     }
     say(text);
@@ -280,50 +319,27 @@ class Answer {
   void say_open(const Pairs& pairs) {
     Clause text{fmt::format(words::undecided, "first"_a = first(), "others"_a = others(pairs))};
     const Finding& front = *pairs.front();
-    const bool has_interval = std::isfinite((evidence_.ranks_decide() ? front.ratio : front.estimate).low);
+    const bool has_interval = std::isfinite(interval_of(front).low);
     if (pairs.size() == 1) {
       const bool is_equal = front.p == 1 && front.estimate.value == no_difference(evidence_) && !has_interval;
-      if (std::isfinite(front.p)) text.remarks.emplace_back(is_equal ? words::all_equal : p_of_open(front));
+      if (std::isfinite(front.p))
+        text.remarks.emplace_back(is_equal ? std::string(words::all_equal) : p_words(front.p));
       if (has_interval && !is_short_) text.remarks.push_back(interval_words(evidence_, front, best_));
     }
-    Pairs without_p = pairs, with_reason = pairs;
-    std::erase_if(without_p, [](const Finding* pair) { return std::isfinite(pair->p); });
-    std::erase_if(with_reason, [](const Finding* pair) { return pair->why.empty(); });
-    const ByReason reasons = is_short_ ? ByReason() : reasons_of(with_reason);
-    for (const auto& [reason, names] : reasons.items()) {
+    const ByReason reasons = is_short_ ? ByReason() : reasons_of(pairs);
+    for (const auto& [reason, names] : reasons) {
       text.remarks.push_back(names.size() == pairs.size() ? reason
                                                           : fmt::format("against {} {}", listed(names), reason));
     }
     const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
     if (!runs.empty()) text.remarks.push_back(runs);
     say(text, doubts(pairs));
-    say_another_test(without_p);
-  }
-  bool is_point(const Finding& pair) const {
-    const Estimate& of = evidence_.ranks_decide() ? pair.ratio : pair.estimate;
-    return !(of.low < of.high);
-  }
-  // Says p before its correction too, if this alone would decide.
-  std::string p_of_open(const Finding& pair) const {
-    if (!(pair.p_alone < evidence_.plan.significance) || evidence_.family() == 1) return p_words(pair.p);
-    return fmt::format(words::p_in_family, "p"_a = p_words(pair.p), "pairs"_a = corrected_for(evidence_),
-                       "alone"_a = rounded_number(pair.p_alone, 3));
-  }
-  ByReason reasons_of(const Pairs& pairs) const {
-    ByReason reasons;
-    for (const Finding* pair : pairs) reasons.add(pair->why, name_words(evidence_, other_than(best_, *pair)));
-    return reasons;
-  }
-  void say_another_test(const Pairs& pairs) {
-    const std::string other = is_short_ ? "" : another_test_words(evidence_, pairs);
-    if (!other.empty()) say({other});
   }
   void say_undefined(const Pairs& pairs) {
     std::vector<std::string> parts;
-    const ByReason reasons = reasons_of(pairs);
-    for (const auto& [reason, names] : reasons.items()) parts.push_back(fmt::format("{} ({})", listed(names), reason));
+    for (const auto& [reason, names] : reasons_of(pairs))
+      parts.push_back(fmt::format("{} ({})", listed(names), reason));
     say({fmt::format(words::not_judged, "first"_a = first(), "others"_a = is_short_ ? others(pairs) : clauses(parts))});
-    say_another_test(pairs);
   }
 
   const Evidence& evidence_;
@@ -365,30 +381,32 @@ std::vector<std::string> other_pairs_words(const Evidence& evidence) {
   return sentences;
 }
 
-// "studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value each"
+// "studentized bootstrap, corrected for 3 pairs"
+std::string planned_test(const Evidence& evidence) {
+  if (evidence.pairs == 1) return std::string(pair_test_words(evidence));
+  return fmt::format(words::corrected, "test"_a = pair_test_words(evidence), "pairs"_a = corrected_for(evidence));
+}
+
+// The test that decided a pair.
+std::string test_of(const Evidence& evidence, const Finding& pair) {
+  if (pair.is_fact) return std::string(have_same_bits(evidence, pair) ? words::by_bits : words::by_fact);
+  if (pair.is_by_order && has_known(evidence, pair)) return std::string(words::by_sign_of_known);
+  if (pair.is_by_order) {
+    return fmt::format(words::by_order, "test"_a = evidence.blocks > 0 ? "the sign test" : "the exact test of ranks");
+  }
+  if (are_constants(evidence, pair))
+    return fmt::format(words::by_constants, "test"_a = test_of_constants_words(evidence));
+  return planned_test(evidence);
+}
+
+// Each test once, the planned one first.
 std::string decided_by(const Evidence& evidence) {
-  const auto& pairs = evidence.contrasts;
-  const auto constants = std::ranges::count_if(
-      pairs, [&](const Finding& c) { return !c.is_fact && !c.is_by_order && are_constants(evidence, c); });
-  const auto by_order = std::ranges::count(pairs, true, &Finding::is_by_order);
-  const auto facts = std::ranges::count(pairs, true, &Finding::is_fact);
-  const auto same_bits = std::ranges::count_if(pairs, [&](const Finding& c) { return have_same_bits(evidence, c); });
-  const auto against_known =
-      std::ranges::count_if(pairs, [&](const Finding& c) { return c.is_by_order && has_known(evidence, c); });
   std::vector<std::string> tests;
-  if (constants + by_order + facts < std::ssize(pairs)) {
-    tests.push_back(evidence.pairs > 1 ? fmt::format(words::corrected, "test"_a = pair_test_words(evidence),
-                                                     "pairs"_a = corrected_for(evidence))
-                                       : std::string(pair_test_words(evidence)));
+  for (const Finding& pair : evidence.contrasts) {
+    const std::string test = test_of(evidence, pair);
+    if (std::ranges::find(tests, test) != tests.end()) continue;
+    tests.insert(test == planned_test(evidence) ? tests.begin() : tests.end(), test);
   }
-  if (against_known > 0) tests.emplace_back(words::by_sign_of_known);
-  if (facts > same_bits) tests.emplace_back(words::by_fact);
-  if (same_bits > 0) tests.emplace_back(words::by_bits);
-  if (by_order > against_known) {
-    tests.push_back(
-        fmt::format(words::by_order, "test"_a = evidence.blocks > 0 ? "the sign test" : "the exact test of ranks"));
-  }
-  if (constants > 0) tests.push_back(fmt::format(words::by_constants, "test"_a = test_of_constants_words(evidence)));
   return fmt::format("{}", fmt::join(tests, "; "));
 }
 
@@ -434,9 +452,6 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Finding::relation) > 0 &&
       std::ranges::any_of(evidence.groups, is_short)) {
     parts.emplace_back(words::more_than_two);
-  }
-  if (std::ranges::any_of(evidence.contrasts, [](const Finding& pair) { return pair.lacks_spread; })) {
-    parts.emplace_back(words::more_values);
   }
   if (is_doubted) parts.emplace_back(words::another_measure);
   const std::string margin = margin_words(evidence);

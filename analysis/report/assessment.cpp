@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "analysis/figures/box_figure.hpp"
 #include "analysis/figures/critical_difference_figure.hpp"
@@ -13,14 +16,13 @@
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/report/answer.hpp"
-#include "analysis/report/assessment_json.hpp"
-#include "analysis/report/assessment_sentences.hpp"
-#include "analysis/report/assessment_tables.hpp"
 #include "analysis/report/assessment_words.hpp"
+#include "analysis/report/json.hpp"
+#include "analysis/report/words.hpp"
 
 namespace ikbench::report {
 
+using namespace fmt::literals;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -113,7 +115,116 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
   return result;
 }
 
+Json estimate(const Estimate& of) {
+  return {{"value", json_number(of.value)}, {"low", json_number(of.low)}, {"high", json_number(of.high)}};
+}
+
+std::string_view extent_of(const Finding& contrast) {
+  return contrast.is_within_margin()   ? "within the margin"
+         : contrast.is_beyond_margin() ? "beyond the margin"
+         : contrast.is_across_margin() ? "on both sides of the margin"
+                                       : "unknown";
+}
+
+void add_reason(Json& object, const std::string& undefined) {
+  if (!undefined.empty()) object["undefined"] = undefined;
+}
+
+Json group_json(const GroupEvidence& group) {
+  const Description& of = group.described;
+  return {{"name", group.name},
+          {"n", of.n},
+          {"not_finite", of.not_finite},
+          {"mean", estimate(group.mean)},
+          {"mean_by_bootstrap", estimate(group.bootstrapped)},
+          {"sd", json_number(of.std)},
+          {"median", estimate(group.median)},
+          {"q1", json_number(group.q1)},
+          {"q3", json_number(group.q3)},
+          {"min", json_number(of.min)},
+          {"max", json_number(of.max)},
+          {"shapiro_wilk_w", json_number(group.normality_w)},
+          {"shapiro_wilk_p", json_number(group.normality)},
+          {"mean_rank", json_number(group.mean_rank)},
+          {"average_rank", json_number(group.average_rank)},
+          {"decades", json_number(group.decades)}};
+}
+
+Json test_json(const TestResult& test) {
+  Json object{{"test", test.test},
+              {"role", role_words(test.role)},
+              {"without", test.without},
+              {"symbol", test.symbol},
+              {"statistic", json_number(test.statistic)},
+              {"df", json_number(test.df)},
+              {"df_within", json_number(test.df_within)},
+              {"p", json_number(test.p)}};
+  if (!test.effect_symbol.empty())
+    object["effect"] = {{"symbol", test.effect_symbol}, {"value", json_number(test.effect)}};
+  add_reason(object, test.undefined);
+  return object;
+}
+
+Json contrast_json(const Evidence& evidence, const Finding& contrast) {
+  Json object{{"first", evidence.groups[contrast.first].name},
+              {"second", evidence.groups[contrast.second].name},
+              {"difference", estimate(contrast.estimate)},
+              {"p", json_number(contrast.p)},
+              {"p_alone", json_number(contrast.p_alone)},
+              {"p_ranks", json_number(contrast.p_ranks)},
+              {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
+              {"typical_ratio", estimate(contrast.ratio)},
+              {"hedges_g", json_number(contrast.g)},
+              {"runs_to_decide", json_number(contrast.runs_to_decide.value)},
+              {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
+              {"runs_to_decide_high", json_number(contrast.runs_to_decide.high)},
+              {"relation", name_of(contrast.relation)},
+              {"extent", extent_of(contrast)},
+              {"verdict", verdict_words(evidence, contrast)}};
+  add_reason(object, contrast.why);
+  return object;
+}
+
 }  // namespace
+
+std::string json_of(const Evidence& evidence) {
+  constexpr std::array scales{"plain", "log10", "share"};
+  const AnalysisPlan& plan = evidence.plan;
+  Json object{{"quantity", evidence.quantity},
+              {"unit", evidence.unit},
+              {"better", evidence.better == Better::smaller ? "smaller" : "larger"},
+              {"scale", scales[static_cast<std::size_t>(evidence.scale)]},
+              {"replicate", evidence.replicate},
+              {"block", evidence.block},
+              {"blocks", evidence.blocks},
+              {"method", evidence.method == nullptr ? "" : evidence.method->title},
+              {"from_summaries", evidence.from_summaries},
+              {"of_outcomes", evidence.of_outcomes},
+              {"plan",
+               {{"test", plan.test},
+                {"adjustment", name_of(plan.adjustment)},
+                {"control", plan.control},
+                {"significance", plan.significance},
+                {"margin", plan.margin},
+                {"margin_cm", plan.margin_cm},
+                {"margin_absolute", evidence.margin},
+                {"power", plan.power},
+                {"quartiles", plan.quartiles}}},
+              {"notes", evidence.notes},
+              {"flaw", words_of(evidence.flaws)},
+              {"variance_ratio", json_number(evidence.variance_ratio)},
+              {"critical_difference", json_number(evidence.critical_difference)},
+              {"pairs", evidence.pairs}};
+  Json groups = Json::array(), tests = Json::array(), contrasts = Json::array();
+  for (const GroupEvidence& group : evidence.groups) groups.push_back(group_json(group));
+  for (const TestResult& test : evidence.tests) tests.push_back(test_json(test));
+  for (const Finding& contrast : evidence.contrasts) contrasts.push_back(contrast_json(evidence, contrast));
+  object["groups"] = groups;
+  object["tests"] = tests;
+  object["contrasts"] = contrasts;
+  object["sentences"] = words_of(sentences_of(evidence));
+  return numerics::text_of(object, 2);  // names may be anything
+}
 
 std::string heading_of(const Assessment& assessment) { return "Statistics: " + assessment.quantity; }
 
@@ -127,6 +238,150 @@ Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
 
 Assessment assess(const JudgedStudy& study, Metric metric, Estimand estimand) {
   return with_observations(study.evidence(metric, estimand), observations(study, metric, estimand));
+}
+
+namespace {
+
+std::string table_name(const Evidence& evidence, std::string_view part) {
+  return fmt::format("statistics-{}-{}", evidence.name, part);
+}
+
+Cell interval(const Estimate& estimate) {
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return {};
+  return Range{estimate.low, estimate.high};
+}
+
+Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
+
+Cell unless_zero(int count) {
+  if (count == 0) return {};
+  return std::int64_t{count};
+}
+
+// Adds the notes of a table of groups: one observation, the intervals, the data.
+Table with_notes(Table table, const Evidence& evidence, const std::string& intervals) {
+  if (!evidence.replicate.empty())
+    table.notes.push_back(fmt::format(words::observation, "what"_a = evidence.replicate));
+  if (!intervals.empty()) table.notes.push_back(intervals);
+  table.notes.insert(table.notes.end(), evidence.notes.begin(), evidence.notes.end());
+  return table;
+}
+
+Table groups_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  const bool of_logarithms = evidence.scale == ValueScale::log10;
+  Table table{
+      .name = table_name(evidence, "groups"),
+      .caption = fmt::format("Observations: {}", evidence.quantity),
+      .columns = {"group", "n", "not finite", of_logarithms ? "geometric mean" : "mean",
+                  level + " interval of the mean", "bootstrap interval", of_logarithms ? "sd of log10" : "sd", "median",
+                  level + " interval of the median", "q1", "q3", "min", "max", "Shapiro-Wilk p", "average rank"}};
+  for (const GroupEvidence& group : evidence.groups) {
+    const Description& of = group.described;
+    const Cell not_finite = unless_zero(of.not_finite);
+    table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
+                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), or_nothing(of.median),
+                          interval(group.median), or_nothing(group.q1), or_nothing(group.q3), or_nothing(of.min),
+                          or_nothing(of.max), or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+  }
+  return with_notes(
+      std::move(table), evidence,
+      evidence.from_summaries ? "" : fmt::format(words::intervals_and_quartiles, "type"_a = evidence.plan.quartiles));
+}
+
+// Shares with intervals replace means where every observation is 0 or 1.
+Table outcomes_table(const Evidence& evidence) {
+  Table table{
+      .name = table_name(evidence, "groups"),
+      .caption = fmt::format("Observations of 0 and 1: {}", evidence.quantity),
+      .columns = {"group", "n", "ones", "share", percent(1 - evidence.plan.significance) + " interval of the share"}};
+  for (const GroupEvidence& group : evidence.groups) {
+    table.rows.push_back({group.name, std::int64_t{group.described.n}, ones_of(group), group.mean.value,
+                          Range{group.mean.low, group.mean.high}});
+  }
+  return with_notes(std::move(table), evidence, std::string(words::wilson));
+}
+
+Table tests_table(const Evidence& evidence) {
+  Table table{.name = table_name(evidence, "tests"),
+              .caption = fmt::format("Tests of all groups: {}", evidence.quantity),
+              .columns = {"part", "test", "statistic", "value", "df", "df within", "p", "effect", "size", "verdict"}};
+  for (const TestResult& test : evidence.tests) {
+    const bool significant = test.p < evidence.plan.significance;
+    const std::string_view finding = test.role == Role::assumption ? (significant ? "rejected" : "not rejected")
+                                                                   : (significant ? "the groups differ" : "undecided");
+    const bool defined = test.undefined.empty(), has_effect = std::isfinite(test.effect);
+    table.rows.push_back(
+        {std::string(role_words(test.role)),
+         fmt::format("{}{}", test.test, test.without.empty() ? "" : fmt::format(" ({})", test.without)),
+         defined ? Cell(test.symbol) : Cell(), or_nothing(test.statistic), defined ? or_nothing(test.df) : Cell(),
+         defined ? or_nothing(test.df_within) : Cell(), or_nothing(PValue{test.p}),
+         has_effect ? Cell(test.effect_symbol) : Cell(), or_nothing(test.effect),
+         defined ? std::string(finding) : "not defined: " + test.undefined});
+  }
+  table.notes.push_back(fmt::format(words::significance, "level"_a = rounded_number(evidence.plan.significance, 3),
+                                    "test"_a = deciding_words(evidence)));
+  return table;
+}
+
+// Says how many pairs p-values and intervals are corrected for, and what follows if that leaves a pair undecided.
+std::string family_note(const Evidence& evidence) {
+  if (evidence.pairs == 1) return fmt::format(words::decides, "test"_a = deciding_words(evidence));
+  const bool costs_one = std::ranges::any_of(evidence.contrasts, [&](const Finding& pair) {
+    return pair.relation == Relation::undecided && pair.p_alone < evidence.plan.significance;
+  });
+  return fmt::format(words::decides_all, "test"_a = deciding_words(evidence), "pairs"_a = corrected_for(evidence),
+                     "interval"_a = evidence.method->interval) +
+         (costs_one ? fmt::format(words::undecided_in_family, "pairs"_a = corrected_for(evidence)) : "");
+}
+
+Table contrasts_table(const Evidence& evidence) {
+  const std::string level = percent(1 - evidence.plan.significance);
+  Table table{.name = table_name(evidence, "contrasts"),
+              .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
+              .columns = {"first", "second", "verdict",
+                          evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means",
+                          level + " interval", "p", "p alone", evidence.blocks > 0 ? "ahead in blocks" : "A12",
+                          level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12"), "Hedges g"}};
+  const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
+  if (has_ranks) table.columns.push_back(fmt::format("p, {}", rank_method(evidence).of_pair));
+  table.columns.push_back(replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide");
+  for (const Finding& contrast : evidence.contrasts) {
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
+        evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),
+        contrast.estimate.value, interval(contrast.estimate), or_nothing(PValue{contrast.p}),
+        or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), interval(contrast.superiority),
+        or_nothing(contrast.g)});
+    if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
+    const Estimate& runs = contrast.runs_to_decide;  // the same range as in the sentence
+    row.push_back(std::isfinite(runs.low)     ? Cell(range_words(runs.low, runs.high))
+                  : std::isfinite(runs.value) ? Cell(fmt::format("at least {:.0f}", runs.value))
+                                              : Cell());
+  }
+  table.notes.push_back(family_note(evidence));
+  if (!evidence.from_summaries && !evidence.of_outcomes) {
+    table.notes.emplace_back(evidence.blocks > 0 ? words::share_of_blocks : words::a12);
+  }
+  if (const std::string limit = rare_failures_words(evidence); !limit.empty()) table.notes.push_back(limit + '.');
+  if (evidence.reference) {
+    const std::string& name = evidence.groups[*evidence.reference].name;
+    table.notes.push_back(evidence.plan.control.empty() ? fmt::format(words::pairs_with_best, "name"_a = name)
+                                                        : fmt::format(words::pairs_with_control, "name"_a = name));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> tables_of(const Evidence& evidence) {
+  std::vector<Table> tables{evidence.of_outcomes ? outcomes_table(evidence) : groups_table(evidence)};
+  if (!evidence.tests.empty()) tables.push_back(tests_table(evidence));
+  if (!evidence.contrasts.empty()) tables.push_back(contrasts_table(evidence));
+  for (Table& table : tables) {
+    if (!evidence.flaws.empty()) table.notes.push_back(fmt::format(words::flawed, "why"_a = words_of(evidence.flaws)));
+  }
+  return tables;
 }
 
 }  // namespace ikbench::report

@@ -1,6 +1,5 @@
 // The statistics of one quantity as sentences, tables, figures and JSON, in the order that docs/reading-a-report.md
-// explains: what was compared, assumptions, the paper's analysis, the robust one, who differs from whom, where methods
-// disagree, and what this does not show.
+// explains.
 #pragma once
 
 #include <string>
@@ -33,5 +32,10 @@ Assessment assess(const inference::Summaries& summaries, const results::Analysis
 // Assesses a metric of a study by the study's plan. Times that are not comparable are shown, but not ranked, tested or
 // compared.
 Assessment assess(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
+
+// The parts of an assessment. The JSON has all numbers, also those that tables leave out.
+std::vector<Sentence> sentences_of(const inference::Evidence& evidence);
+std::vector<Table> tables_of(const inference::Evidence& evidence);
+std::string json_of(const inference::Evidence& evidence);
 
 }  // namespace ikbench::report

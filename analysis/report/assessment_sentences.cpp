@@ -1,16 +1,14 @@
-#include "analysis/report/assessment_sentences.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/report/answer.hpp"
-#include "analysis/report/assessment_disagreements.hpp"
+#include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/power.hpp"
@@ -54,7 +52,7 @@ Sentence design(const Evidence& evidence) {
 std::string sensitivity(const Evidence& evidence) {
   const int n =
       std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
-  if (n < 2 || evidence.constant || has_too_few(evidence)) return "";
+  if (n < 2 || evidence.constant || !too_few(evidence).text.empty()) return "";
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const bool in_blocks = evidence.decides_within_blocks();
@@ -66,6 +64,7 @@ std::string sensitivity(const Evidence& evidence) {
 }
 
 Sentence methods(const Evidence& evidence) {
+  constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
   std::string family;
   if (!evidence.plan.control.empty()) {
     family =
@@ -74,7 +73,7 @@ Sentence methods(const Evidence& evidence) {
     family = fmt::format(words::family_of_all, "pairs"_a = evidence.pairs);
   }
   if (!evidence.from_summaries && (evidence.ranks_decide() || evidence.of_outcomes) && evidence.pairs > 1) {
-    family += fmt::format(words::correction, "whose"_a = adjustment_words(evidence));
+    family += fmt::format(words::correction, "whose"_a = whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
   }
   std::string method = fmt::format(words::method, "test"_a = deciding_words(evidence),
                                    "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
@@ -83,18 +82,6 @@ Sentence methods(const Evidence& evidence) {
   return {"Methods", evidence.of_outcomes ? fmt::format(words::method_of_shares, "method"_a = method,
                                                         "interval"_a = evidence.method->interval)
                                           : method + sensitivity(evidence)};
-}
-
-// "Shares: IK-BA 18 of 20 (90 %, 70 to 97 %); BA ..."
-Sentence shares(const Evidence& evidence) {
-  std::vector<std::string> shares;
-  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
-    const GroupEvidence& group = evidence.groups[i];
-    shares.push_back(fmt::format(words::share, "name"_a = name_words(evidence, i), "ones"_a = ones_of(group),
-                                 "n"_a = group.described.n, "share"_a = percent(group.mean.value),
-                                 "low"_a = 100 * group.mean.low, "high"_a = 100 * group.mean.high));
-  }
-  return {"Shares", clauses(shares) + '.'};
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -111,18 +98,26 @@ std::string result_words(const TestResult& test) {
 std::string normality_words(const Evidence& evidence) {
   if (evidence.from_summaries) return std::string(words::normality_unknown);
   std::vector<std::string> not_normal;
-  std::size_t known = 0;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
     const double p = evidence.groups[i].normality;
-    known += std::isfinite(p) ? 1 : 0;
     if (p < evidence.plan.significance)
       not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
   }
-  if (known == 0) return std::string(words::normality_untested);
-  if (!not_normal.empty()) {
-    return fmt::format(words::not_normal, "names"_a = listed(not_normal));
-  }
-  return fmt::format(words::normal, "tested"_a = known < evidence.groups.size() ? " that can be tested" : "");
+  if (!not_normal.empty()) return fmt::format(words::not_normal, "names"_a = listed(not_normal));
+  const bool is_tested =
+      std::ranges::any_of(evidence.groups, [](const GroupEvidence& of) { return std::isfinite(of.normality); });
+  return std::string(is_tested ? words::normal : words::normality_untested);
+}
+
+// The test of equal variances: Brown and Forsythe's if the values are known, because Bartlett's assumes normal ones.
+const TestResult* variance_test(const Evidence& evidence) {
+  const TestResult* by_values = evidence.test(brown_forsythe_name);
+  return by_values != nullptr ? by_values : evidence.test(bartlett_name);
+}
+
+bool variances_differ(const Evidence& evidence) {
+  const TestResult* test = variance_test(evidence);
+  return test != nullptr && test->p < evidence.plan.significance;
 }
 
 Sentence assumptions(const Evidence& evidence) {
@@ -156,33 +151,39 @@ Sentence decades(const Evidence& evidence) {
   return {"Caution", fmt::format(words::decades, "names"_a = listed(names))};
 }
 
-std::string effect_words(const TestResult& test) {
-  return std::isfinite(test.effect) ? fmt::format(", {} = {}", test.effect_symbol, rounded_number(test.effect, 2)) : "";
-}
-
-// Words the planned test of all groups first, then the others.
-std::vector<Sentence> analyses(const Evidence& evidence) {
-  std::string planned, others;
-  for (const TestResult& test : evidence.tests) {
-    if (test.role == Role::assumption) continue;
-    std::string& text = &test == deciding_test(evidence) ? planned : others;
-    text += fmt::format("{}{}{}: {}{}{}.", text.empty() ? "" : " ", test.test,
-                        test.without.empty() ? "" : fmt::format(" ({})", test.without), result_words(test),
-                        effect_words(test),
-                        !test.undefined.empty() ? ""
-                        : test.p < evidence.plan.significance
-                            ? (evidence.groups.size() == 2 ? "; the groups differ" : "; at least one group differs")
-                            : "; no difference is shown");
-    if (test.role == Role::paper && variances_differ(evidence)) text += words::assumes_equal_variances;
+// The planned test of all groups.
+Sentence all_together(const Evidence& evidence) {
+  const TestResult* test = deciding_test(evidence);
+  if (test == nullptr) return {};
+  std::string text = fmt::format("{}: {}", test->test, result_words(*test));
+  if (std::isfinite(test->effect)) {
+    text += fmt::format(", {} = {}", test->effect_symbol, rounded_number(test->effect, 2));
   }
-  return {{"All groups together", planned}, {"Other tests of all groups, which do not decide", others}};
+  if (test->undefined.empty()) {
+    text += test->p < evidence.plan.significance ? "; at least one group differs" : "; no difference is shown";
+  }
+  return {
+      "All groups together",
+      text + '.' +
+          std::string(test->role == Role::paper && variances_differ(evidence) ? words::assumes_equal_variances : "")};
 }
 
-Sentence too_few(const Evidence& evidence) {
-  if (!has_too_few(evidence)) return {};
-  const auto most = std::ranges::max(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; });
-  return {"Caution", fmt::format(words::too_few, "fewest"_a = evidence.fewest, "of"_a = replicates_words(evidence),
-                                 "most"_a = most.described.n)};
+// Pairs of which the rank test says other than the deciding one.
+Sentence disagreements(const Evidence& evidence) {
+  std::vector<std::string> pairs;
+  for (const Finding& pair : evidence.contrasts) {
+    if (!std::isfinite(pair.p_ranks) || !std::isfinite(pair.p)) continue;
+    const bool by_ranks = (pair.p_ranks < evidence.plan.significance), is_opposite = pair.ahead_by_ranks == -pair.ahead;
+    if (by_ranks == is_decided(pair) && !(by_ranks && is_opposite)) continue;
+    pairs.push_back(fmt::format(words::by_ranks_instead, "pair"_a = pair_words(evidence, pair),
+                                "finds"_a = !by_ranks                         ? "undecided"
+                                            : is_opposite && is_decided(pair) ? "the other one is better"
+                                                                              : "different",
+                                "p"_a = p_words(pair.p_ranks), "deciding"_a = p_words(pair.p)));
+  }
+  if (pairs.empty()) return {};
+  return {"Where methods disagree",
+          fmt::format(words::disagreements, "ranks"_a = rank_method(evidence).of_pair, "pairs"_a = clauses(pairs))};
 }
 
 Sentence limits(const Evidence& evidence) {
@@ -218,7 +219,6 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
   }
   say(change_words(evidence));
   describe();
-  if (evidence.of_outcomes) say(shares(evidence));
   if (evidence.groups.size() < 2) {
     say({"", std::string(words::one_group)});
     return sentences;
@@ -232,7 +232,7 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
   say(too_few(evidence));
   say(assumptions(evidence));
   say(decades(evidence));
-  for (Sentence& sentence : analyses(evidence)) say(std::move(sentence));
+  say(all_together(evidence));
   say(disagreements(evidence));
   say(limits(evidence));
   return sentences;

@@ -30,36 +30,21 @@ std::string p_words(double p) {
   return p > 0.9995 ? "p > 0.999" : fmt::format("p = {}", rounded_number(p, 3));
 }
 
-std::string against(double mean, double other) {
-  std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
-  for (int digits = 4; one == two && digits <= 12; ++digits) {
-    one = rounded_number(mean, digits);
-    two = rounded_number(other, digits);
-  }
-  return fmt::format("{} vs {}", one, two);
-}
+namespace {
 
-std::string at_most(double p) {
-  const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
-  return rounded_number(std::ceil(p / unit) * unit, 2);
-}
-
-std::string listed(const std::vector<std::string>& items) {
+std::string joined(const std::vector<std::string>& items, std::string_view comma, std::string_view last) {
   std::string text;
   const std::size_t shown = items.size() > most_named + 1 ? most_named : items.size();
   for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == items.size();
-    text += fmt::format("{}{}", i == 0 ? "" : last ? " and " : ", ", items[i]);
+    text += fmt::format("{}{}", i == 0 ? "" : i + 1 == items.size() ? last : comma, items[i]);
   }
   return shown == items.size() ? text : fmt::format("{} and {} more", text, items.size() - shown);
 }
 
-std::string clauses(const std::vector<std::string>& items) {
-  const std::size_t shown = items.size() > most_named + 1 ? most_named : items.size();
-  const auto first = items.begin(), end = first + static_cast<std::ptrdiff_t>(shown);
-  const std::string text = fmt::format("{}", fmt::join(first, end, "; "));
-  return shown == items.size() ? text : fmt::format("{}; and {} more", text, items.size() - shown);
-}
+}  // namespace
+
+std::string listed(const std::vector<std::string>& items) { return joined(items, ", ", " and "); }
+std::string clauses(const std::vector<std::string>& items) { return joined(items, "; ", "; "); }
 
 std::string name_words(const Evidence& evidence, std::size_t group) {
   std::string name = row_label(evidence.groups[group].name, longest_name_in_text);
@@ -102,13 +87,13 @@ std::pair<double, double> interval_sizes(const Evidence& evidence, const Finding
   return std::minmax({size(contrast.estimate.low), size(contrast.estimate.high)});
 }
 
-Clause extent_clause(const Evidence& evidence, const Finding& contrast) {
+std::pair<std::string, std::string> extent_words(const Evidence& evidence, const Finding& contrast) {
   constexpr double most_in_percent = 10;  // times the smaller mean
   if (evidence.plan.margin == 0 && !has_absolute_margin(evidence)) return {};
   if (evidence.ranks_decide()) return {};  // the interval is for means
   const std::string margin = margin_words(evidence, contrast);
-  if (contrast.is_within_margin()) return {"less than " + margin};
-  if (contrast.is_beyond_margin()) return {"more than " + margin};
+  if (contrast.is_within_margin()) return {"less than " + margin, ""};
+  if (contrast.is_beyond_margin()) return {"more than " + margin, ""};
   if (!contrast.is_across_margin()) return {};
   const bool is_ratio = evidence.scale == ValueScale::log10;
   const double first = std::abs(evidence.groups[contrast.first].described.mean),
@@ -117,14 +102,16 @@ Clause extent_clause(const Evidence& evidence, const Finding& contrast) {
   const auto [low, high] = interval_sizes(evidence, contrast);
   const double least = low - no_difference(evidence), most = high - no_difference(evidence);
   if (evidence.scale == ValueScale::share)
-    return {fmt::format("{} to {}", rounded_number(100 * least, 3), points(most)), {"margin " + margin}};
+    return {fmt::format("{} to {}", rounded_number(100 * least, 3), points(most)), "margin " + margin};
   if (is_margin_absolute(evidence, contrast) || !(most <= most_in_percent * unit))
-    return {"perhaps less than " + margin};
-  return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), {"margin " + margin}};
+    return {"perhaps less than " + margin, ""};
+  return {fmt::format("{} to {}", percent(least / unit), percent(most / unit)), "margin " + margin};
 }
 
 std::string verdict_words(const Evidence& evidence, const Finding& contrast) {
-  const std::string extent = words_of(extent_clause(evidence, contrast)), by = extent.empty() ? "" : " by " + extent;
+  const auto [extent, remark] = extent_words(evidence, contrast);
+  const std::string by =
+      fmt::format("{}{}{}", extent.empty() ? "" : " by ", extent, remark.empty() ? "" : fmt::format(" ({})", remark));
   switch (contrast.relation) {
     case Relation::better:
       return fmt::format("{} is better{}", evidence.groups[contrast.first].name, by);
@@ -150,34 +137,6 @@ std::string_view replicates_words(const Evidence& evidence) {
   return evidence.decides_within_blocks() ? std::string_view(evidence.block_noun) : "observations per group";
 }
 
-std::string runs_words(const Evidence& evidence, const Estimate& runs) {
-  if (std::isnan(runs.value) && std::isnan(runs.low)) return "";  // a margin of 0 is never found
-  const double most = std::fmax(runs.value, runs.high);
-  const bool more =
-      std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
-  if (!more) return "";
-  const std::string_view of = replicates_words(evidence);
-  if (!std::isfinite(runs.low)) return fmt::format(words::runs_at_least, "runs"_a = runs.value, "of"_a = of);
-  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, runs.high), "of"_a = of,
-                     "margin"_a = margin_words(evidence));
-}
-
-Estimate runs_of_all(const std::vector<const Finding*>& pairs) {
-  Estimate all;
-  for (const Finding* pair : pairs) {
-    const Estimate& own = pair->runs_to_decide;
-    all = {std::fmax(all.value, own.value), std::fmin(all.low, own.low), std::fmax(all.high, own.high)};
-  }
-  return all;
-}
-
-std::string_view adjustment_words(const Evidence& evidence) {
-  constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
-  return whose[static_cast<std::size_t>(evidence.plan.adjustment)];
-}
-
-std::string_view none_words(const Evidence& evidence) { return evidence.scale == ValueScale::log10 ? "1" : "zero"; }
-
 std::string rare_failures_words(const Evidence& evidence) {
   int fewest = std::numeric_limits<int>::max();
   for (const Finding& pair : evidence.contrasts) {
@@ -195,12 +154,15 @@ std::string rare_failures_words(const Evidence& evidence) {
   return inference::rare_failures_words(fewest, replicates_words(evidence), evidence.plan.significance);
 }
 
-bool has_too_few(const Evidence& evidence) {
+Sentence too_few(const Evidence& evidence) {
   const bool has_one_step = evidence.plan.adjustment == results::Adjustment::holm ||
                             evidence.plan.adjustment == results::Adjustment::bonferroni;
-  return has_one_step && evidence.fewest > 0 && std::ranges::none_of(evidence.groups, [&](const GroupEvidence& group) {
-           return group.described.n >= evidence.fewest;
-         });
+  const auto size = [](const GroupEvidence& group) { return group.described.n; };
+  if (!has_one_step || evidence.fewest == 0 || evidence.groups.empty()) return {};
+  const int most = std::ranges::max(evidence.groups, {}, size).described.n;
+  if (most >= evidence.fewest) return {};
+  return {"Caution", fmt::format(words::too_few, "fewest"_a = evidence.fewest, "of"_a = replicates_words(evidence),
+                                 "most"_a = most)};
 }
 
 std::size_t corrected_for(const Evidence& evidence) {
@@ -210,16 +172,6 @@ std::size_t corrected_for(const Evidence& evidence) {
 bool has_single_values(const Evidence& evidence) {
   return std::ranges::all_of(evidence.groups, [](const GroupEvidence& group) { return group.described.n < 2; }) &&
          std::ranges::none_of(evidence.contrasts, &Finding::is_fact);
-}
-
-const TestResult* variance_test(const Evidence& evidence) {
-  const TestResult* by_values = evidence.test(brown_forsythe_name);
-  return by_values != nullptr ? by_values : evidence.test(bartlett_name);
-}
-
-bool variances_differ(const Evidence& evidence) {
-  const TestResult* test = variance_test(evidence);
-  return test != nullptr && test->p < evidence.plan.significance;
 }
 
 }  // namespace ikbench::report

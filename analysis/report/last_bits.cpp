@@ -20,6 +20,9 @@ using namespace statistics;
 
 namespace {
 
+// exact: a statistic is the same in all copies, in the digits that a table shows. stable: it differs, but each solve
+// has its status. chaotic: the status of a solve differs.
+enum class Certificate { exact, stable, chaotic };
 constexpr std::array<std::string_view, 3> certificate_names{"exact", "stable", "chaotic"};
 
 // Values below the metric's rounding count as that.
@@ -60,8 +63,6 @@ std::vector<Metric> exact_metrics() {
 
 }  // namespace
 
-std::string_view name_of(Certificate certificate) { return certificate_names[static_cast<std::size_t>(certificate)]; }
-
 std::string name_of_copy(std::string_view study, int number) { return fmt::format("{}-perturbed-{}", study, number); }
 
 bool is_copy_of(const StudyResults& copy, std::string_view study) {
@@ -91,9 +92,11 @@ Table last_bits_table(const StudyResults& study, const PerturbedCopies& copies) 
       const Rounding found = rounding_of(study, copies, solver, metric);
       if (std::isnan(found.as_solved)) continue;
       const bool is_chaotic = changed > 0 && found.certificate != Certificate::exact;
-      table.rows.push_back({solver, quantity(metric),
-                            std::string(name_of(is_chaotic ? Certificate::chaotic : found.certificate)),
-                            found.as_solved, found.range.low, found.range.high, static_cast<std::int64_t>(changed)});
+      table.rows.push_back(
+          {solver, quantity(metric),
+           std::string(
+               certificate_names[static_cast<std::size_t>(is_chaotic ? Certificate::chaotic : found.certificate)]),
+           found.as_solved, found.range.low, found.range.high, static_cast<std::int64_t>(changed)});
     }
   }
   return table;

@@ -10,11 +10,6 @@
 
 namespace ikbench::report {
 
-// exact: a statistic is the same in all copies, in the digits that a table shows. stable: it differs, but each solve
-// has its status. chaotic: the status of a solve differs.
-enum class Certificate { exact, stable, chaotic };
-std::string_view name_of(Certificate certificate);
-
 using PerturbedCopies = std::vector<inference::StudyResults>;
 
 // "NAME-perturbed-2"

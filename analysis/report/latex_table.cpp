@@ -1,5 +1,3 @@
-#include "analysis/report/latex_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "analysis/inference/text.hpp"
+#include "analysis/report/table.hpp"
 
 namespace ikbench::report {
 
@@ -37,38 +36,6 @@ std::string in_words(std::string_view name) {
   return text_of(words);
 }
 
-// Replaces column names in a note by their heads.
-std::string with_columns_in_words(std::string note, const Table& table) {
-  const auto is_part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  for (const std::string& column : table.columns) {
-    const std::string words = in_words(column);
-    if (words == column) continue;
-    for (std::size_t at = note.find(column); at != std::string::npos; at = note.find(column, at)) {
-      const std::size_t end = at + column.size();
-      const bool is_whole =
-          (at == 0 || !is_part_of_name(note[at - 1])) && (end == note.size() || !is_part_of_name(note[end]));
-      if (is_whole) note.replace(at, column.size(), words);
-      at += is_whole ? words.size() : 1;
-    }
-  }
-  return note;
-}
-
-// Replaces spelled-out statistics by Greek letters.
-std::string with_symbols(std::string latex) {
-  for (const std::string_view letter : {"chi", "omega", "epsilon", "eta"}) {
-    const std::string spelt = fmt::format("{}\\textasciicircum{{}}2", letter);
-    const std::string symbol = fmt::format("$\\{}^2$", letter);
-    for (std::size_t at = latex.find(spelt); at != std::string::npos; at = latex.find(spelt, at + symbol.size())) {
-      if (at > 0 && std::isalpha(static_cast<unsigned char>(latex[at - 1])) != 0) continue;
-      latex.replace(at, spelt.size(), symbol);
-    }
-  }
-  return latex;
-}
-
-std::string words_in_latex(std::string_view text) { return with_symbols(latex_text(text)); }
-
 // -1.2e-05 as $-1.2 \times 10^{-5}$.
 std::string latex_number(const std::string& number) {
   const std::size_t e = number.find('e');
@@ -89,7 +56,7 @@ std::string cell_latex(const Cell& cell, const LatexColumn& column) {
     return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
   }
   const std::string text = readable(cell);
-  if (!is_number(cell)) return column.wraps ? breakable_latex(text, longest_chunk) : words_in_latex(text);
+  if (!is_number(cell)) return column.wraps ? breakable_latex(text, longest_chunk) : latex_text(text);
   return text.starts_with('<') ? "$<10^{-300}$" : latex_number(text);
 }
 
@@ -123,7 +90,7 @@ std::string head_of(const LatexColumn& column, const std::string& name) {
     const bool fits = !lines.empty() && lines.back().size() + 1 + word.size() <= longest_head;
     fits ? lines.back() += ' ' + word : lines.emplace_back(word);
   }
-  for (std::string& line : lines) line = words_in_latex(line);
+  for (std::string& line : lines) line = latex_text(line);
   if (lines.size() == 1) return lines.front();
   return fmt::format("\\shortstack[{}]{{{}}}", column.is_text ? "l" : "r", fmt::join(lines, "\\\\"));
 }
@@ -145,7 +112,7 @@ std::string tabular(const Table& table, const std::vector<LatexColumn>& columns,
 
 // Leaves out the number: LaTeX counts tables itself.
 std::string caption_of(const Table& table, bool is_first) {
-  return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", words_in_latex(table.caption), table.name)
+  return is_first ? fmt::format("\\caption{{{}}}\\label{{tab:{}}}\n", latex_text(table.caption), table.name)
                   : fmt::format("Table~\\ref{{tab:{}}}, continued\n\n\\smallskip\n", table.name);
 }
 
@@ -154,7 +121,7 @@ std::string notes_of(const Table& table) {
   if (table.notes.empty()) return "";
   std::string text = "\\par\\smallskip\\footnotesize\\raggedright\n";
   for (const std::string& note : table.notes) {
-    text += fmt::format("{}\\par\n", words_in_latex(with_columns_in_words(note, table)));
+    text += fmt::format("{}\\par\n", latex_text(note));
   }
   return text;
 }
@@ -181,10 +148,10 @@ std::string breakable_latex(std::string_view text, std::size_t longest_word) {
       const bool at_sign = chunk.size() > 3 && std::string_view(",;:/_.=-").find(word[i]) != std::string_view::npos;
       if (!inside || (!at_sign && chunk.size() < longest_chunk)) continue;
       if (word.size() <= longest_word) continue;
-      result += words_in_latex(chunk) + "\\allowbreak{}";
+      result += latex_text(chunk) + "\\allowbreak{}";
       chunk.clear();
     }
-    result += words_in_latex(chunk);
+    result += latex_text(chunk);
   }
   return result;
 }

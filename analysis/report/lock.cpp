@@ -46,9 +46,7 @@ std::vector<std::string> overrides_of(const Lock& lock, const SetUp& chosen) {
 
 Table lock_table(const Lock& lock, std::span<const PrintedNumbers> found) {
   const bool has_integers = found.front().integers > 0;
-  Table table{.name = "lock",
-              .caption = fmt::format(fmt::runtime(has_integers ? words::lock_caption : words::lock_of_chance_caption),
-                                     "study"_a = lock.study)};
+  Table table{.name = "lock", .caption = fmt::format(words::lock_caption, "study"_a = lock.study)};
   for (const SetUpPoint& point : lock.points) table.columns.emplace_back(point.open);
   if (has_integers) table.columns.emplace_back("integers that agree");
   table.columns.emplace_back("numbers that agree");
@@ -62,9 +60,7 @@ Table lock_table(const Lock& lock, std::span<const PrintedNumbers> found) {
     add(found[i].agreeing, found[i].numbers);
     if (!has_integers) add(found[i].by_chance, found[i].numbers);
   }
-  table.notes = {lock_sentence(lock, found),
-                 fmt::format(fmt::runtime(has_integers ? words::lock_note : words::lock_of_chance_note),
-                             "solvers"_a = clauses(lock.solvers))};
+  table.notes = {lock_sentence(lock, found), fmt::format(words::lock_note, "solvers"_a = clauses(lock.solvers))};
   return table;
 }
 
@@ -78,13 +74,10 @@ std::string lock_sentence(const Lock& lock, std::span<const PrintedNumbers> foun
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (found[i].*agreeing == most) opening.push_back(words_of(lock, all[i]));
   }
-  const auto wording = !has_integers         ? words::lock_of_chance
-                       : most < of           ? words::lock_stays_shut
-                       : opening.size() == 1 ? words::lock_has_one_key
-                                             : words::lock_has_several_keys;
-  return fmt::format(fmt::runtime(wording), "set_ups"_a = all.size(), "integers"_a = of, "agreeing"_a = most,
-                     "keys"_a = opening.size(), "have"_a = opening.size() == 1 ? "has" : "have",
-                     "where"_a = fmt::join(opening, "; or "));
+  return fmt::format(words::lock, "set_ups"_a = all.size(), "keys"_a = opening.size(),
+                     "have"_a = opening.size() == 1 ? "has" : "have",
+                     "what"_a = has_integers ? "printed integers" : "printed numbers within the range of chance",
+                     "agreeing"_a = most, "integers"_a = of, "where"_a = fmt::join(opening, "; or "));
 }
 
 }  // namespace ikbench::report

@@ -11,17 +11,28 @@
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/multiverse.hpp"
 #include "analysis/inference/observations.hpp"
-#include "analysis/report/audit.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/last_bits.hpp"
 #include "analysis/report/lock.hpp"
-#include "analysis/report/multiverse.hpp"
 #include "analysis/report/rates.hpp"
-#include "analysis/report/repetitions.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_pieces.hpp"
 
 namespace ikbench::report {
+
+// Results of one solver: by seed, one value per run.
+struct RepeatedSolver {
+  std::string label;
+  std::vector<std::vector<double>> error_cm;
+  std::vector<std::vector<double>> variation_deg;
+};
+
+struct MultiverseReport {
+  std::vector<ClaimShares> claims;
+  std::vector<std::string> sentences = {};    // compare the printed numbers with the universes
+  std::vector<Table> tables = {};             // "multiverse", "multiverse-alternatives", "multiverse-printed", ...
+  std::vector<figures::Figure> figures = {};  // "multiverse"
+};
 
 // A study with its companions: the collection's other studies that the store has. The study's plan judges all.
 struct Reported {
@@ -34,12 +45,6 @@ struct Reported {
 // The copies of one study among those reported.
 PerturbedCopies copies_of(const inference::StudyResults& study, const Reported& reported);
 
-// Printed rows beside ours.
-struct RowsOfPaper {
-  std::vector<Table> tables;  // rows-*
-  std::string sentence;       // how many agree; empty if there are none
-};
-
 struct Paper {
   std::string citation = {};        // a sentence with the DOI
   std::string kind = {};            // a sentence: what kind of reproduction this is
@@ -49,7 +54,7 @@ struct Paper {
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
   ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
   std::function<std::vector<std::string>(const Reported&)> summary = {};  // adds sentences to the summary; may be empty
-  std::function<RowsOfPaper(const Reported&)> rows = {};
+  std::function<StudyPieces(const Reported&)> rows = {};  // tables rows-*, and a sentence on how many agree
   std::optional<Lock> lock = {};
   // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};

@@ -7,11 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/report/latex_table.hpp"
-#include "analysis/report/moving_arm.hpp"
-#include "analysis/report/report_html.hpp"
-#include "analysis/report/report_latex.hpp"
-#include "analysis/report/report_markdown.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::report {
@@ -36,15 +31,6 @@ Doubts failures_of(const std::vector<FigureOutcome>& outcomes) {
   return failures;
 }
 
-// Files of the report's folder that the page offers for download.
-std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
-  std::vector<std::string> files;
-  for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
-    if (std::filesystem::is_regular_file(folder / name)) files.emplace_back(name);
-  }
-  return files;
-}
-
 std::string json_of(const std::vector<Assessment>& assessments) {
   std::vector<std::string> objects;
   for (const Assessment& assessment : assessments) objects.push_back(assessment.json);
@@ -59,22 +45,22 @@ void write_table(const Table& table, const std::filesystem::path& folder) {
   write_file(folder / (table.name + ".tex"), to_latex(table));
 }
 
-Report publish(Publication publication, const std::filesystem::path& folder, const RenderOptions& options) {
-  auto& [content, tables, figures, assessments, motion] = publication;
-  for (const Assessment& assessment : assessments) {
+Report publish(ReportContent content, std::vector<Table> tables, std::vector<Figure> figures,
+               const std::filesystem::path& folder, const RenderOptions& options) {
+  for (const Assessment& assessment : content.assessments) {
     std::ranges::copy(assessment.tables, std::back_inserter(tables));
     std::ranges::copy(assessment.figures, std::back_inserter(figures));
   }
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables");
-  if (!assessments.empty()) write_file(folder / "statistics.json", json_of(assessments));
+  if (!content.assessments.empty()) write_file(folder / "statistics.json", json_of(content.assessments));
   const auto [outcomes, edited] = write_figures(figures, folder / "figures", options);
   if (options.render && !edited.empty()) content.warnings.push_back({.kind = DoubtKind::figures_edited, .who = edited});
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
   std::vector<Piece> pieces(tables.begin(), tables.end());
   for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
-  arrange(std::move(pieces), assessments, content);
+  arrange(std::move(pieces), content);
 
   Report report{.page = folder / "report.html",
                 .file = folder / "report.md",
@@ -85,11 +71,20 @@ Report publish(Publication publication, const std::filesystem::path& folder, con
   write_file(report.file, to_markdown(content));
   if (!content.set_up.empty()) write_file(folder / "article.tex", to_article(content));
   if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
-  write_file(report.page, to_html(content, {.figures = folder / "figures",
-                                            .motion = motion,
-                                            .drawing_library = motion ? drawing_library() : std::nullopt,
-                                            .downloads = downloads_in(folder)}));
+  write_file(report.page, to_html(content, folder));
   return report;
+}
+
+Report write_statistics(ReportContent content, const std::filesystem::path& folder, const RenderOptions& options) {
+  for (const Assessment& assessment : content.assessments) {
+    if (!assessment.answer.empty()) {
+      content.summary.push_back(fmt::format("{}{}: {}.", assessment.quantity,
+                                            assessment.flaws.empty() ? "" : " (flawed)",
+                                            fmt::join(assessment.answer, ". ")));
+    }
+    std::ranges::copy(assessment.flaws, std::back_inserter(content.warnings));
+  }
+  return publish(std::move(content), {}, {}, folder, options);
 }
 
 }  // namespace ikbench::report

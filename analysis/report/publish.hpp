@@ -13,14 +13,6 @@
 
 namespace ikbench::report {
 
-struct Publication {
-  ReportContent content;  // publish() makes its sections from the fields below
-  std::vector<Table> tables = {};
-  std::vector<figures::Figure> figures = {};
-  std::vector<Assessment> assessments = {};  // one section per assessment
-  std::optional<std::string> motion = {};    // moving_arm.hpp
-};
-
 struct Report {
   std::filesystem::path page;         // report.html
   std::filesystem::path file;         // report.md
@@ -32,9 +24,16 @@ struct Report {
 
 // Replaces files of the same names. Throws std::invalid_argument if the folder cannot be written. Writes tables even
 // without gnuplot.
-Report publish(Publication publication, const std::filesystem::path& folder, const figures::RenderOptions& options);
+Report publish(ReportContent content, std::vector<Table> tables, std::vector<figures::Figure> figures,
+               const std::filesystem::path& folder, const figures::RenderOptions& options);
 
 // Writes one table as NAME.md, NAME.csv and NAME.tex.
 void write_table(const Table& table, const std::filesystem::path& folder);
+
+// The report of assessments only, for data from anywhere: report.html, report.md, statistics.json, tables/ and
+// figures/.
+// `content` has its title, source, command and assessments.
+Report write_statistics(ReportContent content, const std::filesystem::path& folder,
+                        const figures::RenderOptions& options);
 
 }  // namespace ikbench::report

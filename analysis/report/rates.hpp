@@ -20,7 +20,7 @@ struct RatesPlan {
   std::string caption = {};            // caption of the figure, without the level
   std::string paper = {}, table = {};  // source of the printed shares [%], one row per arm; empty: none are printed
   std::string note = {};               // describes the printed shares
-  std::vector<int> iterations = {};    // also report shares within so many iterations of the same solves
+  std::vector<int> iterations = {};    // within how many of these the shares of the same solves are as printed
   std::map<std::string, std::string> rows = {};     // our arm to its name in the printed table's column `arm`
   std::map<std::string, std::string> columns = {};  // solver to its printed column
 };
@@ -30,7 +30,6 @@ struct Rate {
   std::string solver;
   double printed = statistics::not_defined;
   statistics::Estimate ours = {};  // in all iterations, with Wilson's interval; undefined if not solved here
-  std::vector<statistics::Estimate> within = {};  // one per plan's `iterations`
   int first = 0,
       last = 0;  // first and last iteration count at which our interval contains the printed share; 0 if none
 
@@ -48,8 +47,7 @@ struct RatesOfArm {
 // from the printed table if there is one.
 std::vector<RatesOfArm> solve_rates(const Reported& reported, const RatesPlan& plan);
 
-// Adds the tables solve-rates and, where iterations are planned, solve-rates-iterations, and the figure
-// solve-rates-figure; nothing if no arm is solved.
+// Adds the tables solve-rates and over-arms, and the figure solve-rates-figure; nothing if no arm is solved.
 void add_rates(StudyPieces& pieces, const Reported& reported, const RatesPlan& plan);
 
 }  // namespace ikbench::report

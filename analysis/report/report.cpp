@@ -17,17 +17,14 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
-#include "analysis/report/leaders.hpp"
-#include "analysis/report/limits_table.hpp"
 #include "analysis/report/moving_arm.hpp"
-#include "analysis/report/provenance.hpp"
 #include "analysis/report/report_content.hpp"
-#include "analysis/report/set_up.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/report/words.hpp"
@@ -105,50 +102,41 @@ class CheckedStore {
   std::vector<std::string> damages_, unknown_;
 };
 
-// Other studies of the store that the report uses.
-struct Others {
-  std::vector<JudgedStudy> judged;  // companions, and those with the same targets
-  PerturbedCopies perturbed;
-};
-
-Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const StudyResults& study,
-                 const Collection& collection) {
-  Others result;
-  for (const StudyEntry& entry : entries) {
-    if (entry.name == study.name) continue;
-    StudyResults other = store.study(entry);
-    if (other.facts.perturbed > 0) {
-      result.perturbed.push_back(std::move(other));
-    } else if (is_companion(other.name, study, collection) || same_targets(study, other)) {
-      result.judged.push_back(judged_by(study.plan, std::move(other)));
-    }
-  }
-  return result;
-}
-
 bool has_another_solver(const StudyResults& other, const StudyResults& study) {
   return std::ranges::any_of(other.solvers, [&](const std::string& solver) {
     return std::ranges::find(study.solvers, solver) == study.solvers.end();
   });
 }
 
-// The other studies of a report. The last two lists begin with the reported one.
-struct Grouped {
-  JudgedStudies companions, same_targets_given, same_limits_too;
+// Other studies of the store that the report uses. Lists of those with the same targets begin with the reported one.
+// Studies that treat limits differently cannot be compared directly: they get their own table.
+struct Others {
+  std::vector<JudgedStudy> judged = {};
+  JudgedStudies companions = {}, same_targets_given = {}, same_limits_too = {};  // of these
+  PerturbedCopies perturbed = {};
 };
 
-// Studies that treat limits differently cannot be compared directly: they get their own table.
-Grouped grouped(const JudgedStudy& study, const std::vector<JudgedStudy>& others, const Collection& collection) {
-  Grouped result{.companions = {}, .same_targets_given = {study}, .same_limits_too = {study}};
-  for (const JudgedStudy& other : others) {
-    const bool is_collected = is_companion(other.name, study, collection);
-    if (is_collected) result.companions.push_back(other);
-    if (!same_targets(study, other)) continue;
-    result.same_targets_given.push_back(other);
+Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const JudgedStudy& study,
+                 const Collection& collection) {
+  Others result{.same_targets_given = {study}, .same_limits_too = {study}};
+  result.judged.reserve(entries.size());  // the lists refer to its elements
+  for (const StudyEntry& entry : entries) {
+    if (entry.name == study.name) continue;
+    StudyResults other = store.study(entry);
+    if (other.facts.perturbed > 0) {
+      result.perturbed.push_back(std::move(other));
+      continue;
+    }
+    const bool is_collected = is_companion(other.name, study, collection), is_beside = same_targets(study, other);
+    if (!is_collected && !is_beside) continue;
+    const JudgedStudy& judged = result.judged.emplace_back(judged_by(study.plan, std::move(other)));
+    if (is_collected) result.companions.push_back(judged);
+    if (!is_beside) continue;
+    result.same_targets_given.push_back(judged);
     // A companion with the same solvers under other conditions serves a claim.
-    const bool is_for_a_claim = is_collected && !has_another_solver(other, study);
-    if (other.facts.enforces_limits == study.facts.enforces_limits && !is_for_a_claim)
-      result.same_limits_too.push_back(other);
+    const bool is_for_a_claim = is_collected && !has_another_solver(judged, study);
+    if (judged.facts.enforces_limits == study.facts.enforces_limits && !is_for_a_claim)
+      result.same_limits_too.push_back(judged);
   }
   return result;
 }
@@ -162,12 +150,6 @@ const Collection& collection_of(const StudyResults& study, std::span<const Colle
   };
   const auto found = std::ranges::find_if(collections, is_of);
   return found == collections.end() ? none : *found;
-}
-
-// Adds a note if points are the observations.
-Table flagged(Table table, const StudyResults& study) {
-  if (study.plan.unit == Unit::point) table.notes.push_back(words_of(Doubt{DoubtKind::points_as_observations}));
-  return table;
 }
 
 // Assesses a paper's printed summaries by the same methods.
@@ -274,7 +256,7 @@ void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::s
   }
   if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
-  if (audit != tables.end()) content.seen.emplace("audit", audit_sentence(*audit));
+  if (audit != tables.end()) content.seen.emplace("audit", audit->notes.front());
 }
 
 }  // namespace
@@ -291,10 +273,10 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
   StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
   add_rates(pieces, reported, collection.rates);
   if (collection.paper && collection.paper->rows) {
-    RowsOfPaper rows = collection.paper->rows(reported);
+    StudyPieces rows = collection.paper->rows(reported);
     if (!rows.tables.empty()) pieces.results = rows.tables.front().name;
     std::ranges::move(rows.tables, std::back_inserter(pieces.tables));
-    if (!rows.sentence.empty()) pieces.verdict.push_back({"", std::move(rows.sentence)});
+    for (Sentence& sentence : rows.verdict) add(pieces.verdict, std::move(sentence));
   }
   return pieces;
 }
@@ -313,32 +295,28 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
   const Others others = others_of(checked, store.studies(), study, collection);
-  const auto [companions, same_targets_given, same_limits_too] = grouped(study, others.judged, collection);
-  const Reported reported{
-      .study = study, .companions = companions, .repetitions = request.repetitions, .perturbed = others.perturbed};
+  const Reported reported{.study = study,
+                          .companions = others.companions,
+                          .repetitions = request.repetitions,
+                          .perturbed = others.perturbed};
   const PerturbedCopies copies = copies_of(study, reported);
 
-  std::vector<Table> tables{definition_table(entry),
-                            options_table(entry),
+  std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
-                            environment_table(study, sessions),
-                            flow_table(study),
-                            status_table(study)};
+                            environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
   if (plan.results.empty()) plan.results = std::move(pieces.sections);
   std::vector<Figure> figures = std::move(pieces.figures);
   std::ranges::move(pieces.tables, std::back_inserter(tables));
-  if (same_limits_too.size() > 1) tables.push_back(flagged(baselines_table(same_limits_too), study));
-  if (std::optional<Table> table = limits_table(same_targets_given))
-    tables.push_back(flagged(std::move(*table), study));
+  if (others.same_limits_too.size() > 1) tables.push_back(baselines_table(others.same_limits_too));
+  if (std::optional<Table> table = limits_table(others.same_targets_given)) tables.push_back(std::move(*table));
   if (!copies.empty()) tables.push_back(last_bits_table(study, copies));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
   ReportContent content{.study = study.name,
                         .title = study.facts.title.empty() ? study.name : study.facts.title,
-                        .answer = leader_sentences(study, Metric::position_error_cm),
                         .studied = studied(study, paper),
                         .set_up = set_up_sentences(study, paper, sessions),
                         .solvers = study.solvers,
@@ -365,22 +343,23 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  if (content.claims.empty() && !study.solves.empty()) {
+  const std::vector<Sentence> own = study.solves.empty() ? std::vector<Sentence>() : own_verdict(study);
+  if (!content.claims.empty()) {  // they are the verdict
+    const std::vector<std::string> sentences = words_of(own);
+    content.summary.insert(content.summary.begin(), sentences.begin(), sentences.end());
+  } else {
     content.answer = pieces.verdict;
     if (!pieces.verdict.empty()) {
       content.answer.push_back({"", fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});
     }
-    std::ranges::move(own_verdict(study), std::back_inserter(content.answer));
+    std::ranges::copy(own, std::back_inserter(content.answer));
   }
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   add_seen(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
-  Report report = publish({.content = std::move(content),
-                           .tables = std::move(tables),
-                           .figures = std::move(figures),
-                           .assessments = assessments_of(study, paper),
-                           .motion = moving_arm(entry, study)},
-                          request.folder, request.figures);
+  content.assessments = assessments_of(study, paper);
+  content.motion = moving_arm(entry, study);
+  Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, request.figures);
   report.results = results;
   report.is_damaged = !checked.damages().empty();
   remember_look(entry.name, runs, store.name());

@@ -8,43 +8,6 @@ namespace ikbench::report {
 
 namespace {
 
-const std::vector<SectionPlan>& circumstances() {
-  static const std::vector<SectionPlan> plans{
-      {"Study",
-       "What was solved, by which options, and how it is judged.",
-       {},
-       {"definition", "options", "analysis-plan"}},
-      {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
-      {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"flow", "status"}}};
-  return plans;
-}
-
-SectionPlan convergence() {
-  return {
-      "Convergence and cost",
-      "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
-      "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
-      "\"best_error\" in the study. Success and costs need a tolerance.",
-      {},
-      {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
-       "statistics-cost*"}};
-}
-
-// Sections of any paper.
-const std::vector<SectionPlan>& of_any_paper() {
-  static const std::vector<SectionPlan> plans{
-      {"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
-      {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}};
-  return plans;
-}
-
-const std::vector<SectionPlan>& last() {
-  static const std::vector<SectionPlan> plans{
-      {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {}, {"limits"}},
-      {"Baselines", "Other solvers on the same targets.", {}, {"baselines"}}};
-  return plans;
-}
-
 bool asks_for(std::string_view asked, std::string_view name) {
   return asked.ends_with('*') ? name.starts_with(asked.substr(0, asked.size() - 1)) : name == asked;
 }
@@ -112,7 +75,7 @@ std::vector<std::string> answers_of(const ReportContent& content) {
   return answers;
 }
 
-void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content) {
+void arrange(std::vector<Piece> pieces, ReportContent& content) {
   const auto fill = [&](const std::vector<SectionPlan>& plans, std::vector<Section>& sections) {
     for (const SectionPlan& plan : plans) {
       Section filled = section(plan, pieces);
@@ -123,14 +86,24 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
       if (!filled.pieces.empty() || !filled.folded.empty()) sections.push_back(std::move(filled));
     }
   };
-  fill(circumstances(), content.circumstances);
-  fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates", "solve-rates-iterations"}}}, content.results);
-  fill({{"Printed rows", "", {"rows-*"}}, {"Last bits", "", {"last-bits"}}}, content.results);
+  fill({{"Study",
+         "What was solved, by which options, and how it is judged.",
+         {},
+         {"definition", "options", "analysis-plan"}},
+        {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
+        {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"status"}}},
+       content.circumstances);
+  fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates"}},
+        {"Printed rows", "", {"rows-*"}},
+        {"Last bits", "", {"last-bits"}}},
+       content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
-  fill(of_any_paper(), content.results);
+  fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
+        {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}},
+       content.results);
   const bool are_all = content.results.empty();  // a report of data only shows them
-  for (const Assessment& assessment : assessments) {
+  for (const Assessment& assessment : content.assessments) {
     SectionPlan own{heading_of(assessment), "", {}};
     std::vector<std::string>& names = are_all ? own.names : own.folded;
     for (const Table& table : assessment.tables) names.push_back(table.name);
@@ -139,8 +112,17 @@ void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessmen
     filled.sentences = assessment.sentences;
     if (!assessment.answer.empty()) content.seen[own.heading] = assessment.answer.front() + '.';
   }
-  fill({convergence()}, content.results);
-  fill(last(), content.results);
+  fill(
+      {{"Convergence and cost",
+        "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
+        "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
+        "\"best_error\" in the study. Success and costs need a tolerance.",
+        {},
+        {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
+         "statistics-cost*"}},
+       {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {}, {"limits"}},
+       {"Baselines", "Other solvers on the same targets.", {}, {"baselines"}}},
+      content.results);
   if (pieces.empty()) return;
   content.results.push_back(
       {.heading = "Further", .paragraph = "", .sentences = {}, .pieces = {}, .folded = std::move(pieces)});

@@ -1,7 +1,9 @@
 // The content of a report, in order, independent of its format.
 #pragma once
 
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -63,7 +65,9 @@ struct ReportContent {
   std::vector<Section> circumstances;  // what was run, where, and with which status
   std::vector<Section> results;
   ReportPlan plan = {};
-  std::string path = "path";  // the figure that replaces the animated view
+  std::vector<Assessment> assessments = {};  // one section per assessment
+  std::optional<std::string> motion = {};    // moving_arm.hpp
+  std::string path = "path";                 // the figure that replaces the animated view
   // A sentence on what a piece shows, by its name, or by the heading of a section that is folded or has the verdict.
   std::map<std::string, std::string> seen = {};
 };
@@ -79,6 +83,13 @@ std::vector<std::string> answers_of(const ReportContent& content);
 
 // Puts every piece into the section that names it. Leaves out sections without pieces; collects unnamed pieces in a
 // last section. Each assessment gets its own section, folded if there is anything else.
-void arrange(std::vector<Piece> pieces, const std::vector<Assessment>& assessments, ReportContent& content);
+void arrange(std::vector<Piece> pieces, ReportContent& content);
+
+// The writers. The page is one HTML file that needs no network: figures, styles and scripts are inside. It links to
+// files beside it, and its pictures are in figures/ of the folder.
+std::string to_html(const ReportContent& content, const std::filesystem::path& folder);
+std::string to_markdown(const ReportContent& content);
+std::string verdict_markdown(const ReportContent& content);  // what the page shows first
+std::string to_article(const ReportContent& content);        // the skeleton of an article in LaTeX
 
 }  // namespace ikbench::report

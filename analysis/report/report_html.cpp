@@ -1,6 +1,6 @@
-#include "analysis/report/report_html.hpp"
-
 #include <fmt/format.h>
+#include <openssl/evp.h>
+#include <openssl/sha.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,9 @@
 
 #include "analysis/figures/dark.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/report/encoding.hpp"
 #include "analysis/report/json.hpp"
+#include "analysis/report/moving_arm.hpp"
+#include "analysis/report/report_content.hpp"
 #include "analysis/report/words.hpp"
 #include "numerics/embedded_file.hpp"
 #include "results/files.hpp"
@@ -24,6 +25,22 @@ using namespace inference;
 using namespace fmt::literals;
 
 namespace {
+
+const unsigned char* bytes_of(std::string_view text) { return reinterpret_cast<const unsigned char*>(text.data()); }
+
+std::string base64(std::string_view bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // plus a terminating zero
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), bytes_of(bytes), static_cast<int>(bytes.size()));
+  text.pop_back();
+  return text;
+}
+
+// The hash by which a Content-Security-Policy allows an inline script or style.
+std::string sha256_in_base64(std::string_view bytes) {
+  std::array<char, SHA256_DIGEST_LENGTH> digest{};
+  SHA256(bytes_of(bytes), bytes.size(), reinterpret_cast<unsigned char*>(digest.data()));
+  return base64({digest.data(), digest.size()});
+}
 
 // The files of templates/ (embed.cmake).
 constexpr numerics::EmbeddedFile templates[]{
@@ -44,9 +61,10 @@ constexpr std::size_t most_page_rows = 60;            // most rows of a table on
 
 using Data = kainjow::mustache::data;
 
-// Data of the page's template, which escapes texts. It leaves out what is false, null or an empty list.
+// Data of the page's template, which escapes texts. What is null or an empty text is false; "has_NAME" says that the
+// list NAME is not empty.
 Data data_of(const Json& json) {
-  if (json.is_string()) return Data(one_line(json.get<std::string>()));
+  if (json.is_string() && !json.get_ref<const std::string&>().empty()) return Data(one_line(json.get<std::string>()));
   if (json.is_array()) {
     Data list(Data::type::list);
     for (const Json& item : json) list.push_back(data_of(item));
@@ -55,12 +73,11 @@ Data data_of(const Json& json) {
   if (!json.is_object()) return Data(json.is_boolean() && json.get<bool>());
   Data object;
   for (const auto& [key, value] : json.items()) {
-    if (!value.is_null()) object.set(key, data_of(value));
+    object.set(key, data_of(value));
+    if (value.is_array()) object.set("has_" + key, Data(!value.empty()));
   }
   return object;
 }
-
-Json unless_empty(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 // Makes a name safe as an id and in a link, even if a foreign table brings it.
 std::string id_of(std::string_view name) {
@@ -128,12 +145,11 @@ Json table_json(const Table& table) {
   return {{"id", id_of(table.name)},
           {"name", table.name},
           {"caption", numbered_caption(table)},
-          {"legend", unless_empty(legend_of(table))},
+          {"legend", legend_of(table)},
           {"heads", heads},
           {"rows", rows},
           {"size", fmt::format("{} row{}", all, all == 1 ? "" : "s")},
           {"more", shown < all ? Json(fmt::format(words::first_rows, "shown"_a = shown, "all"_a = all)) : Json()},
-          {"has_notes", !table.notes.empty()},
           {"notes", table.notes}};
 }
 
@@ -152,7 +168,7 @@ Json claim_json(const Claim& claim, const ReportContent& content) {
           {"printed", claim.printed ? Json(name_of(*claim.printed)) : Json()},
           {"printed_kind", claim.printed ? Json(kind_of(*claim.printed)) : Json()},
           {"number", claim.number},
-          {"stated_in", unless_empty(claim.section)},
+          {"stated_in", claim.section},
           {"evidence", evidence_text(claim)},
           {"table", has_table ? Json(id_of(claim.table)) : Json()},
           {"link", has_table ? title_of(claim.table) : ""}};
@@ -189,7 +205,7 @@ class Pieces {
     const auto* table = std::get_if<Table>(&piece);
     return {{table ? "table" : "figure", table ? table_json(*table) : figure_json(std::get<ReportFigure>(piece))},
             {"title", title_of(name_of(piece))},
-            {"seen", unless_empty(seen_at(piece, content_))}};
+            {"seen", seen_at(piece, content_)}};
   }
   // The figure's SVG in base64, with colours for a dark background too; null if it is not drawn, or too large. As an
   // image source it runs no script, and its ids cannot clash.
@@ -263,13 +279,12 @@ Json section_json(const Section& section, const ReportContent& content, Pieces& 
   const std::string line = seen != content.seen.end() ? seen->second : section.paragraph;
   return {{"id", "section-" + id_of(section.heading)},
           {"heading", section.heading},
-          {"has_sentences", !section.sentences.empty()},
           {"sentences", topics_json(section.sentences)},
           {"folded", is_folded},
           {"items", items},
           {"size", is_folded ? piece_counts(section.folded) : ""},
-          {"line", is_folded ? unless_empty(line) : Json()},
-          {"paragraph", is_folded && line == section.paragraph ? Json() : unless_empty(section.paragraph)}};
+          {"line", is_folded ? line : ""},
+          {"paragraph", is_folded && line == section.paragraph ? "" : section.paragraph}};
 }
 
 // The animated view follows the last shown section; the folded ones come after it.
@@ -318,46 +333,43 @@ std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sh
 
 // The part above the sections.
 Json header_json(const ReportContent& content, Pieces& pieces) {
-  const bool has_claims = !content.claims.empty();
-  std::vector<std::string> summary = content.summary;
-  if (has_claims) {
-    const std::vector<std::string> answer = words_of(content.answer);
-    summary.insert(summary.begin(), answer.begin(), answer.end());
-  }
   const Piece* glance = piece_named(content, at_a_glance);
   const auto* figure = glance ? std::get_if<ReportFigure>(glance) : nullptr;
   return {{"title", content.title},
           {"study", content.study},
           {"kind", content.kind},
-          {"has_studied", !content.studied.empty()},
           {"studied", content.studied},
-          {"has_own", !has_claims && !content.answer.empty()},
           {"own", topics_json(content.answer)},
           {"answers", answers_of(content)},
-          {"has_summary", !summary.empty()},
-          {"summary", summary},
+          {"summary", content.summary},
           {"verdicts", verdicts_json(content)},
           {"glance", figure && figure->drawn ? pieces.json(*glance) : Json()},
-          {"has_warnings", !content.warnings.empty()},
           {"several", content.warnings.empty() ? "" : warnings_line(content.warnings)},
           {"warnings", list_of(content.warnings)},
-          {"command", unless_empty(content.command)},
-          {"has_solvers", content.solvers.size() > 1},
-          {"solvers", solvers_json(content.solvers)}};
+          {"command", content.command},
+          {"solvers", content.solvers.size() > 1 ? solvers_json(content.solvers) : Json()}};
+}
+
+// Files of the report's folder that the page offers for download.
+std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
+    if (std::filesystem::is_regular_file(folder / name)) files.emplace_back(name);
+  }
+  return files;
 }
 
 }  // namespace
 
-std::string to_html(const ReportContent& content, const PageFiles& files) {
-  Pieces pieces(content, files.figures);
+std::string to_html(const ReportContent& content, const std::filesystem::path& folder) {
+  Pieces pieces(content, folder / "figures");
   Json json = header_json(content, pieces);
-  json["has_downloads"] = !files.downloads.empty();
-  json["downloads"] = files.downloads;
-  const bool moves = files.motion && files.drawing_library;
-  if (files.motion) {
+  json["downloads"] = downloads_in(folder);
+  const std::optional<std::string> library = content.motion ? drawing_library() : std::nullopt;
+  if (content.motion) {
     const Piece* piece = piece_named(content, content.path);
     const auto* figure = piece ? std::get_if<ReportFigure>(piece) : nullptr;
-    json["motion"] = {{"still", figure ? pieces.picture(*figure) : Json()}, {"moves", moves}};
+    json["motion"] = {{"still", figure ? pieces.picture(*figure) : Json()}, {"moves", library.has_value()}};
   }
   json["sections"] = sections_json(content, pieces);
   if (pieces.left_out() > 0) json["beside"] = fmt::to_string(pieces.left_out());
@@ -365,11 +377,11 @@ std::string to_html(const ReportContent& content, const PageFiles& files) {
 
   Data page = data_of(json);
   std::string scripts = source(report_js);
-  if (moves) {  // as they are, line by line
-    page.set("data", Data(*files.motion));
-    page.set("library", Data(*files.drawing_library));
+  if (library) {  // as they are, line by line
+    page.set("data", Data(*content.motion));
+    page.set("library", Data(*library));
     page.set("view", Data(std::string(moving_arm_js)));
-    scripts += ' ' + source(*files.drawing_library) + ' ' + source(moving_arm_js);
+    scripts += ' ' + source(*library) + ' ' + source(moving_arm_js);
   }
   page.set("told", Data(json_in_page(pieces.told())));
   const std::string style = series_css() + std::string(report_css);

@@ -1,10 +1,8 @@
-#include "analysis/report/report_latex.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/report/latex_table.hpp"
+#include "analysis/report/report_content.hpp"
 
 namespace ikbench::report {
 
@@ -77,11 +75,6 @@ std::string claims(const ReportContent& content) {
   return text.empty() ? "" : "\\subsection{Claims}\n" + text + "\\FloatBarrier\n";
 }
 
-std::string flow(const ReportContent& content) {
-  const Piece* const piece = piece_named(content, "flow");
-  return piece == nullptr ? "" : "\\section{Flow of solves}\n" + latex(*piece) + "\\FloatBarrier\n";
-}
-
 }  // namespace
 
 std::string to_article(const ReportContent& content) {
@@ -92,7 +85,9 @@ std::string to_article(const ReportContent& content) {
   text += "\\begin{abstract}\n" + latex_paragraph(answers_of(content)) + "\\end{abstract}\n\n";
   text += "\\section{Experimental set-up}\n" + latex_paragraph(content.set_up);
   text += "\\section{Results}\n" + claims(content) + latex(content.results, content);
-  text += flow(content);
+  if (const Piece* const status = piece_named(content, "status")) {
+    text += "\\section{Flow of solves}\n" + latex(*status) + "\\FloatBarrier\n";
+  }
   if (!content.warnings.empty()) text += "\\section{Limitations}\n" + items(list_of(content.warnings));
   text += "\\section{Data availability}\n";
   text +=

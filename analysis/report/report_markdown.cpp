@@ -1,5 +1,3 @@
-#include "analysis/report/report_markdown.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "analysis/inference/text.hpp"
+#include "analysis/report/report_content.hpp"
 
 namespace ikbench::report {
 
@@ -36,15 +35,6 @@ std::string markdown(const ReportFigure& piece) {
 }
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
-
-bool has_drawn(const ReportContent& content) {
-  const auto is_drawn = [](const Piece& piece) {
-    const auto* figure = std::get_if<ReportFigure>(&piece);
-    return figure != nullptr && figure->drawn;
-  };
-  const auto has_one = [&](const Section& section) { return std::ranges::any_of(section.pieces, is_drawn); };
-  return std::ranges::any_of(content.circumstances, has_one) || std::ranges::any_of(content.results, has_one);
-}
 
 std::string verdict(const ReportContent& content, EvidenceShown evidence) {
   std::string text;
@@ -87,9 +77,9 @@ std::string to_markdown(const ReportContent& content) {
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
   }
-  text += fmt::format("`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has {}.\n\n",
-                      has_drawn(content) ? "every figure as SVG, PDF and PNG, with its script and data"
-                                         : "the script and the data of every figure, from which gnuplot draws it");
+  text +=
+      "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has the script and the data of every "
+      "figure, and where gnuplot drew it SVG, PDF and PNG.\n\n";
   return text + markdown(content.circumstances) + markdown(content.results);
 }
 

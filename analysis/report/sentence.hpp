@@ -15,17 +15,6 @@ struct Sentence {
   std::string text;
 };
 
-// "mean 1 vs 2, by 0.9 to 1.1 (margin 5 %; p = 0.03)"
-struct Clause {
-  std::string text;
-  std::vector<std::string> remarks = {};
-};
-
-inline std::string words_of(const Clause& clause) {
-  if (clause.remarks.empty()) return clause.text;
-  return fmt::format("{}{}({})", clause.text, clause.text.empty() ? "" : " ", fmt::join(clause.remarks, "; "));
-}
-
 inline std::string words_of(const Sentence& sentence) {
   return sentence.topic.empty() || sentence.text.empty() ? sentence.text : sentence.topic + ": " + sentence.text;
 }

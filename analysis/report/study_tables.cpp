@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <map>
+#include <regex>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "analysis/inference/clusters.hpp"
@@ -16,10 +19,12 @@
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/report/summary.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/quantile.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::report {
 
@@ -30,28 +35,30 @@ using namespace fmt::literals;
 
 namespace {
 
-std::string_view unit_note(Unit unit, std::span<const Metric> metrics) {
-  if (unit == Unit::point) {
-    return words::points;
-  }
-  const auto is_time = [](Metric metric) { return info_of(metric).kind == Kind::time; };
-  if (std::ranges::all_of(metrics, is_of_run)) return words::runs;
-  if (std::ranges::none_of(metrics, is_time)) return words::means;
-  if (std::ranges::all_of(metrics, is_time)) return words::medians;
-  if (std::ranges::none_of(metrics, is_of_run)) {
-    return words::means_and_medians;
-  }
-  return words::means_medians_and_runs;
-}
-
-void add_notes(Table& table, const StudyResults& study, std::span<const Metric> metrics) {
-  table.notes.emplace_back(unit_note(study.plan.unit, metrics));
+void add_notes(Table& table, const StudyResults& study) {
+  table.notes.emplace_back(study.plan.unit == Unit::point ? words::points : words::means_and_medians);
   for (std::string& note : status_notes(study)) table.notes.push_back(std::move(note));
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
   const Doubts doubts = times_doubts(study) + outlier_doubts(study) + program_doubts(study);
   std::ranges::move(list_of(doubts), std::back_inserter(table.notes));
+}
+
+// Adds a row per solver: the average of its observations of each metric.
+void add_averages(Table& table, const StudyResults& study, std::span<const Metric> metrics,
+                  const std::vector<Cell>& before) {
+  const std::size_t first = table.rows.size();
+  for (const std::string& solver : study.solvers) {
+    table.rows.push_back(before);
+    table.rows.back().emplace_back(solver);
+  }
+  for (const Metric metric : metrics) {
+    std::size_t row = first;
+    for (const Sample& sample : samples(study, metric)) {
+      table.rows[row++].emplace_back(average_in(statistics::describe(sample.values), metric));
+    }
+  }
 }
 
 Cell count(std::int64_t number) { return number; }
@@ -75,7 +82,7 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
       table.rows.push_back({sample.solver, std::string(name_of(metric)), of.mean, of.median, of.std, of.max, of.min});
     }
   }
-  add_notes(table, study, metrics);
+  add_notes(table, study);
   if (std::isfinite(tolerance_cm(study))) table.notes.push_back(fmt::format(words::as_measured, "penalty"_a = penalty));
   add_timing_notes(table, study);
   return table;
@@ -83,14 +90,23 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
 
 Table further_table(const StudyResults& study, std::span<const Metric> metrics) {
   Table table{.name = "further", .caption = "Further means over the runs", .columns = {"algorithm"}};
-  for (const std::string& solver : study.solvers) table.rows.push_back({solver});
+  add_averages(table, study, metrics, {});
   for (const Metric metric : metrics) {
     table.columns.push_back(std::string(name_of(metric)));
-    std::size_t row = 0;
-    for (const Sample& sample : samples(study, metric)) {
-      table.rows[row++].emplace_back(average_in(statistics::describe(sample.values), metric));
-    }
     table.notes.push_back(fmt::format("{}: {}.", name_of(metric), info_of(metric).name));
+  }
+  return table;
+}
+
+Table baselines_table(const JudgedStudies& studies) {
+  const std::vector<Metric> metrics = reported_metrics();
+  Table table{.name = "baselines",
+              .caption = "Averages of other studies with the same targets",
+              .columns = {"study", "algorithm"}};
+  for (const Metric metric : metrics) table.columns.push_back(std::string(name_of(metric)));
+  for (const StudyResults& study : studies) {
+    add_averages(table, study, metrics, {study.name});
+    for (const std::string& note : list_of(times_doubts(study))) table.notes.push_back(study.name + ": " + note);
   }
   return table;
 }
@@ -100,10 +116,8 @@ StudyAnova anova(const StudyResults& study, Metric metric) {
   std::vector<std::vector<double>> groups;
   for (Sample& sample : samples(study, metric)) {
     const Description description = statistics::describe(sample.values);
-    if (description.n == 0) {
-      result.left_out.push_back(fmt::format(words::anova_without_observations, "solver"_a = sample.solver));
-    } else if (description.not_finite > 0) {
-      result.left_out.push_back(fmt::format(words::anova_without_not_finite, "solver"_a = sample.solver,
+    if (description.n == 0 || description.not_finite > 0) {
+      result.left_out.push_back(fmt::format(words::anova_without, "solver"_a = sample.solver,
                                             "lost"_a = description.not_finite, "n"_a = description.n));
     } else {
       groups.push_back(std::move(sample.values));
@@ -134,7 +148,7 @@ Table anova_table(const StudyResults& study, Metric metric) {
   if (is_judged && !ours.table.undefined.empty())
     table.notes.push_back(fmt::format(words::anova_undefined, "why"_a = ours.table.undefined));
   table.notes.insert(table.notes.end(), ours.left_out.begin(), ours.left_out.end());
-  add_notes(table, study, std::span(&metric, 1));
+  add_notes(table, study);
   if (!is_judged) table.notes.push_back(fmt::format(words::anova_not_judged, "why"_a = words_of(timing_doubts(study))));
   if (is_judged) std::ranges::move(list_of(left_out(study, metric)), std::back_inserter(table.notes));
   return table;
@@ -197,82 +211,203 @@ Table times_table(const StudyResults& study) {
   }
   table.notes.emplace_back(words::percentiles);
   if (std::isfinite(deadline)) {
-    const std::string limit = rounded_number(ms_per_second * deadline, 6);
-    table.notes.push_back(says_solved ? fmt::format(words::deadline_and_solved, "deadline"_a = limit)
-                                      : fmt::format(words::deadline, "deadline"_a = limit));
+    table.notes.push_back(fmt::format(words::deadline, "deadline"_a = rounded_number(ms_per_second * deadline, 6)));
   }
   add_timing_notes(table, study);
-  return table;
-}
-
-Table flow_table(const StudyResults& study) {
-  // What leaves no usable answer, in the order in which it happens.
-  constexpr std::array<std::pair<Status, std::string_view>, 7> losses{
-      {{Status::declined, "declined"},
-       {Status::crashed, "crashed"},
-       {Status::timed_out, "timed out"},
-       {Status::broke_protocol, "broke the protocol"},
-       {Status::refused, "refused"},
-       {Status::not_finite, "not finite"},
-       {Status::claimed_but_wrong, "claimed but wrong"}}};
-  Table table{.name = "flow",
-              .caption = "From planned solves to observations",
-              .columns = {"solver", "planned", "not solved"},
-              .notes = {std::string(words::flow)}};
-  for (const auto& [status, heading] : losses) table.columns.emplace_back(heading);
-  table.columns.insert(table.columns.end(), {"other answers", "observations"});
-  const Observations analysed = observations(study, Metric::position_error_cm);
-  for (const SolverCounts& solver : counts(study)) {
-    std::vector<Cell> row{solver.solver, solver.expected, std::max<std::int64_t>(0, solver.expected - solver.solves)};
-    int others = solver.solves;
-    for (const auto& [status, heading] : losses) {
-      row.push_back(count(solver.of(status)));
-      others -= solver.of(status);
-    }
-    row.push_back(count(others));
-    const auto group = std::ranges::find(analysed.groups, solver.solver, &Group::name);
-    row.push_back(count(group == analysed.groups.end() ? 0 : static_cast<std::int64_t>(group->values.size())));
-    table.rows.push_back(std::move(row));
-  }
   return table;
 }
 
 Table status_table(const StudyResults& study) {
   Table table{.name = "status",
-              .caption = "Outcome of every solve, checked by the independent verifier",
-              .columns = {"algorithm"}};
+              .caption = "From planned solves to observations, checked by the independent verifier",
+              .columns = {"algorithm", "planned", "not_solved"},
+              .notes = status_notes(study)};
   const std::vector<Status> statuses = shown_statuses(study);
   for (const Status status : statuses) table.columns.push_back(std::string(name_of(status)));
-  for (const char* name :
-       {"solves", "expected", "complete_runs", "incomplete_runs", "outside_limits", "worst_outside_deg"}) {
-    table.columns.push_back(name);
-  }
-  const bool has_processes = std::ranges::find(study.solves, Timing::process, &Solve::timing) != study.solves.end();
-  for (const char* name : {"timing_clean", "timing_disturbed", "timing_parallel", "timing_debug_build"}) {
-    table.columns.push_back(name);
-  }
-  if (has_processes) table.columns.push_back("timing_process");
+  table.columns.insert(table.columns.end(), {"observations", "outside_limits", "worst_outside_deg"});
+  const Observations analysed = observations(study, Metric::position_error_cm);
   for (const SolverCounts& solver : counts(study)) {
-    std::vector<Cell> row{solver.solver};
+    std::vector<Cell> row{solver.solver, solver.expected, std::max<std::int64_t>(0, solver.expected - solver.solves)};
     for (const Status status : statuses) row.push_back(count(solver.of(status)));
-    for (const std::int64_t number : std::initializer_list<std::int64_t>{
-             solver.solves, solver.expected, solver.complete_runs, solver.incomplete_runs, solver.outside_limits}) {
-      row.push_back(count(number));
-    }
+    const auto group = std::ranges::find(analysed.groups, solver.solver, &Group::name);
+    row.push_back(count(group == analysed.groups.end() ? 0 : static_cast<std::int64_t>(group->values.size())));
+    row.push_back(count(solver.outside_limits));
     row.emplace_back(solver.worst_outside_deg);
-    const bool disturbed = times_were_disturbed(study, solver.solver);
-    const int alone = solver.of(Timing::clean);
-    for (const int number :
-         {disturbed ? 0 : alone, disturbed ? alone : 0, solver.of(Timing::parallel), solver.of(Timing::debug_build)}) {
-      row.push_back(count(number));
-    }
-    if (has_processes) row.push_back(count(solver.of(Timing::process)));
     table.rows.push_back(std::move(row));
   }
-  table.notes = status_notes(study);
   table.notes.emplace_back(words::statuses);
   add_timing_notes(table, study);
   return table;
+}
+
+namespace {
+
+bool has_solver(const StudyResults& study, const std::string& solver) {
+  return std::ranges::find(study.solvers, solver) != study.solvers.end();
+}
+
+double mean_of_sample(const std::vector<Sample>& samples, const std::string& solver) {
+  return statistics::describe(std::ranges::find(samples, solver, &Sample::solver)->values).mean;
+}
+
+// Mean over the answers that are not refused. After a refused answer the arm stays, so its variation is 0.
+double accepted_mean(const StudyResults& study, const std::string& solver, double Solve::*value) {
+  std::vector<double> values;
+  for (const Solve& solve : solves_of(study, solver)) {
+    if (!stays(solve.status)) values.push_back(solve.*value);
+  }
+  return statistics::describe(values).mean;
+}
+
+Table table_of(const JudgedStudy& free, const JudgedStudy& enforced) {
+  Table table{.name = "limits",
+              .caption = "Results with enforced joint limits",
+              .columns = {"algorithm", "study", "limits", "mean_position_error_cm", "mean_accepted_error_cm",
+                          "mean_variation_deg", "mean_accepted_variation_deg", "outside_limits"}};
+  std::set<Status> statuses;
+  for (const JudgedStudy* study : {&free, &enforced}) {
+    for (const Status status : shown_statuses(*study)) statuses.insert(status);
+  }
+  for (const Status status : statuses) table.columns.push_back(std::string(name_of(status)));
+  for (const auto& [study, other, limits] :
+       {std::tuple(&free, &enforced, "recorded"), std::tuple(&enforced, &free, "enforced")}) {
+    const std::vector<Sample> errors = samples(*study, Metric::position_error_cm),
+                              variations = samples(*study, Metric::variation_deg);
+    for (const SolverCounts& count : counts(*study)) {
+      const std::string& solver = count.solver;
+      if (!has_solver(*other, solver)) continue;
+      std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
+          solver, study->name, std::string(limits), mean_of_sample(errors, solver),
+          accepted_mean(*study, solver, &Solve::position_error_cm), mean_of_sample(variations, solver),
+          accepted_mean(*study, solver, &Solve::variation_deg), std::int64_t{count.outside_limits}});
+      for (const Status status : statuses) row.emplace_back(std::int64_t{count.of(status)});
+    }
+    const Sentence leader = leader_sentence(*study, Metric::position_error_cm, Estimand::mean);
+    table.notes.push_back(fmt::format("{}: {}", limits, words_of(leader)));
+    for (const std::string& note : status_notes(*study)) table.notes.push_back(study->name + ": " + note);
+  }
+  table.notes.emplace_back(words::limits);
+  return table;
+}
+
+}  // namespace
+
+std::optional<Table> limits_table(const JudgedStudies& studies) {
+  if (studies.empty()) return std::nullopt;
+  const JudgedStudy& reported = studies.front();
+  for (const JudgedStudy& other : studies) {
+    const bool in_common =
+        std::ranges::any_of(reported.solvers, [&](const std::string& solver) { return has_solver(other, solver); });
+    if (other.facts.enforces_limits == reported.facts.enforces_limits || !in_common) continue;
+    return other.facts.enforces_limits ? table_of(reported, other) : table_of(other, reported);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+using SortedJson = nlohmann::json;
+
+std::string text_of_json(const SortedJson& value) {
+  return value.is_string() ? value.get<std::string>() : numerics::text_of(value);
+}
+
+// One row per value: path.kind, helix.
+void add_values(std::vector<std::vector<Cell>>& rows, const SortedJson& value, const std::vector<Cell>& before,
+                const std::string& path) {
+  if (value.is_object() && !value.empty()) {
+    for (const auto& [key, inner] : value.items()) {
+      add_values(rows, inner, before, path.empty() ? key : fmt::format("{}.{}", path, key));
+    }
+    return;
+  }
+  std::vector<Cell> row = before;
+  row.emplace_back(path);
+  row.emplace_back(value.is_object() ? std::string() : text_of_json(value));
+  rows.push_back(std::move(row));
+}
+
+// Text that is no JSON is shown as it stands.
+SortedJson parsed(const std::string& text) {
+  SortedJson value = numerics::parsed_json(text);
+  return value.is_discarded() ? SortedJson(text) : value;
+}
+
+// Turns the command of a part into that of the whole study: removes the part and its folder.
+std::string of_whole(const std::string& command) {
+  static const std::regex part(R"( (?:'--(?:shard|out)=[^']*'|--(?:shard|out)[= ](?:'[^']*'|\\.|[^\s'\\])+))");
+  return std::regex_replace(command, part, "");
+}
+
+}  // namespace
+
+Table definition_table(const StudyEntry& entry) {
+  Table table{.name = "definition", .caption = "Definition of the study", .columns = {"setting", "value"}};
+  add_values(table.rows, parsed(entry.definition), {}, "");
+  return table;
+}
+
+Table options_table(const StudyEntry& entry) {
+  Table table{
+      .name = "options", .caption = "Options of the solvers", .columns = {"solver", "algorithm", "option", "value"}};
+  for (const Series& series : entry.series) {
+    add_values(table.rows, parsed(series.options), {series.label, series.algorithm}, "");
+  }
+  return table;
+}
+
+Table plan_table(const StudyEntry& entry, const AnalysisPlan& used, std::vector<std::string> notes) {
+  Table table{.name = "analysis-plan",
+              .caption = "How the study is judged",
+              .columns = {"method", "value", "meaning"},
+              .notes = std::move(notes)};
+  for (const auto& [field, text, meaning] : values_of(used)) table.rows.push_back({field, text, meaning});
+  if (const std::string given = changes_between(plan_of(entry), used); !given.empty()) {
+    table.notes.push_back(fmt::format(words::plan_changed, "changes"_a = given));
+  }
+  return table;
+}
+
+Table environment_table(const StudyResults& study, const std::vector<Session>& sessions) {
+  Table table{.name = "environment", .caption = "Environment", .columns = {"fact", "value", "sessions"}};
+  const SolvesOfSessions solves = solves_of_sessions(study);
+  std::map<std::pair<std::string, std::string>, std::string> where;  // (fact, value) to its sessions
+  for (const Session& session : sessions) {
+    if (!solves.contains(session.id)) continue;
+    for (const auto& fact : session.environment) {
+      std::string& list = where[fact];
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", session.id);
+    }
+  }
+  for (const auto& [fact, list] : where) table.rows.push_back({fact.first, fact.second, list});
+  std::string note = "Solves by session:";
+  for (const auto& [session, count] : solves) note += fmt::format(" {} ({})", session, count);
+  table.notes.push_back(note + ".");
+  return table;
+}
+
+std::string command_of(const StudyResults& study, const std::vector<Session>& sessions) {
+  std::int64_t last = 0;
+  for (const auto& [session, count] : solves_of_sessions(study)) last = std::max(last, session);
+  for (const Session& session : sessions) {
+    const auto command = session.environment.find("command");
+    if (session.id != last || command == session.environment.end()) continue;
+    return session.environment.contains("shard") ? of_whole(command->second) : command->second;
+  }
+  return "";
+}
+
+bool same_targets(const StudyResults& a, const StudyResults& b) {
+  const auto place = [](const Solve* solve) { return std::pair(solve->run, solve->point); };
+  const std::vector<const Solve*> places = places_of(a);
+  bool met = false;
+  for (const Solve& solve : b.solves) {
+    const auto found = std::ranges::lower_bound(places, place(&solve), {}, place);
+    if (found == places.end() || place(*found) != place(&solve)) continue;
+    if (!same_target(problem_of(a, **found), problem_of(b, solve))) return false;
+    met = true;
+  }
+  return met && a.points == b.points;
 }
 
 }  // namespace ikbench::report

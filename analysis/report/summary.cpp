@@ -6,24 +6,159 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
-#include "analysis/inference/ranking.hpp"
+#include "analysis/inference/judge.hpp"
+#include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
 
 using namespace results;
-using namespace statistics;
 using namespace inference;
 using namespace figures;
 using namespace fmt::literals;
+
+namespace {
+
+// "Smallest typical error"
+std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
+  if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
+  const MetricInfo& info = info_of(metric);
+  const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
+  const std::string penalised = is_penalised ? fmt::format(" ({})", penalty_words(study, metric)) : "";
+  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, penalised);
+  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), info.slug, penalised);
+  if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
+  const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), info.slug, penalised);
+  if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
+  return words + " (large errors dominate)";
+}
+
+// What a cost achieved, by solver: the mean error or, with a tolerance, the share of solves with status ok. Empty if
+// the metric is no cost, or if it counts unsolved ones already.
+std::vector<Sample> achieved(const StudyResults& study, Metric metric) {
+  const bool has_tolerance = std::isfinite(tolerance_cm(study));
+  if (!is_cost(metric) || (has_tolerance && !is_of_run(metric))) return {};
+  return samples(study, has_tolerance ? Metric::solved : Metric::position_error_cm);
+}
+
+// " with error 87 cm", " with 30 % solved"
+std::string achieved_words(const StudyResults& study, const std::vector<Sample>& achieved, const std::string& solver) {
+  const auto own = std::ranges::find(achieved, solver, &Sample::solver);
+  if (own == achieved.end()) return "";
+  const double mean = statistics::mean(own->values);
+  return std::isfinite(tolerance_cm(study)) ? fmt::format(" with {} solved", percent(mean))
+                                            : " with error " + figures::value_words(Metric::position_error_cm, mean);
+}
+
+// "0.0017 cm"; with the tolerance's error "at most 0.01 cm".
+std::string value_words(const JudgedStudy& study, Metric metric, Estimand estimand, double mean) {
+  const double least = estimand == Estimand::reliability ? statistics::not_defined : tolerance_of(study, metric);
+  if (statistics::without_rounding(mean - least, least) <= 0) return "at most " + figures::value_words(metric, least);
+  return estimand == Estimand::reliability ? percent(mean) : figures::value_words(metric, mean);
+}
+
+}  // namespace
+
+Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estimand) {
+  const Evidence& evidence = study.evidence(metric, estimand);
+  const std::vector<Sample> by_cost = achieved(study, metric);
+  const auto label = [&](std::size_t group) {
+    const GroupEvidence& of = evidence.groups[group];
+    const std::string name = (of.name == evidence.plan.control ? "control " : "") + name_words(evidence, group);
+    if (!std::isfinite(of.described.mean)) return name;
+    return fmt::format("{} ({}{})", name, value_words(study, metric, estimand, of.described.mean),
+                       achieved_words(study, by_cost, of.name));
+  };
+  std::vector<std::size_t> order;  // of the groups with a mean, the best first
+  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+    if (std::isfinite(evidence.groups[i].described.mean)) order.push_back(i);
+  }
+  if (order.empty()) return {};
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return group_score(evidence, evidence.groups[i]); });
+  std::vector<std::string> labels;
+  for (const std::size_t group : order) labels.push_back(label(group));
+  const std::string words = evidence.flaws.empty() && has_judged(evidence)
+                                ? fmt::format("{}", fmt::join(short_answer(evidence, label), ". "))
+                            : order.size() == 1 ? labels.front()
+                                                : fmt::format(words::none_tested, "values"_a = listed(labels));
+  return {first_by_words(study, metric, estimand), words + '.'};
+}
+
+namespace {
+
+// Warns of imports that lack solves.
+Sentence partial_imports_sentence(const JudgedStudy& study) {
+  std::string list;
+  for (const SolverCounts& count : counts(study)) {
+    if (count.solves == count.expected || !is_imported(study, count.solver)) continue;
+    list += (list.empty() ? "" : ", ") + fmt::format(words::partial_import, "solver"_a = count.solver,
+                                                     "has"_a = count.solves, "expected"_a = count.expected);
+  }
+  if (list.empty()) return {};
+  return {"Not comparable", fmt::format(words::partial_imports, "list"_a = list)};
+}
+
+// Reports the evaluations that solvers used, if the study sets no common budget.
+std::string budgets_sentence(const StudyResults& study) {
+  if (study.facts.stop.evaluations > 0) return "";
+  std::vector<std::pair<double, std::string>> all;  // median, solver
+  for (const std::string& solver : study.solvers) {
+    std::vector<double> spent;
+    for (const Solve& solve : solves_of(study, solver)) spent.push_back(value_of(study, solve, Metric::evaluations));
+    const double median = statistics::median(spent);
+    if (std::isfinite(median)) all.emplace_back(median, one_line(solver));
+  }
+  if (all.empty()) return "";
+  const auto [least, most] = std::ranges::minmax(all, {}, &std::pair<double, std::string>::first);
+  if (!(least.first < most.first)) return "";
+  return fmt::format(words::no_budget, "least"_a = least.second, "smallest"_a = rounded_number(least.first, 6),
+                     "most"_a = most.second, "largest"_a = rounded_number(most.first, 6));
+}
+
+// Leaders by every quantity except the primary one.
+std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
+  std::vector<Sentence> sentences;
+  for (const Metric metric : shown_metrics(study).judged) {
+    const bool is_reported = info_of(metric).shown == ShownIn::everywhere;
+    if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
+    for (const Estimand estimand : estimands_of(study, metric)) {
+      if (metric == Metric::position_error_cm && estimand == primary_estimand(study)) continue;
+      add(sentences, leader_sentence(study, metric, estimand));
+    }
+  }
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<Sentence> own_verdict(const JudgedStudy& study) {
+  const Evidence& judged = study.evidence(Metric::position_error_cm, primary_estimand(study));
+  const bool has_several = study.solvers.size() > 1;
+  std::vector<Sentence> sentences;
+  add(sentences, partial_imports_sentence(study));
+  if (has_several) add(sentences, too_few(judged));
+  add(sentences, leader_sentence(study, Metric::position_error_cm, primary_estimand(study)));
+  add(sentences, change_words(judged, false));
+  const std::vector<Sentence> others = exploratory_sentences(study);
+  if (has_several && !others.empty()) {
+    add(sentences, {"Exploratory", fmt::format(words::exploratory, "count"_a = others.size())});
+  }
+  std::ranges::copy(others, std::back_inserter(sentences));
+  if (const std::string failures = rare_failures_words(judged); !failures.empty()) add(sentences, {"", failures + '.'});
+  if (has_several) add(sentences, {"", budgets_sentence(study)});
+  return sentences;
+}
 
 namespace {
 
@@ -43,38 +178,55 @@ std::string no_tolerance_sentence(const StudyResults& study) {
   return words_of(Doubt{.kind = DoubtKind::no_tolerance});
 }
 
-// The solvers that have a mean of the metric.
-std::vector<RankedSolver> standings(const StudyResults& study, Metric metric) {
-  std::vector<RankedSolver> result;
-  for (const Sample& sample : samples(study, quantity_of(study, metric, Estimand::mean).value)) {
-    const double average = average_in(statistics::describe(sample.values), metric);
-    if (std::isfinite(average)) result.push_back({sample.solver, average});
+// Sentences of a paper that hold for the study: its citation, the kind of reproduction, and what is not reproduced.
+std::vector<std::string> of_paper(const StudyResults& study, const Paper& paper) {
+  std::vector<std::string> sentences{paper.citation};
+  if (!departs_from_paper(study)) sentences.insert(sentences.end(), {paper.kind, paper.not_reproduced});
+  std::erase(sentences, "");
+  return sentences;
+}
+
+std::string_view searched_for(const StudyFacts& facts) {
+  return facts.pose ? "a pose" : facts.wrist ? "a position of the wrist" : "a position";
+}
+
+// "1000 iterations or 10000 evaluations or 0.005 s"
+std::string limits_of(const StudyFacts::Stop& stop) {
+  std::vector<std::string> limits;
+  if (stop.iterations > 0) limits.push_back(fmt::format("{} iterations", stop.iterations));
+  if (stop.evaluations > 0) limits.push_back(fmt::format("{} evaluations", stop.evaluations));
+  if (stop.seconds > 0) limits.push_back(fmt::format("{} s", stop.seconds));
+  return fmt::format("{}", fmt::join(limits, " or "));
+}
+
+std::string tolerance_of(const StudyFacts::Stop& stop) {
+  std::vector<std::string> tolerances;
+  if (stop.tolerance_cm > 0) tolerances.push_back(fmt::format("{} cm", short_number(stop.tolerance_cm)));
+  if (stop.tolerance_deg > 0) tolerances.push_back(fmt::format("{} deg", short_number(stop.tolerance_deg)));
+  return fmt::format("{}", fmt::join(tolerances, " and "));
+}
+
+std::string_view start_words(std::string_view start) {
+  constexpr std::pair<std::string_view, std::string_view> words[]{{"previous", "where the previous one left the arm"},
+                                                                  {"initial", "at one configuration"},
+                                                                  {"middle", "in the middle of the joint limits"},
+                                                                  {"random", "at a random configuration"},
+                                                                  {"near", "near a solution"}};
+  const auto* const found = std::ranges::find(words, start, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(words) ? start : found->second;
+}
+
+// The different values of a fact in the sessions.
+std::string values_of(const std::vector<Session>& sessions, const std::string& fact) {
+  std::set<std::string> values;
+  for (const Session& session : sessions) {
+    const auto found = session.environment.find(fact);
+    if (found != session.environment.end() && !found->second.empty()) values.insert(found->second);
   }
-  return ranked(std::move(result));
+  return fmt::format("{}", fmt::join(values, " and "));
 }
 
 }  // namespace
-
-std::string ranking_sentence(const StudyResults& study, Metric metric) {
-  const std::string_view name = info_of(metric).name;
-  const StudyResults compared = compared_in(study, metric);
-  const auto ours = standings(compared, metric);
-  if (ours.empty()) return "";
-  const std::string failures =
-      is_penalised(study, metric) && !is_of_run(metric) ? ", " + penalty_words(study, metric) : "";
-  std::string text =
-      fmt::format("{}{}, smallest first): {}",
-                  metric == Metric::position_error_cm ? fmt::format("Accuracy (mean {}", name)
-                                                      : fmt::format("{} ({}", capitalised(name), average_name(metric)),
-                  failures, order_words(ours));
-  if (ours.size() < compared.solvers.size()) {
-    text += fmt::format("; {} without a {}", compared.solvers.size() - ours.size(), average_name(metric));
-  }
-  if (const auto without = solvers_left_out(study, metric); !without.empty()) {
-    text += fmt::format("; not compared: {}", fmt::join(without, ", "));
-  }
-  return text + ".";
-}
 
 Doubts wrong_claims(const StudyResults& study) {
   Doubts doubts;
@@ -111,16 +263,11 @@ std::string times_sentence(const StudyResults& study) {
 std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
   const StudyResults& study = reported.study;
   if (study.solves.empty()) return {std::string(words::no_solves)};
-  std::vector<std::string> sentences{departures_sentence(study)};
-  for (const Metric metric : reported_metrics()) {
-    const bool is_ranked = metric != Metric::seconds || times_are_comparable(study);
-    sentences.push_back(is_ranked ? ranking_sentence(study, metric) : times_sentence(study));
-    if (metric == Metric::position_error_cm) sentences.push_back(limits_sentence(study));
-  }
+  std::vector<std::string> sentences{departures_sentence(study), limits_sentence(study), times_sentence(study)};
   if (paper.summary) std::ranges::move(paper.summary(reported), std::back_inserter(sentences));
   sentences.push_back(last_bits_sentence(study, copies_of(study, reported)));
   sentences.push_back(no_tolerance_sentence(study));
-  for (std::string& note : status_notes(study)) sentences.push_back(std::move(note));
+  std::ranges::move(status_notes(study), std::back_inserter(sentences));
   std::erase(sentences, "");
   return sentences;
 }
@@ -135,9 +282,40 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   if (!study.facts.path.empty()) run += fmt::format(" ({})", study.facts.path);
   if (!study.facts.robot.empty()) run += fmt::format(", {}", study.facts.robot);
   if (std::isfinite(study.facts.seed)) run += fmt::format(", seed {}", study.facts.seed);
-  std::vector<std::string> sentences{paper.citation, departs_from_paper(study) ? "" : paper.kind, run + '.',
-                                     departs_from_paper(study) ? "" : paper.not_reproduced};
-  std::erase(sentences, "");
+  std::vector<std::string> sentences = of_paper(study, paper);
+  sentences.push_back(run + '.');
+  return sentences;
+}
+
+std::vector<std::string> set_up_sentences(const JudgedStudy& study, const Paper& paper,
+                                          const std::vector<Session>& sessions) {
+  const StudyFacts& facts = study.facts;
+  std::vector<std::string> sentences = of_paper(study, paper);
+  if (facts.robot.empty()) return sentences;
+  sentences.push_back(fmt::format(words::set_up_solvers, "count"_a = study.solvers.size(),
+                                  "solvers"_a = listed(study.solvers), "goal"_a = searched_for(facts),
+                                  "arm"_a = facts.robot));
+  sentences.push_back(fmt::format(fmt::runtime(facts.draws_targets ? words::set_up_drawn : words::set_up_path),
+                                  "points"_a = study.points, "path"_a = facts.path, "runs"_a = study.runs,
+                                  "start"_a = start_words(facts.start), "seed"_a = facts.seed));
+  if (const std::string limits = limits_of(facts.stop); !limits.empty()) {
+    sentences.push_back(fmt::format(words::set_up_limits, "limits"_a = limits));
+  }
+  if (const std::string tolerance = tolerance_of(facts.stop); !tolerance.empty()) {
+    sentences.push_back(fmt::format(words::set_up_tolerance, "tolerance"_a = tolerance));
+  }
+  sentences.emplace_back(facts.enforces_limits ? words::set_up_enforced : words::set_up_recorded);
+  const Evidence& evidence = study.evidence(Metric::position_error_cm);
+  if (!evidence.contrasts.empty()) {
+    sentences.push_back(fmt::format(words::set_up_test, "test"_a = deciding_words(evidence),
+                                    "significance"_a = study.plan.significance));
+  }
+  const std::string cpu = values_of(sessions, "cpu"), compiler = values_of(sessions, "compiler"),
+                    version = values_of(sessions, "version");
+  if (!cpu.empty()) {
+    sentences.push_back(
+        fmt::format(words::set_up_machine, "version"_a = version, "compiler"_a = compiler, "cpu"_a = cpu));
+  }
   return sentences;
 }
 

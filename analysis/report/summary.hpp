@@ -1,26 +1,36 @@
-// Summarises a study in plain words.
+// Says in plain words who leads, what was run, and how a study is set up.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "analysis/inference/study.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/report/paper.hpp"
+#include "analysis/report/sentence.hpp"
 
 namespace ikbench::report {
 
-// Sentences, the most important first; plain text. Those of the paper follow the rankings.
+// "Smallest mean error (large errors dominate): IK-BA (0.0017 cm) is better than K-ABC (0.208 cm): p = 0.0003." The
+// short answer of the evidence, with each solver's value; a cost shows the size of the errors too. Empty if no solver
+// has a value.
+Sentence leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
+// Sentences on what makes all numbers doubtful, on who is better by the study's primary_estimand, and on who leads by
+// each of the others, which are exploratory.
+std::vector<Sentence> own_verdict(const inference::JudgedStudy& study);
+
+// Sentences, the most important first; plain text.
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);
-
-// One sentence each: whose paper, what was run, and what of the paper was not.
+// One sentence each: whose paper, what of the paper was not reproduced, and what was run.
 std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
+// The paragraph "Experimental set-up" of an article: the paper, solvers and arm, targets and starts, limits of a solve,
+// how the study is judged, and the machine.
+std::vector<std::string> set_up_sentences(const inference::JudgedStudy& study, const Paper& paper,
+                                          const std::vector<results::Session>& sessions);
 
-// The parts of a summary follow; each is empty if there is nothing to say.
-std::string ranking_sentence(const inference::StudyResults& study, inference::Metric metric);
 // Doubts of solvers that claimed an error which the verifier does not confirm, and how often.
 inference::Doubts wrong_claims(const inference::StudyResults& study);
 std::string limits_sentence(const inference::StudyResults& study);
-// Says why times are not ranked.
+// Says why times are not ranked; empty if they are.
 std::string times_sentence(const inference::StudyResults& study);
 
 }  // namespace ikbench::report

@@ -80,15 +80,12 @@ bool is_left(const Table& table, std::size_t column) {
 }
 
 std::string computable(const Cell& cell) {
-  return std::visit(
-      Overloaded{[](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
-                 [](std::int64_t count) { return fmt::to_string(count); },
-                 [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); },
-                 [](PValue p) { return std::isfinite(p.value) ? text_of(p.value) : std::string(); },
-                 [](Range range) { return fmt::format("{} to {}", text_of(range.low), text_of(range.high)); },
-                 [](const OursAndPrinted& beside) { return computable(Cell(beside.ours)); },
-                 [](const Graded& graded) { return graded.words; }},
-      cell);
+  const auto number = [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); };
+  if (const auto* value = std::get_if<double>(&cell)) return number(*value);
+  if (const auto* p = std::get_if<PValue>(&cell)) return number(p->value);
+  if (const auto* range = std::get_if<Range>(&cell)) return text_of(range->low) + " to " + text_of(range->high);
+  if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) return number(beside->ours);
+  return readable(cell);
 }
 
 std::vector<std::size_t> columns_in_use(const Table& table) {

@@ -1,9 +1,10 @@
-// The table that all parts of a report use; writes Markdown to read and CSV to compute with (LaTeX: latex_table.hpp).
+// The table that all parts of a report use; writes Markdown to read, CSV to compute with, and LaTeX.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -70,5 +71,12 @@ std::vector<std::size_t> columns_in_use(const Table& table);
 
 // Heads and cells as in Markdown, without its escapes; the first row is the head.
 std::vector<std::vector<std::string>> readable_cells(const Table& table);
+
+// LaTeX that fits its page: the package adjustbox scales it to the line. A wide table is turned on its side, and a long
+// one is split over pages. The first line lists the packages it needs. Columns that are empty in every row are left
+// out. Heads are words: "mean_reached_ms" becomes "mean reached [ms]".
+std::string to_latex(const Table& table);
+// Text whose words may break if they are longer than this, after punctuation if there is any.
+std::string breakable_latex(std::string_view text, std::size_t longest_word);
 
 }  // namespace ikbench::report

@@ -22,8 +22,6 @@ inline constexpr Template others_differ = "Other pairs that differ ({count} of {
 inline constexpr Template others_do_not_differ = "No other pair is shown to differ{same}";
 inline constexpr Template others_are_same = ": {count} of {pairs} are the same within {margin}";
 inline constexpr Template others_not_judged = "Other pairs that cannot be judged: {count} of {pairs}";
-inline constexpr Template another_test =
-    "In a new study another test could judge (ikbench run: --set analysis.test={test}; ikbench stats: --test {test})";
 
 // The tests that decided.
 inline constexpr Template decided_by = "Decided by: {tests}";
@@ -39,7 +37,6 @@ inline constexpr Template has_mean = "{name} has the mean {mean}";
 inline constexpr Template has_no_mean = "{name} has no mean: {lost} of {n} values not finite";
 inline constexpr Template not_by_ranks = "{means}, which ranks do not compare";
 inline constexpr Template ahead = "ahead in {share} of {of}";
-inline constexpr Template p_in_family = "{p} for all {pairs} pairs, {alone} for this pair alone";
 inline constexpr Template interval = "{what} between {low} and {high}{unit}";
 inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
 inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
@@ -55,7 +52,6 @@ inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
 inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
 inline constexpr Template more_than_two = "more observations than two";
-inline constexpr Template more_values = "observations with more different values";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
 inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
@@ -80,7 +76,6 @@ inline constexpr Template ignores_blocks = " It does not use the blocks.";
 inline constexpr Template family_of_control = ", for each group against the control {control}";
 inline constexpr Template family_of_all = ", for all {pairs} pairs";
 inline constexpr Template correction = "; p-values are corrected by {whose}";
-inline constexpr Template share = "{name} {ones} of {n} ({share}, {low:.0f} to {high:.0f} %)";
 inline constexpr Template one_group = "There is only one group, so there is nothing to compare.";
 inline constexpr Template variances = "; the variance of {most} is {ratio} times that of {least}";
 inline constexpr Template assumes_equal_variances = " It assumes equal variances, which are rejected.";
@@ -88,7 +83,7 @@ inline constexpr Template normality_unknown = "Summaries do not show whether the
 inline constexpr Template normality_untested =
     "Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
 inline constexpr Template not_normal = "Normality is rejected for {names} (Shapiro-Wilk, separately for each group).";
-inline constexpr Template normal = "Normality is not rejected for any group{tested} (Shapiro-Wilk).";
+inline constexpr Template normal = "Normality is not rejected for any group that can be tested (Shapiro-Wilk).";
 inline constexpr Template method_of_shares =
     "every observation is 0 or 1, so shares are compared. {method} Intervals: Wilson's of a share; of a difference "
     "{interval}.";
@@ -106,8 +101,10 @@ inline constexpr Template constants =
     "All values within a group are equal, apart from rounding. p comes from {test}. If a quantity is fixed by design, such as a budget of "
     "evaluations, its difference is a fact and needs no test.";
 
+inline constexpr Template by_ranks_instead = "{pair}: {finds} ({p}, deciding {deciding})";
+inline constexpr Template disagreements = "by ranks ({ranks}): {pairs}.";
+
 // Notes of the tables of an assessment.
-inline constexpr Template ones_interval = "Interval: Wilson's.";
 inline constexpr Template intervals_and_quartiles =
     "Intervals: Student's t and studentized bootstrap for the mean, order statistics for the median. Quartiles: "
     "Hyndman-Fan type {type}.";
@@ -131,15 +128,10 @@ inline constexpr Template pairs_with_best =
 inline constexpr Template flawed = "Flawed: {why}";
 
 // The table of joint limits.
-inline constexpr Template limits_first = "First by {measure}: {before}; with enforced limits {after}{test}.";
-inline constexpr Template limits_test = " (against {other}: {relation}, {test}, {p})";
 inline constexpr Template limits =
     "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: they "
-    "are refused. Ranks order the means of the solvers that are in both studies; 1 is the smallest.";
-inline constexpr Template limits_refused =
-    "A refused answer leaves the arm where it was. Its variation of 0 deg should not help a solver, so the ranks in "
-    "variation are by mean_accepted_variation_deg, over the answers that are not refused; mean_variation_deg is over all. "
-    "The tests of variation compare the runs' means over such answers.";
+    "are refused. A refused answer leaves the arm where it was. Its variation of 0 deg should not help a solver: "
+    "accepted means are over the answers that are not refused.";
 
 // The page.
 inline constexpr Template legend = "Large: ours. Small: as printed.";
@@ -175,17 +167,10 @@ inline constexpr Template families =
 inline constexpr Template points =
     "One observation is one point. Points of one run depend on each other, so p-values and standard deviations "
     "are too optimistic.";
-inline constexpr Template runs = "One observation is a run.";
-inline constexpr Template means = "One observation is the mean of a run over its points.";
-inline constexpr Template medians = "One observation is the median of a run over its points.";
 inline constexpr Template means_and_medians =
-    "One observation is the mean of a run over its points; of times it is the median.";
-inline constexpr Template means_medians_and_runs =
-    "One observation is the mean of a run over its points; of times it is the median; a length of a path, its "
-    "jumps and the like are of the whole run.";
-inline constexpr Template anova_without_observations = "Left out of the ANOVA: {solver} (no observations).";
-inline constexpr Template anova_without_not_finite =
-    "Left out of the ANOVA: {solver} ({lost} of {n} observations not finite).";
+    "One observation is the mean of a run over its points, of times the median; what belongs to a whole run, such as a "
+    "path's length, is one observation.";
+inline constexpr Template anova_without = "Left out of the ANOVA: {solver} ({lost} of {n} observations not finite).";
 inline constexpr Template anova_undefined = "F and p are not defined: {why}.";
 inline constexpr Template anova_not_judged = "{why} So our F and p are left out.";
 inline constexpr Template solved =
@@ -195,21 +180,15 @@ inline constexpr Template trials =
 inline constexpr Template wilson = "Interval: Wilson's.";
 inline constexpr Template percentiles =
     "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.";
-inline constexpr Template deadline = "over_deadline: share of solves that took longer than {deadline} ms.";
-inline constexpr Template flow =
-    "Solves that were declined, crashed, timed out, broke the protocol, were refused or are not finite leave the arm where it "
-    "was: they count with the error that it has there. claimed but wrong: the error counts that the verifier found. other "
-    "answers: solved, missed or outside the limits (table status). observations: what the tests of the position error use, of "
-    "complete runs or targets.";
+inline constexpr Template deadline =
+    "over_deadline: share of solves that took longer than {deadline} ms. solved_in_time: share with status ok "
+    "that did not.";
 inline constexpr Template statuses =
     "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
     "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if "
-    "the study has one. outside_limits counts all answers with a joint outside its limits, whatever their status;"
-    " worst_outside_deg is the largest such violation. timing_disturbed: solved one by one, but while other "
-    "programs were running.";
-inline constexpr Template deadline_and_solved =
-    "over_deadline: share of solves that took longer than {deadline} ms. solved_in_time: share with status ok "
-    "that did not.";
+    "the study has one. A solve without a usable answer leaves the arm where it was and counts with the error that it has "
+    "there. observations: what the tests of the position error use, of complete runs or targets. outside_limits counts all "
+    "answers with a joint outside its limits, whatever their status; worst_outside_deg is the largest such violation.";
 
 // Costs, and shares within a part of the budget.
 inline constexpr Template no_intervals = "There are no intervals: {why}.";
@@ -267,10 +246,10 @@ inline constexpr Template chaotic_solvers =
 inline constexpr Template rows_agree =
     "{digits} of {attempted} repeated rows of the printed tables agree in every digit. Of the others {rounding} are within the "
     "range of rounding, {chance} within the range of chance and {outside} outside. {missing} rows were not attempted.";
-inline constexpr Template lock_caption = "Which set-up of {study} gives the printed integers";
+inline constexpr Template lock_caption = "Which set-up of {study} is nearest to the printed numbers";
 inline constexpr Template lock_note =
-    "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because a mean can agree "
-    "by chance.";
+    "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because "
+    "a mean can agree by chance. The range of chance is Wilson's 95 % interval of our share.";
 inline constexpr Template set_up_solvers =
     "We compare {count} solvers ({solvers}), which search for {goal} with the arm {arm}.";
 inline constexpr Template set_up_path =
@@ -295,18 +274,8 @@ inline constexpr Template over_arms_note =
     "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";
 inline constexpr Template over_arms_population =
     "The verdict is about serial arms like these: {arms}. It is not about mobile or parallel ones.";
-inline constexpr Template lock_of_chance_caption = "Which set-up of {study} is near the printed numbers";
-inline constexpr Template lock_of_chance_note =
-    "Solved without a store, with {solvers}. The range of chance is Wilson's 95 % interval of our share.";
-inline constexpr Template lock_of_chance =
-    "Of {set_ups} set-ups that the text allows, {keys} {have} the most printed numbers within the range of chance, {agreeing} of "
-    "{integers}: {where}.";
-inline constexpr Template lock_has_one_key =
-    "Of {set_ups} set-ups that the text allows, only one agrees with all {integers} printed integers: {where}.";
-inline constexpr Template lock_has_several_keys =
-    "Of {set_ups} set-ups that the text allows, {keys} agree with all {integers} printed integers: {where}.";
-inline constexpr Template lock_stays_shut =
-    "None of {set_ups} set-ups that the text allows agrees with all {integers} printed integers; at most {agreeing} do: {where}.";
+inline constexpr Template lock =
+    "Of {set_ups} set-ups that the text allows, {keys} {have} the most {what}, {agreeing} of {integers}: {where}.";
 inline constexpr Template every_digit = "every digit";
 inline constexpr Template row_by_rounding = "{agree} of {numbers} numbers agree; within the range of rounding";
 inline constexpr Template row_by_chance = "{agree} of {numbers} numbers agree; within the range of chance";
@@ -342,9 +311,6 @@ inline constexpr Template comparison_columns =
 inline constexpr Template partial_imports =
     "imported, {list}; its values are of these alone. ikbench compare takes what two solvers both have.";
 inline constexpr Template partial_import = "{solver} has {has} of {expected} solves";
-inline constexpr Template none_can_differ =
-    "With so few {of} no two of {solvers} solvers can be told apart, whatever they do: it takes at least "
-    "{fewest}.";
 inline constexpr Template no_budget =
     "The study gives no limit of evaluations (stop.evaluations): {least} used {smallest} at the median of a "
     "solve, {most} {largest}.";

@@ -11,7 +11,6 @@
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"
@@ -42,9 +41,6 @@ std::map<std::string, std::string> seen(const Reported& reported) {
     const bool is_judged = is_comparable(study, metric);
     sentences[fmt::format("figure-{}", boxes)] =
         is_judged ? words_of(leader_sentence(study, metric, average_estimand(metric))) : times_sentence(study);
-    if (metric != Metric::position_error_cm && is_judged) {
-      sentences[fmt::format("figure-{}", curves)] = ranking_sentence(study, metric);
-    }
   }
   return sentences;
 }

@@ -12,7 +12,7 @@
 
 #include "analysis/claims/printed.hpp"
 #include "analysis/inference/study.hpp"
-#include "analysis/report/repetitions.hpp"
+#include "analysis/report/paper.hpp"
 #include "analysis/report/table.hpp"
 #include "analysis/statistics/bootstrap.hpp"
 

@@ -58,32 +58,34 @@ std::vector<Cell> row_of(const Table& table, const std::string& solver) {
 
 TEST_CASE("a row agrees in every digit, or by how many numbers", "[rows]") {
   const JudgedStudy equal(study_of("ours", as_printed(1552)));
-  const RowsOfPaper rows = compared_rows({equal}, "haviland2023", plan);
+  const StudyPieces rows = compared_rows({equal}, "haviland2023", plan);
   REQUIRE(rows.tables.size() == 1);
   const std::vector<Cell> row = row_of(rows.tables[0], "Chan 0.1");
   CHECK(readable(row[1]) == "every digit");
   CHECK(readable(row[2]) == "15.52 (printed 15.52)");
   CHECK(readable(row[5]) == "1.21 (printed 1.21)");
-  CHECK(contains(rows.sentence, "1 of 1 repeated rows of the printed tables agree in every digit."));
-  CHECK(contains(rows.sentence, "4 rows were not attempted."));
+  CHECK(contains(rows.verdict.front().text, "1 of 1 repeated rows of the printed tables agree in every digit."));
+  CHECK(contains(rows.verdict.front().text, "4 rows were not attempted."));
   CHECK(readable(row_of(rows.tables[0], "QP")[1]) == "not attempted: why");
 
   const JudgedStudy near(study_of("ours", as_printed(1560)));
-  const RowsOfPaper by_chance = compared_rows({near}, "haviland2023", plan);
-  CHECK(contains(by_chance.sentence, "0 are within the range of rounding, 1 within the range of chance and 0 outside"));
+  const StudyPieces by_chance = compared_rows({near}, "haviland2023", plan);
+  CHECK(contains(by_chance.verdict.front().text,
+                 "0 are within the range of rounding, 1 within the range of chance and 0 outside"));
   CHECK(contains(readable(row_of(by_chance.tables[0], "Chan 0.1")[1]), "4 of 5 numbers agree"));
 
   std::vector<Searches> others(100, Searches{.iterations = 30});
   const JudgedStudy far(study_of("ours", others));
-  CHECK(contains(compared_rows({far}, "haviland2023", plan).sentence, "0 within the range of chance and 1 outside"));
+  CHECK(contains(compared_rows({far}, "haviland2023", plan).verdict.front().text,
+                 "0 within the range of chance and 1 outside"));
 }
 
 TEST_CASE("a number that copies with other last bits reach is within the range of rounding", "[rows]") {
   const JudgedStudy study(study_of("ours", as_printed(1560)));
   Reported reported{study};
   reported.perturbed = {study_of("ours-perturbed-1", as_printed(1550), 1)};
-  const RowsOfPaper rows = compared_rows(reported, "haviland2023", plan);
-  CHECK(contains(rows.sentence, "Of the others 1 are within the range of rounding"));
+  const StudyPieces rows = compared_rows(reported, "haviland2023", plan);
+  CHECK(contains(rows.verdict.front().text, "Of the others 1 are within the range of rounding"));
   CHECK(readable(row_of(rows.tables[0], "Chan 0.1")[2]) == "15.60 (printed 15.52: rounding gives 15.5 to 15.6)");
 }
 
@@ -116,7 +118,7 @@ TEST_CASE("shares of what is not solved are held against Wilson's interval, and 
   reported.companions.emplace_back(beside);
   const std::vector<PrintedTable> kr6{
       {.study = "ours", .table = "kr6", .caption = "KR6", .beside = "ours-kdl", .times_to = "NR"}};
-  const RowsOfPaper rows = compared_rows(reported, "lloyd2022", kr6);
+  const StudyPieces rows = compared_rows(reported, "lloyd2022", kr6);
   const Table& table = rows.tables.at(0);
   CHECK(readable(row_of(table, "NR")[2]) == "1 (printed 1)");
   CHECK(readable(row_of(table, "QuIK")[2]) == "0.00 (printed 0.13: chance gives 0 to 0.383)");  // 3.84 / (1000 + 3.84)
@@ -124,6 +126,6 @@ TEST_CASE("shares of what is not solved are held against Wilson's interval, and 
   CHECK(readable(row_of(table, "QuIK")[3]) == "0.50 (printed 0.55)");
   CHECK(readable(row_of(table, "KDL-LMA")[3]) == "2.00 (printed 3.89)");
   CHECK(readable(row_of(table, "BFGS")[3]) == "0.89");
-  CHECK(contains(rows.sentence, "1 of 3 repeated rows"));
-  CHECK(contains(rows.sentence, "1 within the range of chance and 1 outside"));
+  CHECK(contains(rows.verdict.front().text, "1 of 3 repeated rows"));
+  CHECK(contains(rows.verdict.front().text, "1 within the range of chance and 1 outside"));
 }

@@ -1,7 +1,7 @@
 // The store shows whether the methods were fixed before the data were seen; some stores say nothing, or nonsense.
 #include "analysis/inference/analysis_plan.hpp"
 
-#include "analysis/report/provenance.hpp"
+#include "analysis/report/study_tables.hpp"
 #include "results/analysis_plan_fields.hpp"
 #include "tests/catch.hpp"
 

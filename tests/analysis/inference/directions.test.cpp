@@ -14,7 +14,6 @@
 #include "analysis/inference/evidence.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/report/assessment.hpp"
-#include "analysis/report/assessment_sentences.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "analysis/report/assessment.hpp"
-#include "analysis/report/assessment_sentences.hpp"
-#include "analysis/report/assessment_tables.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 

@@ -16,7 +16,6 @@
 #include "analysis/inference/make_study.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
@@ -65,7 +64,9 @@ std::string text_of_assessment(const Assessment& assessment) {
 }
 
 std::string leaders_text(const JudgedStudy& study, Metric metric) {
-  return paragraph_of(leader_sentences(study, metric));
+  std::vector<Sentence> sentences;
+  for (const Estimand estimand : estimands_of(study, metric)) add(sentences, leader_sentence(study, metric, estimand));
+  return paragraph_of(sentences);
 }
 
 std::string leader_words(const JudgedStudy& study, Metric metric, Estimand estimand) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
-#include "analysis/report/assessment_sentences.hpp"
+#include "analysis/report/assessment.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

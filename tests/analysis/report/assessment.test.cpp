@@ -11,9 +11,6 @@
 
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/observations_csv.hpp"
-#include "analysis/report/answer.hpp"
-#include "analysis/report/assessment_sentences.hpp"
-#include "analysis/report/assessment_tables.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "results/csv.hpp"
 #include "results/published.hpp"
@@ -232,7 +229,7 @@ TEST_CASE("a margin in the unit of the values has no percent beside it", "[asses
   CHECK(verdict(0.5) == "A is better by more than 0.5");
 }
 
-TEST_CASE("a test that does not use the blocks says so, and disagrees with none that does", "[assessment]") {
+TEST_CASE("a test that does not use the blocks says so", "[assessment]") {
   // Within blocks B is always 1 above A, and C 2; between the blocks lie thousands.
   Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
   for (int i = 0; i < 10; ++i) {
@@ -244,7 +241,6 @@ TEST_CASE("a test that does not use the blocks says so, and disagrees with none 
   const Evidence blocked = evidence(sets, {});
   REQUIRE(std::ranges::all_of(blocked.contrasts, is_decided));
   REQUIRE(blocked.test(anova_name)->p > 0.99);
-  CHECK_FALSE(says(blocked, "Where methods disagree"));
   CHECK_FALSE(says(blocked, "It does not use the blocks."));
   const Evidence unblocked = evidence(sets, {.test = "welch"});
   CHECK(std::ranges::none_of(unblocked.contrasts, is_decided));
@@ -313,34 +309,25 @@ TEST_CASE("pairs are listed without doubt about which names belong together", "[
   CHECK(says(evidence(near, {}), "'a and b'"));
 }
 
-TEST_CASE("methods are said to disagree where a p that is shown is on the other side", "[assessment]") {
-  const auto disagreed = "Where methods disagree: ";
+TEST_CASE("methods are said to disagree where the p of ranks is on the other side", "[assessment]") {
   int said = 0;
-  for (const bool blocked : {false, true}) {
-    for (int shift = 0; shift < 60; ++shift) {
-      Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
-      for (int i = 0; i < 8; ++i) {
-        sets.groups[0].values.push_back(10 + i % 5 + 0.01 * i);
-        sets.groups[1].values.push_back(10 + 0.1 * shift + (3 * i) % 7 + 0.003 * i);
-        sets.groups[2].values.push_back(9 + 0.2 * shift + (5 * i) % 4 + 0.007 * i);
-        if (blocked) sets.blocks.push_back(fmt::format("{}", i));
-      }
-      const Evidence found = evidence(sets, {.test = blocked ? "friedman" : std::string(by_design)});
-      bool disagree = false;
-      for (const Finding& pair : found.contrasts) {
-        disagree = disagree || (std::isfinite(pair.p_ranks) && (pair.p_ranks < 0.05) != is_decided(pair));
-      }
-      for (const TestResult& test : found.tests) {
-        if (test.role == Role::assumption || (blocked && test.role == Role::paper)) continue;
-        disagree = disagree || (test.p < 0.05) != std::ranges::any_of(found.contrasts, is_decided);
-      }
-      CAPTURE(blocked, shift);
-      CHECK(says(found, disagreed) == disagree);
-      said += disagree ? 1 : 0;
+  for (int shift = 0; shift < 60; ++shift) {
+    Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
+    for (int i = 0; i < 8; ++i) {
+      sets.groups[0].values.push_back(10 + i % 5 + 0.01 * i);
+      sets.groups[1].values.push_back(10 + 0.1 * shift + (3 * i) % 7 + 0.003 * i);
+      sets.groups[2].values.push_back(9 + 0.2 * shift + (5 * i) % 4 + 0.007 * i);
     }
+    const Evidence found = evidence(sets, {});
+    const bool disagree = std::ranges::any_of(found.contrasts, [](const Finding& pair) {
+      return std::isfinite(pair.p_ranks) && (pair.p_ranks < 0.05) != is_decided(pair);
+    });
+    CAPTURE(shift);
+    CHECK(says(found, "Where methods disagree: by ranks (") == disagree);
+    said += disagree ? 1 : 0;
   }
-  CHECK(said > 5);
-  CHECK(said < 115);
+  CHECK(said > 0);
+  CHECK(said < 60);
 }
 
 TEST_CASE("the table of tests has every digit, as numbers", "[assessment]") {
@@ -391,7 +378,7 @@ TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
   // Reasons give the group by its name, not by its number.
   const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
   CHECK(says(infinite, "In short: plain against other and odd is undecided ("));
-  CHECK(says(infinite, "One-way ANOVA: not defined, odd has values that are not finite"));
+  CHECK(contains(to_csv(tables_of(infinite).at(1)), "not defined: odd has values that are not finite"));
   CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
   CHECK_FALSE(says(infinite, "group 2"));
   // Nothing was tested, so nothing is "not refuted", and no methods agree.
@@ -420,7 +407,7 @@ TEST_CASE("a value of any size makes no test of means call its group the worse f
   CHECK(std::abs(found.contrasts[0].g) < 1);  // a mean of huge / 4 has a standard error of the same size
 }
 
-TEST_CASE("the short answer names and counts the pairs that cannot be judged, and says what would", "[assessment]") {
+TEST_CASE("the answer names and counts the pairs that cannot be judged", "[assessment]") {
   const auto of = [](std::vector<Group> groups) {
     return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
   };
@@ -434,15 +421,14 @@ TEST_CASE("the short answer names and counts the pairs that cannot be judged, an
   const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
   CHECK(says(three,
              "In short: A against B and C is undecided (too few different values: the bootstrap of 3 pairs "
-             "needs 4 in each group). In a new study another test could judge (ikbench run: "
-             "--set analysis.test=tamhane; ikbench stats: --test tamhane). No other pair is shown to differ."));
+             "needs 4 in each group). No other pair is shown to differ."));
   // Neither differs here.
   const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
   CHECK(says(alike, "No other pair is shown to differ."));
   CHECK_FALSE(says(alike, "does not differ"));
 }
 
-TEST_CASE("a pair that is undecided only among all pairs has its own p beside the corrected one", "[assessment]") {
+TEST_CASE("a pair that is undecided only among all pairs has its own p in the table", "[assessment]") {
   const std::vector<double> values{3, 1, 4, 1.5, 9, 2.6, 5, 3.5, 8, 9.7};
   const auto shifted = [&](double by) {
     std::vector<double> result = values;
@@ -457,13 +443,8 @@ TEST_CASE("a pair that is undecided only among all pairs has its own p beside th
                               .groups = {{"A", values}, {"B", shifted(by)}, {"C", shifted(50)}, {"D", shifted(50)}}},
                  {});
     const Finding& pair = found.contrasts.front();
-    if (pair.p_alone >= 0.05) {
-      CHECK(!says(found, "for this pair alone"));
-      continue;
-    }
+    if (pair.p_alone >= 0.05) continue;
     REQUIRE(pair.relation == Relation::undecided);
-    CHECK(says(found, "for all 6 pairs, 0.0"));
-    CHECK(says(found, " for this pair alone"));
     CHECK(contains(tables_of(found).back().notes.front(), "may be decided alone, as ikbench compare judges it"));
     break;
   }
@@ -479,9 +460,10 @@ TEST_CASE("it is said which test decided on groups of one value each", "[assessm
   CHECK(says(of({0.5, 1.5, 2.5, 1, 2, 3}),
              "Decided by: studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value "
              "each."));
-  CHECK(says(of({3, 4, 5, 3.5, 4.5, 5.5}),
-             "Decided by: the exact test of ranks where groups do not overlap and the bootstrap has no spread; "
-             "Fisher's exact test for groups of one value each."));
+  CHECK(
+      says(of({3, 4, 5, 3.5, 4.5, 5.5}),
+           "Decided by: Fisher's exact test for groups of one value each; the exact test of ranks where groups do not "
+           "overlap and the bootstrap has no spread."));
   CHECK_FALSE(says(of({3, 3, 3, 3, 3, 3}), "bootstrap"));
 }
 
@@ -511,7 +493,7 @@ TEST_CASE("what the bootstrap cannot judge is decided where all values of one gr
              "pairs needs 5"));
 }
 
-TEST_CASE("a method that finds the other one better disagrees, and so does a test of all groups", "[assessment]") {
+TEST_CASE("a method that finds the other one better disagrees", "[assessment]") {
   // Four fifths of B are better than all of A, and one fifth is so much worse that the mean is, too.
   Observations two{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}}};
   for (int i = 0; i < 80; ++i) {
@@ -521,20 +503,7 @@ TEST_CASE("a method that finds the other one better disagrees, and so does a tes
   const Evidence found = evidence(two, {.test = "welch"});
   REQUIRE(found.contrasts[0].relation == Relation::better);
   CHECK(says(found, "), although the median and A12 favour the other"));
-  CHECK(says(found, "Where methods disagree: ranks favour the other one in A vs B (p = "));
-  // The same beside a third group: the bootstrap has no test of all groups, so each is held against the pairs.
-  Observations many{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}, {"C", {}}}};
-  for (int i = 0; i < 12; ++i) {
-    many.groups[0].values.push_back(10 + i);
-    many.groups[1].values.push_back(i < 9 ? 10.5 + i : 1000 + i);
-    many.groups[2].values.push_back(9.5 + i);
-  }
-  many.groups[2].values.front() = 1;
-  const Evidence all = evidence(many, {});
-  const bool some_pair = std::ranges::any_of(all.contrasts, is_decided);
-  const bool by_ranks = all.test(kruskal_wallis_name)->p < 0.05, by_means = all.test(anova_name)->p < 0.05;
-  CAPTURE(some_pair, by_ranks, by_means);
-  CHECK(says(all, "of all groups together") == (some_pair != by_ranks || some_pair != by_means));
+  CHECK(says(found, "): A vs B: the other one is better (p = "));
 }
 
 TEST_CASE("unequal variances are found where they are larger than by chance alone", "[assessment]") {

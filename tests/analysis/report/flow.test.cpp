@@ -25,23 +25,23 @@ TEST_CASE("the flow counts each planned solve once, and the observations of comp
       if (run < 4 || point < 2) solves.push_back(solve);  // the last is missing
     }
   }
-  const Table table = flow_table(make_study("study", std::move(solves)));
+  const Table table = status_table(make_study("study", std::move(solves)));
   const auto cell = [&](std::size_t row, const std::string& column) {
     const auto found = std::ranges::find(table.columns, column);
     REQUIRE(found != table.columns.end());
     return std::get<std::int64_t>(table.rows.at(row)[static_cast<std::size_t>(found - table.columns.begin())]);
   };
-  for (const char* one : {"declined", "crashed", "timed out", "refused", "claimed but wrong"}) {
+  for (const char* one : {"declined", "crashed", "timed_out", "refused", "claimed_but_wrong", "limit_violated"}) {
     CAPTURE(one);
     CHECK(cell(0, one) == 1);
     CHECK(cell(1, one) == 0);
   }
-  CHECK(cell(0, "not finite") == 0);
-  CHECK(cell(0, "other answers") == 3);
-  CHECK(cell(0, "not solved") == 0);
+  CHECK(cell(0, "not_finite") == 0);
+  CHECK(cell(0, "ok") == 2);
+  CHECK(cell(0, "not_solved") == 0);
   CHECK(cell(0, "observations") == 4);
   CHECK(cell(1, "planned") == 8);
-  CHECK(cell(1, "not solved") == 1);
-  CHECK(cell(1, "other answers") == 7);
+  CHECK(cell(1, "not_solved") == 1);
+  CHECK(cell(1, "ok") == 7);
   CHECK(cell(1, "observations") == 3);
 }

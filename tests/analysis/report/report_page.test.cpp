@@ -4,11 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/inference/make_study.hpp"
-#include "analysis/report/encoding.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_content.hpp"
-#include "analysis/report/report_html.hpp"
-#include "analysis/report/report_markdown.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"
@@ -31,24 +28,17 @@ nlohmann::json chain_of(std::size_t joints) {
 
 }  // namespace
 
-TEST_CASE("bytes and digests are written in base64 as RFC 4648 and FIPS 180-4 have them", "[report]") {
-  CHECK(base64("") == "");
-  CHECK(base64("foo") == "Zm9v");
-  CHECK(base64("foob") == "Zm9vYg==");
-  CHECK(base64("fooba") == "Zm9vYmE=");
-  CHECK(base64(std::string_view("\xff\xfe\x00", 3)) == "//4A");
-  CHECK(sha256_in_base64("") == "47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU=");
-  CHECK(sha256_in_base64("abc") == "ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0=");
-}
-
 TEST_CASE("a figure is an image within the page, whose bytes are those of its file", "[report]") {
   const ScratchFolder folder;
   const std::string svg = "<svg onload='alert(1)'><script>alert(2)</script><text>\"></text></svg>";
-  std::ofstream(folder.path / "figure-6.svg") << svg;
+  std::filesystem::create_directory(folder.path / "figures");
+  std::ofstream(folder.path / "figures" / "figure-6.svg") << svg;
   ReportContent content;
-  arrange({ReportFigure{{"figure-6", "of <b> and \" onload=\"alert(3)"}, true}}, {}, content);
-  const std::string page = to_html(content, {.figures = folder.path});
-  CHECK(contains(page, "src=\"data:image/svg+xml;base64," + base64(svg) + "\">"));
+  arrange({ReportFigure{{"figure-6", "of <b> and \" onload=\"alert(3)"}, true}}, content);
+  const std::string page = to_html(content, folder.path);
+  CHECK(contains(page,
+                 "src=\"data:image/svg+xml;base64,PHN2ZyBvbmxvYWQ9J2FsZXJ0KDEpJz48c2NyaXB0PmFsZXJ0KDIpPC9zY3JpcHQ+PHRl"
+                 "eHQ+Ij48L3RleHQ+PC9zdmc+\">"));
   CHECK(contains(page, "of &lt;b&gt; and &quot; onload=&quot;alert(3)\" src="));
   CHECK(contains(page, "img-src data:"));
   CHECK(!contains(page, svg));
@@ -59,8 +49,8 @@ TEST_CASE("a figure that was not drawn has no card beside the verdict", "[report
   for (const bool is_drawn : {false, true}) {
     ReportContent content;
     content.plan.results = {{"Results", "", {"overview"}}};
-    arrange({ReportFigure{{"overview", "of all"}, is_drawn}}, {}, content);
-    CHECK(contains(to_html(content, {.figures = folder.path}), "<figure id=") == is_drawn);
+    arrange({ReportFigure{{"overview", "of all"}, is_drawn}}, content);
+    CHECK(contains(to_html(content, folder.path), "<figure id=") == is_drawn);
   }
 }
 
@@ -72,7 +62,7 @@ TEST_CASE("pieces come in the order of their sections, and none is lost", "[repo
   for (const char* name : {"unheard-of", "table-7", "status", "table-3"}) pieces.emplace_back(Table{name, "caption"});
   for (const char* name : {"figure-9-a", "figure-9-b", "figure-5"})
     pieces.emplace_back(ReportFigure{{name, "caption"}});
-  arrange(std::move(pieces), {}, content);
+  arrange(std::move(pieces), content);
   std::string order;
   for (const auto* part : {&content.circumstances, &content.results}) {
     for (const Section& section : *part) {
@@ -200,18 +190,20 @@ TEST_CASE("the moving arm has the joint limits violated where the store has them
 TEST_CASE("a page says why it has no moving arm, and a picture too large for it is a link", "[report]") {
   const ScratchFolder folder;
   {
-    std::ofstream stream(folder.path / "figure-6.svg");
+    std::filesystem::create_directory(folder.path / "figures");
+    std::ofstream stream(folder.path / "figures" / "figure-6.svg");
     stream << "<svg><path d='" << std::string(500'000, ' ') << "'/></svg>";
   }
   ReportContent content{.study = "{{{x}}}", .title = "<i>&"};
+  content.motion = "{}";
   content.plan.results = {{"Results", "", {"figure-6"}}};
-  arrange({ReportFigure{{"figure-6", "caption"}, true}}, {}, content);
-  const std::string page = to_html(content, {.figures = folder.path, .motion = "{}"});
-  CHECK(contains(page, "libjs-three"));
+  arrange({ReportFigure{{"figure-6", "caption"}, true}}, content);
+  const std::string page = to_html(content, folder.path);
+  CHECK(contains(page, "libjs-three") == !drawing_library());
   CHECK(contains(page, "<a href=\"figures/figure-6.svg\">figures/figure-6.svg</a>"));
   CHECK(contains(page, "<h1>&lt;i&gt;&amp;</h1>"));
   CHECK(contains(page, "<strong>{{{x}}}</strong>"));
-  CHECK(!contains(page, "http:"));
-  CHECK(!contains(page, "https:"));
-  CHECK(page.size() < 50'000);
+  CHECK(!contains(page.substr(0, page.find("<script")), "http:"));
+  CHECK(!contains(page.substr(0, page.find("<script")), "https:"));
+  CHECK(page.size() < 50'000 + drawing_library().value_or("").size());
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "analysis/report/latex_table.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -68,19 +67,6 @@ TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval
   CHECK(text.find("\n$-0.395$ to $-0.108$ \\\\\n") != std::string::npos);
   CHECK(text.find("\n$-2 \\times 10^{-9}$ to 3 \\\\\n") != std::string::npos);
   CHECK(text.find("\n0 to 1 \\\\\n") != std::string::npos);
-}
-
-TEST_CASE("LaTeX names columns and statistics in words, also where a note speaks of them", "[table]") {
-  const Table table{.name = "t",
-                    .caption = "t",
-                    .columns = {"mean_reached_ms", "statistic"},
-                    .rows = {{1.0, std::string("chi^2(5) = 3, omega^2 = 0.1")}},
-                    .notes = {"mean_reached_ms is of some; not_a_column and mean_reached_ms_too are not."}};
-  const std::string text = to_latex(table);
-  CHECK(text.find("mean reached {[}ms{]} is of some; not\\_a\\_column and mean\\_reached\\_ms\\_too are not.") !=
-        std::string::npos);
-  CHECK(text.find("$\\chi^2$(5) = 3, $\\omega^2$ = 0.1") != std::string::npos);
-  CHECK(text.find("mean\\_reached\\_ms &") == std::string::npos);
 }
 
 TEST_CASE("LaTeX turns a wide table, and divides a long one into pages, the notes on the last", "[table]") {

@@ -1,10 +1,9 @@
 // The audit of Slim et al. 2023, by analysis/slim2023/audit.toml.
-#include "analysis/report/audit.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include "analysis/collections.hpp"
+#include "analysis/report/claims.hpp"
 #include "analysis/report/report.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"

@@ -4,10 +4,10 @@
 #include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/costs.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
-#include "analysis/report/leaders.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
@@ -24,8 +24,8 @@ constexpr double spike = 50;
 // Everything that is concluded from the times of a study, without the numbers that it rests on.
 std::vector<std::string> verdicts(StudyResults of) {
   const JudgedStudy study(std::move(of));
-  std::vector<std::string> all{words_of(timing_doubts(study)), ranking_sentence(study, Metric::seconds)};
-  const std::string leaders = paragraph_of(leader_sentences(study, Metric::seconds));
+  std::vector<std::string> all{words_of(timing_doubts(study))};
+  const std::string leaders = words_of(leader_sentence(study, Metric::seconds, average_estimand(Metric::seconds)));
   all.push_back(leaders.substr(0, leaders.find('(')));
   const Evidence& found = study.evidence(Metric::seconds);
   for (const std::string& first : study.solvers) {
