@@ -103,7 +103,6 @@ TEST_CASE("a study without a paper has its results, status, statistics and figur
     CAPTURE(figure);
     CHECK(files.contains("figures/" + std::string(figure) + ".gp"));
   }
-  CHECK(contains(text, "Evaluations (mean, smallest first): alpha, beta."));
   CHECK(text.find("## Summary") < text.find("## Results"));
   CHECK(text.find("## Results") < text.find("## Statistics: position error"));
   CHECK_FALSE(contains(text, "## Verdict"));
