@@ -231,6 +231,8 @@ Table table_of(const Reported& reported, const CsvTable& printed, const PrintedT
   for (const SearchStatistic* const statistic : columns) table.columns.emplace_back(statistic->heading);
   const auto unit = std::ranges::find(printed.rows, plan.times_to, [&](const auto& row) { return row[names]; });
   if (!plan.times_to.empty()) {
+    if (unit == printed.rows.end())
+      throw std::invalid_argument(fmt::format("{}: times_to names {}, which no row has", plan.table, plan.times_to));
     table.columns.push_back(fmt::format("mean time / that of {}", plan.times_to));
     table.notes.emplace_back(words::ratios_of_times);
   }

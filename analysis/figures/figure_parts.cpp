@@ -162,12 +162,6 @@ std::vector<std::vector<double>> values_by_point(const StudyResults& study, cons
   return values;
 }
 
-std::vector<double> averages_by_point(const StudyResults& study, const std::string& solver, Metric metric) {
-  std::vector<double> averages;
-  for (const auto& values : values_by_point(study, solver, metric)) averages.push_back(average_of(metric)(values));
-  return averages;
-}
-
 std::map<int, const SolveRecord*> first_run(const StudyResults& study, const std::string& solver) {
   std::map<int, const SolveRecord*> solves;
   for (const SolveRecord& solve : study.solve_data->drawn) {

@@ -66,10 +66,6 @@ std::vector<std::string> add_curves(Figure& figure, const inference::StudyResult
 // The values of all runs at every point.
 std::vector<std::vector<double>> values_by_point(const inference::StudyResults& study, const std::string& solver,
                                                  inference::Metric metric);
-// Averages over the runs at every point (inference::average_of); not defined if an answer is not finite and the average
-// is a mean.
-std::vector<double> averages_by_point(const inference::StudyResults& study, const std::string& solver,
-                                      inference::Metric metric);
 // The solver's first run, by point.
 std::map<int, const results::SolveRecord*> first_run(const inference::StudyResults& study, const std::string& solver);
 // All joints [deg] at each point; not defined if an answer has fewer joints than another.

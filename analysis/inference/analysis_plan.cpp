@@ -56,6 +56,7 @@ class JsonReader {
   void whole(const char* key, int& field, std::pair<int, int> range, std::string_view meaning) {
     double value = field;
     number(key, value, 1, range, meaning);
+    take(key, [&](const Json& given) { return given.is_number_integer(); });
     field = static_cast<int>(value);
   }
   void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
@@ -172,20 +173,27 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
   const AnalysisPlan plan = plan_of(entry);
   Doubts doubts;
-  double all = 0;
+  double all = 0, unrecorded = 0;
   for (const auto& [id, count] : solves) {
     all += static_cast<double>(count);
     const auto session = std::ranges::find(sessions, id, &Session::id);
-    if (session == sessions.end() || !session->environment.contains("analysis")) continue;
-    const auto then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
+    std::optional<AnalysisPlan> then;
+    if (session != sessions.end() && session->environment.contains("analysis"))
+      then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
+    if (!then) unrecorded += static_cast<double>(count);
     const std::string changes = then ? changes_between(*then, plan) : "";
     if (changes.empty()) continue;
     auto same = std::ranges::find(doubts, changes, &Doubt::what);
     if (same == doubts.end()) same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .what = changes});
     same->count += static_cast<double>(count);
   }
+  if (unrecorded > 0) doubts.push_back({.kind = DoubtKind::plan_not_recorded, .count = unrecorded});
   for (Doubt& doubt : doubts) doubt.of = all;
-  return doubts + dropped_doubts(entry, sessions);
+  const Doubts dropped = dropped_doubts(entry, sessions);
+  const auto written = plan_in(plan_json(entry));
+  if (dropped.empty() && written && written->control != plan.control)
+    doubts.push_back({.kind = DoubtKind::control_absent, .who = {written->control}});
+  return doubts + dropped;
 }
 
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,

@@ -216,8 +216,7 @@ struct Effort {
 Effort effort_of(const StudyResults& study, const std::string& solver) {
   Effort effort;
   for (const Solve& solve : solves_of(study, solver)) {
-    const bool is_counted = solve.counted_by == CountedBy::suite && !is_without_answer(solve.status);
-    effort.evaluations += is_counted ? static_cast<double>(solve.evaluations) : not_defined;
+    effort.evaluations += solve.counted_by == CountedBy::suite ? static_cast<double>(solve.evaluations) : not_defined;
     effort.iterations += static_cast<double>(solve.iterations);
     effort.limited += solve.stop_reason == StopReason::iterations ? 1 : 0;
     ++effort.solves;

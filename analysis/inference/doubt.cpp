@@ -73,6 +73,8 @@ constexpr std::array all_words{
         K::values_missing, "Values are missing",
         "Values are missing: {what}. A group that failed there looks better than it is: write Inf for a failure (-Inf "
         "if larger is better)."},
+    Words{K::uneven_runs, "Some means have fewer values",
+          "Fewer values than the fullest have {what}. Their means are taken as they are."},
     Words{K::no_path_for_blocks, "There are no blocks", "There are no blocks: the study does not state its path."},
     Words{K::chained_solves, "There are no blocks",
           "There are no blocks: each solve starts where the solver's previous answer left the arm."},
@@ -88,6 +90,10 @@ constexpr std::array all_words{
         K::solvers_dropped, "The study had more solvers",
         "The study had more solvers when its solves were made: {who}. The correction for several comparisons counts only "
         "those that are left."},
+    Words{K::control_absent, "The control is missing",
+          "The plan's control {who} is no solver of the study, so all pairs are compared."},
+    Words{K::plan_not_recorded, "The analysis plan was not recorded",
+          "{count} of {of} solves have no record of the plan under which they were made."},
     Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
     Words{
         K::looked_before, "The study was looked at before",

@@ -37,6 +37,7 @@ enum class DoubtKind {
   points_as_observations,
   rows_share_a_run,
   values_missing,
+  uneven_runs,
   no_path_for_blocks,
   chained_solves,
   other_targets,
@@ -46,6 +47,8 @@ enum class DoubtKind {
   // the plan
   plan_changed,
   solvers_dropped,
+  control_absent,
+  plan_not_recorded,
   no_plan,
   looked_before,
   // the study, its solves, and its report

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <unordered_map>
@@ -181,42 +182,42 @@ Shared shared(const std::vector<Item>& items, Index Item::*field) {
   return {.count = std::ranges::count(keys, *first), .group = first->first, .label = first->second};
 }
 
-// Counts the runs that a group lacks. Groups that have a run in common were given the same runs.
-void count_absent_runs(Contents& contents) {
-  std::vector<std::vector<Index>> runs(contents.groups.all().size());
-  std::vector<std::size_t> groups_with;  // by run
+// Counts the runs that each group lacks. Groups that have a run in common were given the same runs.
+std::vector<std::size_t> absent_runs(const Contents& contents) {
+  const std::size_t groups = contents.groups.all().size();
+  std::vector<std::pair<Index, Index>> keys;  // run and group
   for (const Item& item : contents.items) {
-    if (item.run != no_label) runs[item.group].push_back(item.run);
+    if (item.run != no_label) keys.emplace_back(item.run, item.group);
   }
-  for (std::vector<Index>& own : runs) {
-    std::ranges::sort(own);
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-    if (!own.empty()) groups_with.resize(std::max(groups_with.size(), own.back() + std::size_t{1}));
-    for (const Index run : own) ++groups_with[run];
+  std::ranges::sort(keys);
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  std::vector<std::size_t> kin(groups);  // the first of the groups that were given the same runs
+  std::iota(kin.begin(), kin.end(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const std::size_t one = kin[keys[i - 1].second], other = kin[keys[i].second];
+    if (keys[i - 1].first == keys[i].first && one != other) std::ranges::replace(kin, other, one);
   }
-  const auto shares_one = [&](const std::vector<Index>& own) {
-    return std::ranges::any_of(own, [&](Index run) { return groups_with[run] > 1; });
-  };
-  std::vector<bool> is_expected(groups_with.size());
-  for (const std::vector<Index>& own : runs) {
-    if (!shares_one(own)) continue;
-    for (const Index run : own) is_expected[run] = true;
+  std::vector<std::size_t> given(groups), absent(groups);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i == 0 || keys[i - 1].first != keys[i].first) ++given[kin[keys[i].second]];
   }
-  const auto expected = static_cast<std::size_t>(std::ranges::count(is_expected, true));
-  for (const std::vector<Index>& own : runs)
-    contents.absent_runs.push_back(shares_one(own) ? expected - own.size() : 0);
+  for (std::size_t group = 0; group < groups; ++group) absent[group] = given[kin[group]];
+  for (const auto& [run, group] : keys) --absent[group];
+  return absent;
 }
 
 // Refuses rows that share a run, or tells of them if they are taken as given: they are no replicates.
 void look_for_runs(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
-  bool have_numbers = false;
   for (std::size_t column = 0; column < file.header().size() && result.flaws.empty(); ++column) {
     const std::string& title = file.header()[column];
     if (!names_replicates(title) || title == request.group || title == request.value) continue;
-    have_numbers = true;
     const std::vector<std::string> runs = label(file, column, &Item::run, true, contents.items);
     const Shared found = shared(contents.items, &Item::run);
-    if (found.count == 0) continue;
+    if (found.count == 0) {
+      if (std::ranges::count(contents.absent_runs, 0U) == std::ssize(contents.absent_runs))
+        contents.absent_runs = absent_runs(contents);
+      continue;
+    }
     const std::string run = one_line(title);
     const std::string words =
         fmt::format("{} rows share {} {} of {}", found.count, run, shortened(runs[found.label], 40),
@@ -229,7 +230,7 @@ void look_for_runs(const CsvFile& file, const CsvRequest& request, Contents& con
     }
     result.flaws.push_back({.kind = DoubtKind::rows_share_a_run, .what = words});
   }
-  if (have_numbers && result.flaws.empty()) count_absent_runs(contents);
+  if (!result.flaws.empty()) contents.absent_runs.clear();
 }
 
 // Averages the items of each group, block and run, and returns the largest number of items in one. A mean is whole if
@@ -260,8 +261,8 @@ std::size_t average(const CsvRequest& request, std::vector<Item>& items) {
   return std::ranges::max_element(most, {}, [](const auto& of_block) { return of_block.second; })->second;
 }
 
-// Adds the doubt that values are missing: "3 of 20 runs of IK-BA, 1 of 20 of BA".
-void add_lacks(const std::vector<Lack>& lacks, std::string_view what, std::string_view consequence,
+// Adds the doubt that values are missing, "3 of 20 runs of IK-BA, 1 of 20 of BA", or were averaged without them.
+void add_lacks(const std::vector<Lack>& lacks, std::string_view what, bool are_averaged, std::string_view consequence,
                Observations& result) {
   constexpr std::size_t most_groups = 12;
   std::string words;
@@ -274,7 +275,8 @@ void add_lacks(const std::vector<Lack>& lacks, std::string_view what, std::strin
   }
   if (listed > most_groups) words += fmt::format(" and of {} more groups", listed - most_groups);
   if (listed > 0) {
-    result.flaws.push_back({.kind = DoubtKind::values_missing, .what = words.append(consequence)});
+    result.flaws.push_back(
+        {.kind = are_averaged ? DoubtKind::uneven_runs : DoubtKind::values_missing, .what = words.append(consequence)});
   }
 }
 
@@ -323,7 +325,10 @@ void fill_groups(const CsvRequest& request, const Contents& contents, Observatio
     lacks[item.group].missing += std::isnan(item.value) || !item.is_whole ? 1 : 0;
     ++lacks[item.group].all;
   }
-  add_lacks(lacks, request.run.empty() ? "values" : "runs", "", result);
+  const bool are_there =
+      std::ranges::none_of(contents.items, [](const Item& item) { return std::isnan(item.value); }) &&
+      std::ranges::all_of(contents.absent_runs, [](std::size_t count) { return count == 0; });
+  add_lacks(lacks, request.run.empty() ? "values" : "runs", are_there, "", result);
   join_equal(result, request.run.empty() ? "rows" : "runs");
 }
 
@@ -331,6 +336,10 @@ void fill_groups(const CsvRequest& request, const Contents& contents, Observatio
 void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& contents, Observations& result) {
   const std::string_view what = request.run.empty() ? "rows" : "runs";
   const Shared several = shared(contents.items, &Item::block);
+  if (several.count > 0 && result.blocks.size() == 1) {
+    file.refuse(fmt::format("all rows are in one block, {}, within which nothing can be judged; leave out --block",
+                            in_quotes(result.blocks.front())));
+  }
   if (several.count > 0 && request.run.empty() && !request.takes_any_rows) {
     file.refuse(fmt::format(
         "{} rows of {} in block {}; expected one; average rows and runs with --run COLUMN, or all rows with --force",
@@ -358,9 +367,8 @@ void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& conte
     }
   }
   if (complete.empty()) file.refuse("no block has a value for every group; --force averages the values that exist");
-  add_lacks(lacks, "blocks",
-            complete.size() < result.blocks.size() ? "; these blocks are left out for all groups"
-                                                   : "; what is left is averaged",
+  const bool are_averaged = complete.size() == result.blocks.size();
+  add_lacks(lacks, "blocks", are_averaged, are_averaged ? "" : "; blocks that lack a value are left out for all groups",
             result);
   result.blocks = std::move(complete);
 }
@@ -401,7 +409,7 @@ Observations read_observations(std::string_view text, std::string_view source, c
                         whole, contents.items.size(), rows));
       }
       if (rows > 1) result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.file_name());
-      count_absent_runs(contents);
+      contents.absent_runs = absent_runs(contents);
     }
   }
   if (result.blocks.empty()) {

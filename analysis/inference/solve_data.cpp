@@ -104,12 +104,18 @@ std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
   asked_.insert(asked_.end(), solve.target_position_m.begin(), solve.target_position_m.end());
   asked_.insert(asked_.end(), solve.target_rotation.begin(), solve.target_rotation.end());
   if (has_start) asked_.insert(asked_.end(), solve.start_rad.begin(), solve.start_rad.end());
-  const auto [known, is_new] = index_.try_emplace(hash_of(asked_), static_cast<std::uint32_t>(ends_.size()));
-  if (is_new) {
-    numbers_.insert(numbers_.end(), asked_.begin(), asked_.end());
-    ends_.push_back(numbers_.size());
+  const auto is_same = [](double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  };
+  // A list whose hash another one has gets the next free place.
+  for (std::uint64_t place = hash_of(asked_);; ++place) {
+    const auto [known, is_new] = index_.try_emplace(place, static_cast<std::uint32_t>(ends_.size()));
+    if (is_new) {
+      numbers_.insert(numbers_.end(), asked_.begin(), asked_.end());
+      ends_.push_back(numbers_.size());
+    }
+    if (is_new || std::ranges::equal(list(known->second), asked_, is_same)) return known->second;
   }
-  return known->second;
 }
 
 void Problems::forget_index() { index_ = {}; }

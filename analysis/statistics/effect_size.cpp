@@ -99,13 +99,4 @@ Estimate vargha_delaney(std::span<const double> a, std::span<const double> b, do
   return effect;
 }
 
-std::string_view effect_words(double delta) {
-  const double size = std::abs(delta);
-  if (std::isnan(size)) return "not defined";
-  if (size < 0.147) return "negligible";
-  if (size < 0.33) return "small";
-  if (size < 0.474) return "medium";
-  return "large";
-}
-
 }  // namespace ikbench::statistics

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
 #include "analysis/statistics/anova.hpp"
 
@@ -26,9 +25,5 @@ Estimate cliffs_delta(std::span<const double> a, std::span<const double> b, doub
 // P(a > b) + P(a = b) / 2 = (delta + 1) / 2 (Vargha and Delaney, J. Educational and Behavioral Statistics 25 (2000)
 // 101).
 Estimate vargha_delaney(std::span<const double> a, std::span<const double> b, double level);
-
-// "negligible", "small", "medium" or "large": |delta| up to .147, .33, .474 (Romano, Kromrey, Coraggio, Skowronek
-// 2006).
-std::string_view effect_words(double delta);
 
 }  // namespace ikbench::statistics

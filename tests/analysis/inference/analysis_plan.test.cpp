@@ -72,7 +72,7 @@ TEST_CASE("a store without a plan is judged by the defaults, and one with a dama
        {R"({"test": "t"})", R"({"adjustment": 3})", R"({"unit": null})", R"({"significance": 0})",
         R"({"margin_percent": -1})", R"({"significance": "0.01"})", R"({"power": []})", R"({"estimands": []})",
         R"({"estimands": ["mean", "mode"]})", R"({"estimands": "mean"})", R"({"estimands": ["mean", "mean", null]})",
-        R"({"quartiles": 18446744073709551615})"}) {
+        R"({"quartiles": 18446744073709551615})", R"({"quartiles": 7.5})"}) {
     CAPTURE(nonsense);
     CHECK_THROWS_AS(plan_of(entry_with(nonsense)), std::invalid_argument);
   }
@@ -140,6 +140,15 @@ TEST_CASE("to repeat a study that was merged of shards is to repeat all of it", 
         "ikbench run a.toml --set runs=3");
   CHECK(repeated(R"(ikbench run 'it'\''s.toml' '--out=a b' --shard 1/3)", true) == R"(ikbench run 'it'\''s.toml')");
   CHECK(repeated("ikbench run a.toml --out all", false) == "ikbench run a.toml --out all");
+}
+
+TEST_CASE("solves without a record of their plan are counted, and an absent control is told", "[analysis_plan]") {
+  const auto notes =
+      plan_notes(entry_with("{}"), sessions_with({"", "{}", "garbage"}), solves_by_session({3, 4, 2, 1}));
+  CHECK(notes ==  // 3 of the first, 2 of the third, 1 of a session that is not there
+        std::vector<std::string>{"6 of 10 solves have no record of the plan under which they were made."});
+  CHECK(plan_notes(entry_with(R"({"control": "nobody"})"), {}, {}) ==
+        std::vector<std::string>{"The plan's control nobody is no solver of the study, so all pairs are compared."});
 }
 
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {

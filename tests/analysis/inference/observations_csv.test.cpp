@@ -245,6 +245,11 @@ TEST_CASE("a row that is absent counts as missing where a column numbers the run
   CHECK(seen.groups[1].values == Values{1, 2});
   CHECK(words_of(seen.flaws) == missing("1 of 3 values of B"));
   CHECK(read("solver,seed,error\nA,1,1\nA,2,2\nA,3,3\nB,4,1\nB,5,2\n").flaws.empty());
+  // Two pairs of groups with runs of their own, and a second column that numbers the rows.
+  const std::string pairs = "A,1,1\nA,2,2\nB,1,3\nB,2,2\nC,3,1\nC,4,2\nD,3,3\n";
+  CHECK(read("solver,seed,error\n" + pairs + "D,4,2\n").flaws.empty());
+  CHECK(words_of(read("solver,seed,error\n" + pairs).flaws) == missing("1 of 2 values of D"));
+  CHECK(words_of(read("solver,seed,trial,error\nA,1,1,1\nA,2,2,2\nB,1,3,2\n").flaws) == missing("1 of 2 values of B"));
 }
 
 TEST_CASE("a row that is there twice is refused", "[csv]") {
@@ -260,7 +265,8 @@ TEST_CASE("a row that is there twice is refused", "[csv]") {
   request.takes_any_rows = true;
   const Observations seen = read(text + "A,1,6\n", request);
   CHECK(seen.groups[0].values == Values{3, 2, 2, 2, 2, 2, 2, 2, 2, 2});
-  CHECK(words_of(seen.flaws) == missing("9 of 10 runs of A, 10 of 10 of B"));
+  CHECK(words_of(seen.flaws) ==
+        "Fewer values than the fullest have 9 of 10 runs of A, 10 of 10 of B. Their means are taken as they are.");
 }
 
 TEST_CASE("a missing value without blocks is a flaw, because a group that failed there looks better", "[csv]") {
@@ -273,6 +279,12 @@ TEST_CASE("the mean of huge values does not overflow", "[csv]") {
                                  {.value = "error", .group = "solver", .run = "run"});
   CHECK(seen.groups[0].values[0] == Approx(1.25e308));
   CHECK(seen.groups[0].values[1] == 0);
+}
+
+TEST_CASE("rows of one block alone are refused", "[csv]") {
+  CHECK(refusal("solver,problem,error\nA,p,1\nA,p,2\nB,p,1\n",
+                {.value = "error", .group = "solver", .block = "problem"}) ==
+        "a/folder/file.csv: all rows are in one block, 'p', within which nothing can be judged; leave out --block");
 }
 
 TEST_CASE("blocks are aligned over the groups, incomplete ones left out and counted", "[csv]") {

@@ -165,12 +165,3 @@ TEST_CASE("dominance without spread has no interval", "[effect_size]") {
   CHECK(std::isnan(delta.high));
   CHECK_THROWS_AS(cliffs_delta(a, b, 0), std::invalid_argument);
 }
-
-TEST_CASE("Romano's words for delta", "[effect_size]") {
-  CHECK(effect_words(0.146) == "negligible");
-  CHECK(effect_words(-0.147) == "small");
-  CHECK(effect_words(0.33) == "medium");
-  CHECK(effect_words(-0.474) == "large");
-  CHECK(effect_words(1) == "large");
-  CHECK(effect_words(not_defined) == "not defined");
-}
