@@ -60,15 +60,21 @@ std::string disc_lines(const std::vector<OverviewMark>& marks, bool has_times) {
   return lines;
 }
 
+std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_times) {
+  if (!has_times) return "Without times.";
+  const double longest = std::ranges::max(marks, {}, &OverviewMark::seconds).seconds;
+  const double least = longest * smallest_size * smallest_size / (largest_size * largest_size);
+  const bool is_cut = std::ranges::any_of(marks, [&](const OverviewMark& mark) { return mark.seconds < least; });
+  return is_cut ? "Size of a dot: median time; all times below a sixteenth of the longest look the same."
+                : "Size of a dot: median time.";
+}
+
 }  // namespace
 
 Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark>& printed) {
   const std::vector<OverviewMark> ours = means_of(study), rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study), has_rings = !printed.empty();
-  Figure figure{
-      .name = "overview",
-      .caption = has_times ? "Size of a dot: median time." : "Without times.",
-      .height_cm = 6.6};
+  Figure figure{.name = "overview", .caption = words_of_sizes(ours, has_times), .height_cm = 6.6};
   std::vector<double> errors;
   double widest = 1e-9;
   for (const auto* marks : {&ours, &rings}) {

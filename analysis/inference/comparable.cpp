@@ -102,6 +102,18 @@ Doubts instructions_left_out(const StudyResults& study) {
   return {{.kind = DoubtKind::instructions_uncounted, .who = uncounted}};
 }
 
+// An import without a column has no values of its metric, which does not mean that its solver failed.
+Doubts imports_left_out(const StudyResults& study, Metric metric) {
+  if (metric == Metric::position_error_cm || is_of_run(metric)) return {};
+  const SolverLabels unmeasured = those(study, [&](SolvesOfOne solves) {
+    return are_imported(solves) && std::ranges::none_of(solves, [&](const Solve& solve) {
+             return std::isfinite(value_of(study, solve, metric));
+           });
+  });
+  if (unmeasured.empty()) return {};
+  return {{.kind = DoubtKind::imported_without, .who = unmeasured}};
+}
+
 // Doubts of the whole study's times, for all solvers.
 Doubts machine_doubts(const StudyResults& study) {
   const auto parallel = timed(study.solves, Timing::parallel), debug = timed(study.solves, Timing::debug_build);
@@ -122,7 +134,7 @@ Doubts machine_doubts(const StudyResults& study) {
 Doubts left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
   if (metric == Metric::instructions) return instructions_left_out(study);
-  return info_of(metric).kind == Kind::time ? times_left_out(study) : Doubts{};
+  return info_of(metric).kind == Kind::time ? times_left_out(study) : imports_left_out(study, metric);
 }
 
 std::set<std::string, std::less<>> solvers_left_out(const StudyResults& study, Metric metric) {

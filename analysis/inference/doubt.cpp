@@ -44,9 +44,15 @@ constexpr std::array all_words{
     Words{
         K::evaluations_claimed, "Evaluations are claimed",
         "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench."},
+    Words{K::imported_without, "Imports lack a quantity",
+          "The imports of {who} have no values of this quantity, so they are not compared in it."},
     Words{K::instructions_uncounted, "Instructions were not counted",
           "The instructions of {who} were not counted: the system has no counter, or forbids it "
           "(kernel.perf_event_paranoid), or a program solved."},
+    Words{
+        K::machine_loaded, "The machine was loaded",
+        "The machine was loaded: {count} of {of} solves took more than {other} times as long in one repeat as in another. "
+        "Verdicts on times may change on a quiet machine."},
     Words{K::slow_solves, "Some solves were slow",
           "{count} of {of} solves took more than {other} times as long as usual. The worst is {what}: {value:.3g} ms "
           "instead of {limit:.3g} ms. For the verdict such a solve counts as usual, so it decides nothing."},

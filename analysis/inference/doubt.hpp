@@ -24,8 +24,10 @@ enum class DoubtKind {
   // evaluations of `who` are not compared with others
   evaluations_uncounted,
   evaluations_claimed,
+  imported_without,
   instructions_uncounted,
   // disturbances of times
+  machine_loaded,
   slow_solves,
   mostly_transport,
   solved_in_batches,

@@ -233,13 +233,21 @@ void look_for_runs(const CsvFile& file, const CsvRequest& request, Contents& con
   if (!result.flaws.empty()) contents.absent_runs.clear();
 }
 
-// Averages the items of each group, block and run, and returns the largest number of items in one. A mean is whole if
-// it has as many values as the fullest of its block. Otherwise it is missing, unless rows are taken as given.
-std::size_t average(const CsvRequest& request, std::vector<Item>& items) {
+// The numbers of items in the averages of a CSV.
+struct Averaged {
+  std::size_t least = 0, most = 0;
+  std::ptrdiff_t full = 0;  // averages with `most`
+
+  std::string words() const { return least == most ? fmt::to_string(most) : fmt::format("{} to {}", least, most); }
+};
+
+// Averages the items of each group, block and run. A mean is whole if it has as many values as the fullest of its
+// block. Otherwise it is missing, unless rows are taken as given.
+Averaged average(const CsvRequest& request, std::vector<Item>& items) {
   const auto key = [](const Item& item) { return std::tuple(item.group, item.block, item.run); };
   std::ranges::stable_sort(items, {}, key);
   std::vector<Item> means;
-  std::vector<std::size_t> counts;
+  std::vector<std::size_t> counts, sizes;
   std::unordered_map<Index, std::size_t> most;  // by block; counts items without a value too
   for (std::size_t first = 0, end = 0; first < items.size(); first = end) {
     Item& of_all = means.emplace_back(items[first]);
@@ -250,6 +258,7 @@ std::size_t average(const CsvRequest& request, std::vector<Item>& items) {
     }
     of_all.value = mean(values);
     counts.push_back(values.size());
+    sizes.push_back(end - first);
     most[of_all.block] = std::max(most[of_all.block], end - first);
   }
   for (std::size_t i = 0; i < means.size(); ++i) {
@@ -258,7 +267,8 @@ std::size_t average(const CsvRequest& request, std::vector<Item>& items) {
     if (!request.takes_any_rows) means[i].value = not_defined;
   }
   items = std::move(means);
-  return std::ranges::max_element(most, {}, [](const auto& of_block) { return of_block.second; })->second;
+  const auto [least, largest] = std::ranges::minmax(sizes);
+  return {.least = least, .most = largest, .full = std::ranges::count(sizes, largest)};
 }
 
 // Adds the doubt that values are missing, "3 of 20 runs of IK-BA, 1 of 20 of BA", or were averaged without them.
@@ -346,30 +356,38 @@ void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& conte
         several.count, in_quotes(result.groups[several.group].name), in_quotes(result.blocks[several.label])));
   }
   for (Item& item : contents.items) item.run = 0;
-  if (const std::size_t most = average(request, contents.items); most > 1) {
-    result.replicate = fmt::format("the mean over the {} {} of a block in {}", most, what, file.file_name());
+  if (const Averaged averaged = average(request, contents.items); averaged.most > 1) {
+    result.replicate =
+        fmt::format("the mean over the {} {} of a block in {}", averaged.words(), what, file.file_name());
   }
   result.block = request.block.empty() ? "a row of " + file.file_name()
                                        : fmt::format("a value of {} in {}", in_quotes(request.block), file.file_name());
 
   std::vector<std::vector<double>> values(result.blocks.size(), std::vector<double>(result.groups.size(), not_defined));
-  std::vector<Lack> lacks(result.groups.size(), {result.blocks.size(), result.blocks.size()});
+  std::vector<std::vector<bool>> are_whole(result.blocks.size(), std::vector<bool>(result.groups.size()));
+  std::vector<Lack> left_out(result.groups.size(), {0, result.blocks.size()}), averaged = left_out;
   for (const Item& item : contents.items) {
     values[item.block][item.group] = item.value;
-    lacks[item.group].missing -= item.is_whole && !std::isnan(item.value) ? 1 : 0;
+    are_whole[item.block][item.group] = item.is_whole && !std::isnan(item.value);
   }
   std::vector<std::string> complete;
   for (std::size_t block = 0; block < values.size(); ++block) {
-    if (std::ranges::any_of(values[block], [](double value) { return std::isnan(value); })) continue;
+    const bool is_left_out = std::ranges::any_of(values[block], [](double value) { return std::isnan(value); });
+    for (std::size_t group = 0; group < result.groups.size(); ++group) {
+      (is_left_out ? left_out : averaged)[group].missing += are_whole[block][group] ? 0 : 1;
+    }
+    if (is_left_out) continue;
     complete.push_back(result.blocks[block]);
     for (std::size_t group = 0; group < result.groups.size(); ++group) {
       result.groups[group].values.push_back(values[block][group]);
     }
   }
-  if (complete.empty()) file.refuse("no block has a value for every group; --force averages the values that exist");
-  const bool are_averaged = complete.size() == result.blocks.size();
-  add_lacks(lacks, "blocks", are_averaged, are_averaged ? "" : "; blocks that lack a value are left out for all groups",
-            result);
+  if (complete.empty()) {
+    file.refuse(fmt::format("no block has a value for every group{}",
+                            request.takes_any_rows ? "" : "; --force averages the values that exist"));
+  }
+  add_lacks(left_out, "blocks", false, "; these blocks are left out for all groups", result);
+  add_lacks(averaged, "blocks", true, "", result);
   result.blocks = std::move(complete);
 }
 
@@ -399,18 +417,16 @@ Observations read_observations(std::string_view text, std::string_view source, c
   if (request.run.empty() && request.block.empty()) look_for_runs(file, request, contents, result);
   if (!request.run.empty()) {
     label(file, file.column(request.run), &Item::run, false, contents.items);
-    const std::size_t rows = average(request, contents.items);
-    const auto whole = std::ranges::count(contents.items, true, &Item::is_whole);
-    if (result.blocks.empty()) {
-      if (2 * whole < std::ssize(contents.items) && !request.takes_any_rows) {
-        file.refuse(
-            fmt::format("only {} of {} runs have {} values; a row may be duplicated, or rows may be missing; "
-                        "--force averages them as they are",
-                        whole, contents.items.size(), rows));
-      }
-      if (rows > 1) result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows, file.file_name());
-      contents.absent_runs = absent_runs(contents);
+    const Averaged rows = average(request, contents.items);
+    if (2 * rows.full < std::ssize(contents.items) && result.blocks.empty() && !request.takes_any_rows) {
+      file.refuse(
+          fmt::format("only {} of {} runs have {} rows; a row may be duplicated, or rows may be missing; "
+                      "--force averages them as they are",
+                      rows.full, contents.items.size(), rows.most));
     }
+    if (rows.most > 1)
+      result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows.words(), file.file_name());
+    if (result.blocks.empty()) contents.absent_runs = absent_runs(contents);
   }
   if (result.blocks.empty()) {
     fill_groups(request, contents, result);

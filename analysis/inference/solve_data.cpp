@@ -158,6 +158,8 @@ void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) 
     own.transport_shares.push_back(transport / record.seconds);
   }
   own.largest_batch = std::max(own.largest_batch, record.batch);
+  const double longest = std::fmax(record.seconds, record.largest_seconds);
+  own.uneven_repeats += record.repeats > 1 && longest > much_longer * record.smallest_seconds ? 1 : 0;
 }
 
 void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {

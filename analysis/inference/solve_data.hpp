@@ -46,10 +46,13 @@ class Problems {
   std::unordered_map<std::uint64_t, std::uint32_t> index_;  // by a hash of 64 bits
 };
 
+constexpr double much_longer = 3;
+
 struct SolverFacts {
   double worst_outside_deg = 0;               // excess beyond the limit, worst joint
   std::vector<double> transport_shares = {};  // message share of each time of a program
-  int largest_batch = 1;                      // problems that a program solved at once
+  int uneven_repeats = 0;  // solves whose longest repeat took more than `much_longer` times the shortest
+  int largest_batch = 1;   // problems that a program solved at once
 };
 
 // Smoothness of the joint angles of a run.

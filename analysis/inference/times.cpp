@@ -14,8 +14,6 @@ using namespace statistics;
 
 namespace {
 
-constexpr double outlying = 3;  // times the usual time
-
 // Median seconds per evaluation of each solver.
 std::vector<double> seconds_per_evaluation_of(const StudyResults& study) {
   std::vector<double> medians;
@@ -33,7 +31,7 @@ std::vector<double> seconds_per_evaluation_of(const StudyResults& study) {
 double usual_seconds(const StudyResults& study, const std::vector<double>& paces, const Solve& solve) {
   if (solve.is_repeated || !has_pace(study, solve)) return not_defined;
   const double usual = paces[solve.solver] * static_cast<double>(solve.evaluations);
-  return seconds_of(study, solve) > outlying * usual ? usual : not_defined;
+  return seconds_of(study, solve) > much_longer * usual ? usual : not_defined;
 }
 
 }  // namespace
@@ -56,10 +54,27 @@ ValueOf undisturbed_seconds(const StudyResults& study) {
   };
 }
 
+Doubts load_doubts(const StudyResults& study) {
+  constexpr double many = 0.05;  // share of a solver's solves
+  bool is_loaded = false;
+  double count = 0;
+  for (std::size_t i = 0; i < study.solve_data->labels.size(); ++i) {
+    const double uneven = study.solve_data->of_solver[i].uneven_repeats;
+    const auto solves = static_cast<double>(solves_of(study, study.solve_data->labels[i]).size());
+    is_loaded = is_loaded || (uneven > 1 && uneven > many * solves);
+    count += uneven;
+  }
+  if (!is_loaded) return {};
+  return {{.kind = DoubtKind::machine_loaded,
+           .count = count,
+           .of = static_cast<double>(study.solves.size()),
+           .other = much_longer}};
+}
+
 Doubts outlier_doubts(const StudyResults& study) {
   constexpr double ms_per_second = 1000;
   const std::vector<double> paces = seconds_per_evaluation_of(study);
-  Doubt slow{.kind = DoubtKind::slow_solves, .of = static_cast<double>(study.solves.size()), .other = outlying};
+  Doubt slow{.kind = DoubtKind::slow_solves, .of = static_cast<double>(study.solves.size()), .other = much_longer};
   for (const Solve& solve : study.solves) {
     const double usual = ms_per_second * usual_seconds(study, paces, solve);
     if (std::isnan(usual)) continue;

@@ -23,6 +23,9 @@ std::string speed_note(const StudyResults& study);
 // was not repeated. `study` must outlive the result.
 ValueOf undisturbed_seconds(const StudyResults& study);
 
+// The doubt that the machine was loaded: repeats of many of a solver's solves took very different times.
+Doubts load_doubts(const StudyResults& study);
+
 // Doubts of the solves whose usual time counts.
 Doubts outlier_doubts(const StudyResults& study);
 

@@ -307,8 +307,12 @@ class Answer {
     const Finding& front = *pairs.front();
     std::vector<std::string> all = names_of_others(pairs);
     all.insert(all.begin(), first());
-    Clause text{fmt::format(words::same, "all"_a = listed(all),
-                            "margin"_a = is_one ? margin_words(evidence_, front) : margin_words(evidence_))};
+    const std::string margin = is_one ? margin_words(evidence_, front) : margin_words(evidence_);
+    Clause text{fmt::format(words::same, "all"_a = listed(all), "margin"_a = margin)};
+    if (!is_one && !evidence_.plan.control.empty()) {  // the others are not compared with one another
+      text = Clause{fmt::format(words::same_as_control, "others"_a = listed(names_of_others(pairs)),
+                                "control"_a = first(), "margin"_a = margin)};
+    }
     if (is_one && front.is_fact) {
       text.remarks.emplace_back(have_same_bits(evidence_, front) ? words::same_bits : words::is_fact);
     } else if (is_one && !is_short_ && interval_of(front).low < interval_of(front).high) {

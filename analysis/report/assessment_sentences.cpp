@@ -155,7 +155,8 @@ Sentence decades(const Evidence& evidence) {
 Sentence all_together(const Evidence& evidence) {
   const TestResult* test = deciding_test(evidence);
   if (test == nullptr) return {};
-  std::string text = fmt::format("{}: {}", test->test, result_words(*test));
+  const std::string without = test->without.empty() ? "" : fmt::format(" ({})", test->without);
+  std::string text = fmt::format("{}{}: {}", test->test, without, result_words(*test));
   if (std::isfinite(test->effect)) {
     text += fmt::format(", {} = {}", test->effect_symbol, rounded_number(test->effect, 2));
   }

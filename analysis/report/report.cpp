@@ -224,7 +224,7 @@ Doubts missing_doubts(const StudyResults& study) {
 // Adds the companions' doubts. A kind that exists already only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
-    for (Doubt& doubt : out_of_reach_doubts(companion) + times_doubts(companion)) {
+    for (Doubt& doubt : out_of_reach_doubts(companion) + times_doubts(companion) + load_doubts(companion)) {
       auto same = std::ranges::find(doubts, title_of(doubt.kind), [](const Doubt& d) { return title_of(d.kind); });
       if (same == doubts.end()) same = doubts.insert(same, std::move(doubt));
       if (std::ranges::find(same->studies, companion.name) == same->studies.end()) {
@@ -328,12 +328,13 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .seen = pieces.seen};
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
-  content.warnings = said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
-                     look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-                     missing_doubts(study) +
-                     with_companions(out_of_reach_doubts(study) + times_doubts(study), reported.companions) +
-                     plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) +
-                     imported_doubts(entry, study) + fairness_doubts(study, reported.companions);
+  content.warnings =
+      said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
+      look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
+      missing_doubts(study) +
+      with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
+      plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
+      fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));

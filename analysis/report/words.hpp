@@ -11,6 +11,7 @@ using Template = std::string_view;
 // The answer of an assessment: who is better.
 inline constexpr Template decided = "{first} is {better}{by} than {others}";
 inline constexpr Template same = "{all} are the same within {margin}";
+inline constexpr Template same_as_control = "{others} are each the same as {control} within {margin}";
 inline constexpr Template undecided = "{first} against {others} is undecided";
 inline constexpr Template not_judged = "{first} cannot be judged against {others}";
 inline constexpr Template nearest = "Against {other}, the best of these: {effect}";

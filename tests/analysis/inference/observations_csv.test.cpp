@@ -260,7 +260,7 @@ TEST_CASE("a row that is there twice is refused", "[csv]") {
   CsvRequest request{.value = "error", .group = "solver", .run = "run"};
   CHECK(read(text, request).flaws.empty());
   CHECK(refusal(text + "A,1,6\n", request) ==
-        "a/folder/file.csv: only 1 of 20 runs have 4 values; a row may be duplicated, or rows may be missing; --force "
+        "a/folder/file.csv: only 1 of 20 runs have 4 rows; a row may be duplicated, or rows may be missing; --force "
         "averages them as they are");
   request.takes_any_rows = true;
   const Observations seen = read(text + "A,1,6\n", request);
