@@ -233,10 +233,10 @@ void look_for_runs(const CsvFile& file, const CsvRequest& request, Contents& con
   if (!result.flaws.empty()) contents.absent_runs.clear();
 }
 
-// The numbers of items in the averages of a CSV.
+// The numbers of items in the averages of a CSV: of those that are used, and of all.
 struct Averaged {
-  std::size_t least = 0, most = 0;
-  std::ptrdiff_t full = 0;  // averages with `most`
+  std::size_t least = 0, most = 0, fullest = 0;
+  std::ptrdiff_t full = 0;  // averages with `fullest`
 
   std::string words() const { return least == most ? fmt::to_string(most) : fmt::format("{} to {}", least, most); }
 };
@@ -247,7 +247,7 @@ Averaged average(const CsvRequest& request, std::vector<Item>& items) {
   const auto key = [](const Item& item) { return std::tuple(item.group, item.block, item.run); };
   std::ranges::stable_sort(items, {}, key);
   std::vector<Item> means;
-  std::vector<std::size_t> counts, sizes;
+  std::vector<std::size_t> counts, sizes, used;
   std::unordered_map<Index, std::size_t> most;  // by block; counts items without a value too
   for (std::size_t first = 0, end = 0; first < items.size(); first = end) {
     Item& of_all = means.emplace_back(items[first]);
@@ -262,13 +262,18 @@ Averaged average(const CsvRequest& request, std::vector<Item>& items) {
     most[of_all.block] = std::max(most[of_all.block], end - first);
   }
   for (std::size_t i = 0; i < means.size(); ++i) {
-    if (counts[i] == most[means[i].block]) continue;
-    means[i].is_whole = false;
-    if (!request.takes_any_rows) means[i].value = not_defined;
+    if (counts[i] != most[means[i].block]) {
+      means[i].is_whole = false;
+      if (!request.takes_any_rows) means[i].value = not_defined;
+    }
+    if (!std::isnan(means[i].value)) used.push_back(counts[i]);
   }
   items = std::move(means);
-  const auto [least, largest] = std::ranges::minmax(sizes);
-  return {.least = least, .most = largest, .full = std::ranges::count(sizes, largest)};
+  const std::size_t fullest = std::ranges::max(sizes);
+  return {.least = used.empty() ? 0 : std::ranges::min(used),
+          .most = used.empty() ? 0 : std::ranges::max(used),
+          .fullest = fullest,
+          .full = std::ranges::count(sizes, fullest)};
 }
 
 // Adds the doubt that values are missing, "3 of 20 runs of IK-BA, 1 of 20 of BA", or were averaged without them.
@@ -422,8 +427,9 @@ Observations read_observations(std::string_view text, std::string_view source, c
       file.refuse(
           fmt::format("only {} of {} runs have {} rows; a row may be duplicated, or rows may be missing; "
                       "--force averages them as they are",
-                      rows.full, contents.items.size(), rows.most));
+                      rows.full, contents.items.size(), rows.fullest));
     }
+    if (rows.most == 0) file.refuse("no run has a value in each of its rows; --force averages the rows that have one");
     if (rows.most > 1)
       result.replicate = fmt::format("the mean of a run over its {} rows of {}", rows.words(), file.file_name());
     if (result.blocks.empty()) contents.absent_runs = absent_runs(contents);

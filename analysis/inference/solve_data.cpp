@@ -159,7 +159,8 @@ void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) 
   }
   own.largest_batch = std::max(own.largest_batch, record.batch);
   const double longest = std::fmax(record.seconds, record.largest_seconds);
-  own.uneven_repeats += record.repeats > 1 && longest > much_longer * record.smallest_seconds ? 1 : 0;
+  const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
+  own.uneven_repeats += is_repeated && longest > much_longer * record.smallest_seconds ? 1 : 0;
 }
 
 void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {

@@ -208,13 +208,13 @@ TEST_CASE("a run that lacks a row which others have has no mean, whether the row
     CHECK(seen.replicate == "the mean of a run over its 2 rows of file.csv");
     CHECK(words_of(seen.flaws) == missing("1 of 2 runs of B"));
   }
-  CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"only 0 of 2 runs have 2 values"}));
+  CHECK(says(refusal("solver,run,error\nA,1,1\nA,1,NA\nB,1,1\n", by_run), {"no run has a value in each of its rows"}));
   CsvRequest forced = by_run;
   forced.takes_any_rows = true;
   const Observations seen = read("solver,run,error\nA,1,1\nA,1,9\nB,1,1\n", forced);
   CHECK(seen.groups[1].values == Values{1});
-  CHECK(seen.replicate == "the mean of a run over its 2 rows of file.csv");
-  CHECK(says(words_of(seen.flaws), {"Values are missing: 1 of 1 runs of B"}));
+  CHECK(seen.replicate == "the mean of a run over its 1 to 2 rows of file.csv");
+  CHECK(says(words_of(seen.flaws), {"Fewer values than the fullest have 1 of 1 runs of B"}));
 }
 
 TEST_CASE("a run that is absent as a whole counts as one that the group lacks", "[csv]") {
@@ -327,7 +327,7 @@ TEST_CASE("a group with fewer runs than another in a block has no value there", 
     CHECK(seen.blocks == Texts{"q", "r"});  // all groups have two runs of q
     CHECK(seen.groups[0].values == Values{3, 3});
     CHECK(seen.groups[1].values == Values{7, 4});
-    CHECK(seen.replicate == "the mean over the 3 runs of a block in file.csv");
+    CHECK(seen.replicate == "the mean over the 2 to 3 runs of a block in file.csv");
     CHECK(words_of(seen.flaws) == missing("1 of 3 blocks of B; these blocks are left out for all groups"));
   }
   CHECK(read(text + "B,p,3,Inf\n", request).groups[1].values == Values{HUGE_VAL, 7, 4});
@@ -337,7 +337,8 @@ TEST_CASE("a group with fewer runs than another in a block has no value there", 
   forced.takes_any_rows = true;
   const Observations seen = read(text, forced);
   CHECK(seen.groups[1].values == Values{1, 7, 4});
-  CHECK(words_of(seen.flaws) == missing("1 of 3 blocks of B; what is left is averaged"));
+  CHECK(words_of(seen.flaws) ==
+        "Fewer values than the fullest have 1 of 3 blocks of B. Their means are taken as they are.");
 }
 
 TEST_CASE("a group that has fewer runs in every block is refused with the way to insist", "[csv]") {
