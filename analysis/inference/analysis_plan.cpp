@@ -146,6 +146,13 @@ Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessi
   return {{.kind = DoubtKind::solvers_dropped, .who = dropped}};
 }
 
+// The plan that a session recorded.
+std::optional<AnalysisPlan> recorded_plan(const std::vector<Session>& sessions, std::int64_t id) {
+  const auto session = std::ranges::find(sessions, id, &Session::id);
+  if (session == sessions.end() || !session->environment.contains("analysis")) return std::nullopt;
+  return plan_in(numerics::parsed_json(session->environment.at("analysis")));
+}
+
 }  // namespace
 
 std::vector<std::array<std::string, 3>> values_of(AnalysisPlan plan) {  // list_fields serves readers too
@@ -173,21 +180,16 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
   const AnalysisPlan plan = plan_of(entry);
   Doubts doubts;
-  double all = 0, unrecorded = 0;
+  double all = 0;
   for (const auto& [id, count] : solves) {
     all += static_cast<double>(count);
-    const auto session = std::ranges::find(sessions, id, &Session::id);
-    std::optional<AnalysisPlan> then;
-    if (session != sessions.end() && session->environment.contains("analysis"))
-      then = plan_in(numerics::parsed_json(session->environment.at("analysis")));
-    if (!then) unrecorded += static_cast<double>(count);
+    const auto then = recorded_plan(sessions, id);
     const std::string changes = then ? changes_between(*then, plan) : "";
     if (changes.empty()) continue;
     auto same = std::ranges::find(doubts, changes, &Doubt::what);
     if (same == doubts.end()) same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .what = changes});
     same->count += static_cast<double>(count);
   }
-  if (unrecorded > 0) doubts.push_back({.kind = DoubtKind::plan_not_recorded, .count = unrecorded});
   for (Doubt& doubt : doubts) doubt.of = all;
   const Doubts dropped = dropped_doubts(entry, sessions);
   const auto written = plan_in(plan_json(entry));
@@ -199,6 +201,12 @@ Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& session
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
                                     const SolvesOfSessions& solves) {
   Doubts doubts = plan_changes(entry, sessions, solves);
+  Doubt unrecorded{.kind = DoubtKind::plan_not_recorded};
+  for (const auto& [id, count] : solves) {
+    unrecorded.of += static_cast<double>(count);
+    unrecorded.count += recorded_plan(sessions, id) ? 0 : static_cast<double>(count);
+  }
+  if (unrecorded.count > 0) doubts.push_back(unrecorded);
   if (!plan_json(entry).is_object()) doubts.push_back({.kind = DoubtKind::no_plan});
   if (!doubts.empty()) return list_of(doubts);
   std::vector<std::string> values;

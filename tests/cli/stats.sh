@@ -119,7 +119,7 @@ has "$err" "warning: Values are missing: 1 of 5 blocks of B"
 has "$out" "with 4 observations each. One observation is the mean over the 3 runs of a block"
 succeeds stats crashes.csv --value error --block problem --run seed --force --no-figures --out crashes
 has "$out" "One observation is the mean over the 2 to 3 runs of a block"
-has "$out" "- Flawed: Values are missing: 1 of 5 blocks of B; what is left is averaged. "
+has "$out" "- Flawed: Fewer values than the fullest have 1 of 5 blocks of B. "
 
 # Twenty runs of two rows each, of which B crashed on five altogether: they are not there.
 {
