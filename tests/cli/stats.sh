@@ -134,7 +134,7 @@ succeeds stats absent.csv --value error --run run --no-figures --out absent
   fail "the first lines do not warn of runs that B lacks: $out"
 has "$err" "warning: Values are missing: 5 of 20 runs of B"
 { cat absent.csv && echo A,1,1; } >doubled.csv
-refused "only 1 of 35 runs have 3 values; a row may be duplicated, or rows may be missing; --force averages them as they are" \
+refused "only 1 of 35 runs have 3 rows; a row may be duplicated, or rows may be missing; --force averages them as they are" \
   stats doubled.csv --value error --run run
 
 # Two columns that are one name for a file, one of them without a Latin letter.
