@@ -5,12 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/make_study.hpp"
+#include "analysis/report/benchmark_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -24,6 +28,16 @@ using namespace experiments;
 using namespace report;
 
 namespace {
+
+// Formats of means instead of solves.
+struct SummaryFormat {
+  std::string_view name;
+  std::string_view meaning;
+  std::string (*text)(const inference::JudgedStudy& study);
+};
+constexpr std::array<SummaryFormat, 2> summary_formats{
+    {{"benchmark-json", "means with their intervals, for github-action-benchmark (customSmallerIsBetter)", benchmark_json},
+     {"bencher-json", "the same for Bencher", bencher_json}}};
 
 void refuse_store(const std::string& file, const std::string& store) {
   for (const char* part : {"", "-wal", "-shm", "-journal"}) {
@@ -49,6 +63,10 @@ void add_export(CLI::App& app, Invocation&) {
     names.emplace_back(format.name);
     meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
   }
+  for (const SummaryFormat& format : summary_formats) {
+    names.emplace_back(format.name);
+    meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
+  }
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -59,11 +77,19 @@ void add_export(CLI::App& app, Invocation&) {
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
       "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
+      "  ikbench export out/slim2023/store.sqlite --format bencher-json -o bencher.json\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
+    const auto summary = std::ranges::find(summary_formats, arguments->format, &SummaryFormat::name);
+    if (summary != summary_formats.end()) {
+      for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
+      const std::string text = summary->text(inference::JudgedStudy(inference::read_study(store, study)));
+      if (arguments->file == "-") return fmt::print("{}", text);
+      return write_through(arguments->file, text);
+    }
     const ExportFormat& format = export_format(arguments->format);
     if (format.write_folder && arguments->file == "-")
       throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));

@@ -93,3 +93,44 @@ for solve, row in zip(solves, rows):
     assert len(solve["trace_cm"]) == solve["iterations"] == 5
     assert abs(solve["position_error_cm"] - solve["claimed_error_cm"]) < 1e-7
 PYTHON
+
+# Means for programs that chart benchmarks, against the schemas that these publish.
+if command -v python3 >/dev/null; then
+  succeeds run slim2023 --set runs=4 --set path.points=3 --set stop.iterations=5 --no-report --out charted
+  succeeds export charted/store.sqlite --format benchmark-json -o benchmark.json
+  succeeds export charted/store.sqlite --format bencher-json
+  cp .out bencher.json
+  PYTHONPATH="$scripts/../../results/python" PYTHONDONTWRITEBYTECODE=1 python3 - <<'PYTHON' || fail "the charts' JSON is wrong"
+import json, math, ikbench
+
+number = (int, float)
+store = ikbench.Store("charted")
+means = {}
+for row in store.run_means(column="position_error_cm"):
+    means.setdefault(row["solver"], []).append(row["position_error_cm"])
+solved = {}
+for row in store.solves():
+    solved.setdefault(row["solver"], []).append(row["status"] == "ok")
+
+# bencher.dev/bmf.json: an object of objects of objects with a number `value`, perhaps lower_value and upper_value.
+bencher = json.load(open("bencher.json"))
+assert list(bencher) == list(means)
+for label, measures in bencher.items():
+    for measure, metric in measures.items():
+        assert set(metric) in ({"value"}, {"value", "lower_value", "upper_value"}), metric
+        assert all(isinstance(value, number) and math.isfinite(value) for value in metric.values())
+        assert len(measure) <= 64 and len(label) <= 1024
+    mean = sum(means[label]) / len(means[label])
+    assert math.isclose(measures["error"]["value"], mean, rel_tol=1e-12)
+    assert measures["error"]["lower_value"] < mean < measures["error"]["upper_value"]
+    assert math.isclose(measures["solved"]["value"], sum(solved[label]) / len(solved[label]), abs_tol=1e-12)
+
+# github-action-benchmark: an array of objects with name, unit and value, perhaps range.
+charted = json.load(open("benchmark.json"))
+assert len({one["name"] for one in charted}) == len(charted) == sum(map(len, bencher.values()))
+for one in charted:
+    assert set(one) <= {"name", "unit", "value", "range"} and isinstance(one["value"], number), one
+failed = next(one for one in charted if one["name"].startswith("IK-BA: 1 - "))
+assert math.isclose(failed["value"], 1 - sum(solved["IK-BA"]) / len(solved["IK-BA"]), abs_tol=1e-12)
+PYTHON
+fi

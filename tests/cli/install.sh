@@ -7,8 +7,14 @@ cmake=$2 tree=$(realpath "$3") compiler=$4 sanitizers=${5:-}
 build=$(dirname "$program")
 
 "$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
-files=$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' | LC_ALL=C sort | tr '\n' ' ')
-[ "$files" = "./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp " ] || fail "installed are: $files"
+files=$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' ! -path './share/doc/*' | LC_ALL=C sort | tr '\n' ' ')
+expected='./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp
+  ./share/bash-completion/completions/ikbench ./share/ikbench/python/ikbench.py ./share/ikbench/python/pyproject.toml
+  ./share/zsh/vendor-completions/_ikbench '
+[ "$files" = "$(tr -s ' \n' ' ' <<<"$expected")" ] || fail "installed are: $files"
+for file in copyright README.md CITATION.cff docs/library.md docs/examples/pso.py; do
+  [ -s "prefix/share/doc/ikbench/$file" ] || fail "not installed: $file"
+done
 ! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"
 DESTDIR=$work/staged "$cmake" --install "$build" --prefix /opt/ikbench >.log 2>&1 || fail "cannot install: $(<.log)"
 cmp staged/opt/ikbench/bin/ikbench prefix/bin/ikbench || fail "DESTDIR installs another program"

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Runs a study and compares its store with a baseline: what action.yml does, and any other CI can.
+#
+#   STUDY=my.toml BASELINE=baseline.sqlite cli/gate.sh
+#
+# MARGIN (5%), METRICS (names separated by spaces; default: those that are the same on every runner), STRICT (true: undecided
+# fails too), OUT (ikbench-gate), IKBENCH (the program). Writes OUT/store.sqlite, OUT/verdict.md, OUT/verdict.json and
+# OUT/verdict.xml (JUnit). Adds the verdict to the job's summary where there is one. Exit codes: 0 passed or no baseline, 3 worse, 4 undecided
+# with STRICT, otherwise that of the command that failed.
+set -euo pipefail
+program=${IKBENCH:-ikbench} out=${OUT:-ikbench-gate} baseline=${BASELINE:?the store of the baseline}
+study=${STUDY:?the study, a TOML file or the name of a built-in one}
+
+told() { [[ -z ${GITHUB_OUTPUT:-} ]] || printf '%s\n' "outcome=$1" "store=$out/store.sqlite" >>"$GITHUB_OUTPUT"; }
+
+"$program" run "$study" --no-report --out "$out"
+if [[ ! -e $baseline ]]; then
+  echo "There is no baseline $baseline. Keep $out/store.sqlite as the baseline: commit it, or store it as an artifact."
+  told no-baseline
+  exit 0
+fi
+options=(--margin "${MARGIN:-5%}" -o "$out/verdict.md" -o "$out/verdict.json" -o "$out/verdict.xml")
+read -ra metrics <<<"${METRICS:-}"
+for metric in "${metrics[@]}"; do options+=(--metric "$metric"); done
+[[ ${STRICT:-} != true ]] || options+=(--strict)
+code=0
+"$program" compare "$baseline" "$out/store.sqlite" "${options[@]}" || code=$?
+[[ -z ${GITHUB_STEP_SUMMARY:-} || ! -e $out/verdict.md ]] || cat "$out/verdict.md" >>"$GITHUB_STEP_SUMMARY"
+case $code in
+  0) told passed ;;
+  3) told worse ;;
+  4) told undecided ;;
+esac
+exit "$code"
