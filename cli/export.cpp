@@ -36,7 +36,8 @@ struct SummaryFormat {
   std::string (*text)(const inference::JudgedStudy& study);
 };
 constexpr std::array<SummaryFormat, 2> summary_formats{
-    {{"benchmark-json", "means with their intervals, for github-action-benchmark (customSmallerIsBetter)", benchmark_json},
+    {{"benchmark-json", "means with their intervals, for github-action-benchmark (customSmallerIsBetter)",
+      benchmark_json},
      {"bencher-json", "the same for Bencher", bencher_json}}};
 
 void refuse_store(const std::string& file, const std::string& store) {

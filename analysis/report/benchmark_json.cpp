@@ -26,7 +26,9 @@ void each_mean(const JudgedStudy& study, const TakeMean& take) {
 }
 
 // The share of what the metric does not count.
-Estimate rest(const Estimate& share) { return {.value = 1 - share.value, .low = 1 - share.high, .high = 1 - share.low}; }
+Estimate rest(const Estimate& share) {
+  return {.value = 1 - share.value, .low = 1 - share.high, .high = 1 - share.low};
+}
 
 }  // namespace
 

@@ -1,0 +1,129 @@
+// ikbench cite: what a paper has to cite that uses this program.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/collections.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
+#include "experiments/study_reader.hpp"
+#include "numerics/embedded_file.hpp"
+#include "results/store.hpp"
+#include "solvers/registry.hpp"
+
+namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace experiments;
+
+namespace {
+
+constexpr EmbeddedFile embedded_papers[] = {
+#include "papers.inc"
+};
+
+struct Work {
+  std::string_view entry;                  // BibTeX
+  std::vector<std::string_view> keywords;  // solvers and papers that it is about
+};
+
+// An entry begins at an '@' and ends at the first line that is "}".
+std::vector<Work> works() {
+  std::vector<Work> all;
+  for (std::string_view rest = embedded_papers[0].text;;) {
+    const std::size_t begin = rest.find("\n@"), end = rest.find("\n}\n", begin);
+    if (begin == std::string_view::npos || end == std::string_view::npos) return all;
+    Work work{.entry = rest.substr(begin + 1, end + 2 - begin)};
+    const std::size_t list = work.entry.find("keywords = {") + std::string_view("keywords = {").size();
+    std::string_view words = work.entry.substr(list, work.entry.find('}', list) - list);
+    while (!words.empty()) {
+      const std::size_t comma = std::min(words.find(", "), words.size());
+      work.keywords.push_back(words.substr(0, comma));
+      words.remove_prefix(std::min(comma + 2, words.size()));
+    }
+    all.push_back(std::move(work));
+    rest.remove_prefix(end + 2);
+  }
+}
+
+// The solvers of a study, and the collection that it belongs to.
+struct Used {
+  std::string study;
+  std::vector<std::string> solvers;
+};
+
+Used used_in(const std::string& name) {
+  if (std::filesystem::path(name).extension() == ".sqlite") {
+    const StudyEntry study = chosen_study(Store(name, Store::Mode::read), "");
+    Used used{.study = study.name};
+    for (const Series& series : study.series) used.solvers.push_back(series.algorithm);
+    return used;
+  }
+  const Study study = load_study(name);
+  Used used{.study = study.name};
+  for (const SolverEntry& entry : study.solvers) used.solvers.push_back(entry.solver);
+  return used;
+}
+
+std::string program_entry() {
+  const std::string words = version();
+  return fmt::format(
+      "@software{{ikbench,\n  author = {{{{the ikbench authors}}}},\n  title = {{ikbench: which inverse-kinematics solver is "
+      "better, and does a published claim hold?}},\n  version = {{{}}},\n  year = {{2026}}\n}}\n",
+      words);
+}
+
+std::string cited(const std::string& name) {
+  std::set<std::string, std::less<>> wanted;
+  if (!name.empty()) {
+    const Used used = used_in(name);
+    wanted.insert(used.solvers.begin(), used.solvers.end());
+    for (const report::Collection& collection : analysis::collections()) {
+      if (std::ranges::find(collection.studies, used.study, &report::CollectedStudy::name) != collection.studies.end())
+        wanted.insert(collection.name);
+    }
+  }
+  std::string text = program_entry();
+  std::set<std::string_view> told;
+  for (const Work& work : works()) {
+    bool is_wanted = false;
+    for (const std::string_view keyword : work.keywords) {
+      if (!wanted.contains(keyword)) continue;
+      is_wanted = true;
+      told.insert(keyword);
+    }
+    if (is_wanted) text += fmt::format("\n{}\n", work.entry);
+  }
+  for (const solvers::SolverInfo& info : solvers::all_solvers()) {
+    if (wanted.contains(info.name) && !told.contains(info.name))
+      text += fmt::format("\n% {}: {}\n", info.name, info.source);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_cite(CLI::App& app, Invocation&) {
+  auto study = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("cite", "Print what to cite: the program, a study's paper, and the papers of its solvers");
+  command->add_option("STUDY", *study,
+                      "name of a built-in study, a TOML file, or a store.sqlite; default: the program alone");
+  command->footer(
+      "Examples:\n"
+      "  ikbench cite slim2023 > references.bib\n"
+      "  ikbench cite out/my/store.sqlite");
+  command->callback([study] { fmt::print("{}", printable(cited(*study))); });
+}
+
+}  // namespace ikbench::cli
