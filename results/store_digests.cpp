@@ -36,6 +36,12 @@ int add(SQLite::Database& sqlite, const std::string& key, std::int64_t number) {
   return add.exec();
 }
 
+void erase(SQLite::Database& sqlite, const std::string& key) {
+  SQLite::Statement remove(sqlite, "DELETE FROM meta WHERE key = ?");
+  remove.bind(1, key);
+  remove.exec();
+}
+
 // Says why a session does not fit its digest; empty if it fits.
 std::string change_of(const Written& written, const Session& session, const SessionDigest& solves) {
   const auto digest = written.meta.find(digest_key(session.id));
@@ -138,6 +144,16 @@ void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionD
 void add_to_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& further) {
   add(sqlite, solves_key(session), further.solves);
   add(sqlite, digest_key(session), further.sum);
+}
+
+void erase_digest(SQLite::Database& sqlite, const std::string& study) {
+  erase(sqlite, digest_key(StudyEntry{.name = study}));
+  for (const auto& [key, when] : looks_among(meta_in(sqlite), study)) erase(sqlite, key);
+}
+
+void erase_digest(SQLite::Database& sqlite, std::int64_t session) {
+  erase(sqlite, digest_key(session));
+  erase(sqlite, solves_key(session));
 }
 
 std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std::string& database) {

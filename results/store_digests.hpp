@@ -35,6 +35,10 @@ void write_digest(SQLite::Database& sqlite, std::int64_t session, const SessionD
 // Adds to a session's digest; one whose digest was removed gets none.
 void add_to_digest(SQLite::Database& sqlite, std::int64_t session, const SessionDigest& further);
 
+// Removes the digest of a study with its looks, or of a session.
+void erase_digest(SQLite::Database& sqlite, const std::string& study);
+void erase_digest(SQLite::Database& sqlite, std::int64_t session);
+
 std::set<std::int64_t> sessions_with_digest(SQLite::Database& sqlite, const std::string& database);
 
 // Sums over the solves of each session.

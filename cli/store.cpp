@@ -1,0 +1,109 @@
+// ikbench store: what is in a store, and removing from it.
+#include "results/store.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/reporting.hpp"
+#include "numerics/json.hpp"
+#include "results/prune.hpp"
+
+namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace experiments;
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string text_in(const Session& session, const char* key) {
+  const auto found = session.environment.find(key);
+  return found == session.environment.end() ? "" : found->second;
+}
+
+void list(const std::string& file) {
+  const Store store(file, Store::Mode::read);
+  Rows rows{{"STUDY", "SOLVERS", "RUNS", "POINTS", "SOLVES"}};
+  for (const StudyEntry& study : store.studies()) {
+    const Json definition = parsed_json(study.definition);
+    rows.push_back({study.name, std::to_string(study.series.size()), text_of(definition.value("runs", Json(nullptr))),
+                    text_of(definition.value("points", Json(nullptr))), std::to_string(store.solves_of(study.series))});
+  }
+  fmt::print("{}", aligned(rows));
+  const Unused unused = unused_in(file);
+  if (unused.solves + unused.sessions > 0) {
+    fmt::print(
+        "\nunused: {} solves of earlier settings or sources, {} sessions without a solve; ikbench store gc removes them\n",
+        unused.solves, unused.sessions);
+  }
+}
+
+void show(const std::string& file, const std::string& name) {
+  const Store store(file, Store::Mode::read);
+  const StudyEntry study = chosen_study(store, name);
+  Rows rows{{"SOLVER", "ALGORITHM", "SOLVES", "SERIES"}};
+  for (const Series& series : study.series)
+    rows.push_back({series.label, series.algorithm, std::to_string(store.solves_of({series})), series.key});
+  fmt::print("{}\n\n{}", printable(study.name), aligned(rows));
+  const std::vector<std::int64_t> of_study = store.sessions_of(study.series);
+  Rows sessions{{"SESSION", "BEGAN", "CPU", "COMMIT"}};
+  for (const Session& session : store.sessions()) {
+    if (std::ranges::find(of_study, session.id) == of_study.end()) continue;
+    sessions.push_back(
+        {std::to_string(session.id), session.began, text_in(session, "cpu"), text_in(session, "commit")});
+  }
+  fmt::print("\n{}", aligned(sessions));
+}
+
+void remove(const std::string& file, const std::string& study) {
+  const auto before = std::filesystem::file_size(file);
+  const Unused removed = prune(file, study);
+  fmt::print("removed {}{} solves and {} sessions; {:.1f} MB are {:.1f} MB now\n",
+             study.empty() ? "" : fmt::format("the study {}, ", printable(study)), removed.solves, removed.sessions,
+             static_cast<double>(before) / 1e6, static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+}
+
+}  // namespace
+
+void add_store(CLI::App& app, Invocation&) {
+  struct Arguments {
+    std::string file, study;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("store", "Show what a store has, or remove a study or what no study uses");
+  command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  ikbench store ls out/slim2023/store.sqlite\n"
+      "  ikbench store show out/slim2023/store.sqlite --study slim2023-limits\n"
+      "  ikbench store rm out/slim2023/store.sqlite slim2023-dobot\n"
+      "  ikbench store gc out/my/store.sqlite      solves of settings and sources that changed since");
+  const auto add = [&](const char* name, const char* words) {
+    CLI::App* action = command->add_subcommand(name, words);
+    action->add_option("STORE", arguments->file, "path of a store.sqlite")->required();
+    return action;
+  };
+  add("ls", "List the studies with their solves")->callback([arguments] { list(arguments->file); });
+  CLI::App* shown = add("show", "Show the solvers of a study and the sessions that solved it");
+  shown->add_option("--study", arguments->study, "name of the study; default: the first in the store");
+  shown->callback([arguments] { show(arguments->file, arguments->study); });
+  CLI::App* removed = add("rm", "Remove a study, with the solves that no other study uses");
+  removed->add_option("STUDY", arguments->study, "name of the study")->required()->check(not_empty());
+  removed->callback([arguments] { remove(arguments->file, arguments->study); });
+  add("gc", "Remove the solves of earlier settings and sources, and sessions without a solve")->callback([arguments] {
+    remove(arguments->file, "");
+  });
+}
+
+}  // namespace ikbench::cli
