@@ -1,0 +1,254 @@
+// ikbench trend: one metric over the stores of several versions, and the version where it changed.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/inference/variant_comparison.hpp"
+#include "analysis/report/variants_table.hpp"
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/plan_options.hpp"
+#include "cli/reporting.hpp"
+#include "numerics/names.hpp"
+#include "results/files.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::cli {
+
+using namespace numerics;
+using namespace results;
+using namespace inference;
+using namespace report;
+using namespace figures;
+
+namespace {
+
+constexpr std::size_t most_versions = 200;
+
+struct TrendArguments {
+  std::vector<std::string> stores, labels;
+  std::string metric = "position_error_cm", study, out;
+  double margin = 0;  // 0: the plan's
+};
+
+struct Version {
+  std::string name;  // the store's folder, or its file where that has a name of its own
+  Store store;
+  std::vector<Variant> variants = {};
+};
+
+// A label's value in one version, and how it compares with the version where it changed last.
+struct Point {
+  std::size_t version = 0;
+  Estimate mean = {};
+  std::string verdict = {};  // "better by more than 5 %"; empty for the first
+  std::size_t base = 0;      // the version that it is compared with
+  bool has_changed = false;
+};
+
+struct Trend {
+  std::string label;
+  std::vector<Point> points = {};
+};
+
+std::string version_name(const std::filesystem::path& store) {
+  return store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename().string()
+                                                                       : store.stem().string();
+}
+
+std::vector<Version> versions_of(const TrendArguments& arguments) {
+  if (arguments.stores.size() < 2 || arguments.stores.size() > most_versions)
+    throw std::invalid_argument(fmt::format("{} stores; expected 2 to {}", arguments.stores.size(), most_versions));
+  std::vector<Version> versions;
+  for (const std::string& file : arguments.stores) {
+    versions.push_back({.name = version_name(file), .store = Store(file, Store::Mode::read)});
+    Version& version = versions.back();
+    const StudyEntry study = chosen_study(version.store, arguments.study);
+    for (const std::string& damage : damages_of(version.store, study.name)) throw std::invalid_argument(damage);
+    version.variants = variants(version.store, study);
+  }
+  return versions;
+}
+
+const Variant* find_label(const Version& version, const std::string& label) {
+  const auto found =
+      std::ranges::find(version.variants, label, [](const Variant& variant) { return variant.series.label; });
+  return found == version.variants.end() ? nullptr : &*found;
+}
+
+// The labels asked for, or those of the last version, each in two versions at least.
+std::vector<std::string> labels_of(const std::vector<Version>& versions, const TrendArguments& arguments) {
+  std::vector<std::string> labels, known;
+  for (const Variant& variant : versions.back().variants) known.push_back(variant.series.label);
+  for (const std::string& label : arguments.labels.empty() ? known : arguments.labels) {
+    const auto count = std::ranges::count_if(versions, [&](const Version& each) { return find_label(each, label); });
+    if (count == 0) throw std::invalid_argument(unknown_name("label", label, known));
+    if (count > 1) labels.push_back(label);
+  }
+  if (labels.empty()) throw std::invalid_argument("no label is in two of the stores; name stores of one study");
+  return labels;
+}
+
+MetricComparison compared(const Variant& base, const Variant& next, const AnalysisPlan& plan, const std::string& metric,
+                          std::string& verdict) {
+  const std::vector<VariantStudy> studies{study_of_both(base, next, plan)};
+  const std::vector<VariantComparison> comparisons = compare_variants(studies, std::vector{metric});
+  const Table table = variants_table(comparisons, plan);
+  const auto column = static_cast<std::size_t>(std::ranges::find(table.columns, "B_is") - table.columns.begin());
+  verdict = readable(table.rows.at(0).at(column));
+  return comparisons.at(0).metrics.at(0);
+}
+
+// Compares each version with the one where the label changed last. A change is a difference beyond the margin.
+Trend trend_of(const std::string& label, const std::vector<Version>& versions, const AnalysisPlan& plan,
+               const std::string& metric) {
+  Trend trend{.label = label};
+  for (std::size_t i = 0; i < versions.size(); ++i) {
+    const Variant* const variant = find_label(versions[i], label);
+    if (!variant) continue;
+    Point point{.version = i};
+    if (!trend.points.empty()) {
+      const Point& before = trend.points.back();
+      point.base = before.has_changed || before.verdict.empty() ? before.version : before.base;
+      const MetricComparison found =
+          compared(*find_label(versions[point.base], label), *variant, plan, metric, point.verdict);
+      if (found.is_compared()) {
+        if (before.verdict.empty()) trend.points.back().mean = found.evidence.groups[0].mean;
+        point.mean = found.evidence.groups[1].mean;
+        point.has_changed = is_decided(found.finding()) && found.finding().is_beyond_margin();
+      }
+    }
+    trend.points.push_back(std::move(point));
+  }
+  return trend;
+}
+
+Table table_of(const std::vector<Trend>& trends, const std::vector<Version>& versions, Metric metric,
+               const AnalysisPlan& plan) {
+  Table table{
+      .name = "trend",
+      .caption = fmt::format("{} over {} versions", capitalised(quantity(metric)), versions.size()),
+      .columns = {"label", "version", "mean", "interval", "compared with", "it is"},
+      .notes = {fmt::format("Each version is compared with the one where the label changed last. All "
+                            "comparisons together find a difference where there is none in at most {} of cases.",
+                            percent(plan.significance))}};
+  for (const Trend& trend : trends) {
+    for (const Point& point : trend.points) {
+      table.rows.push_back({trend.label, versions[point.version].name, point.mean.value,
+                            Range{point.mean.low, point.mean.high},
+                            point.verdict.empty() ? std::string() : versions[point.base].name,
+                            point.has_changed ? point.verdict + " (changed)" : point.verdict});
+    }
+  }
+  return table;
+}
+
+Figure figure_of(const std::vector<Trend>& trends, const std::vector<Version>& versions, Metric metric) {
+  Figure figure{.name = "trend",
+                .caption = fmt::format("{} of each version, with its interval. A ring: it changed there.",
+                                       capitalised(quantity(metric))),
+                .width_cm = two_columns_cm,
+                .data = "# a block a label: version, mean, low, high, changed\n"};
+  std::vector<std::string> clauses{"NaN"}, labels;
+  bool is_positive = true;
+  for (std::size_t i = 0; i < trends.size(); ++i) {
+    figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(trends[i].label));
+    for (const Point& point : trends[i].points) {
+      figure.data += fmt::format("{} {} {} {} {}\n", point.version + 1, data_number(point.mean.value),
+                                 data_number(point.mean.low), data_number(point.mean.high), point.has_changed ? 1 : 0);
+      is_positive = is_positive && point.mean.low > 0;
+    }
+    labels.push_back(shortened(trends[i].label, longest_label));
+    clauses.push_back(fmt::format("data index {} using 1:3:(0):($4-$3) with vectors nohead ls {}", i, i + 1));
+    clauses.push_back(fmt::format("data index {} using 1:2 with linespoints ls {} title {}", i, i + 1,
+                                  gnuplot_string(labels.back())));
+    clauses.push_back(
+        fmt::format("data index {} using 1:($5==1 ? $2 : NaN) with points pt 6 ps 1.6 lw 1.4 ls {}", i, i + 1));
+  }
+  const std::size_t step = (versions.size() + 9) / 10;
+  std::vector<std::string> ticks;
+  for (std::size_t i = 0; i < versions.size(); i += step)
+    ticks.push_back(fmt::format("{} {}", gnuplot_string(tick_label(shortened(versions[i].name, 12))), i + 1));
+  figure.settings = fmt::format("set xrange [0.5:{}.5]\nset xtics ({}) nomirror\nset ylabel {}\n{}", versions.size(),
+                                fmt::join(ticks, ", "), gnuplot_string(quantity(metric)),
+                                is_positive ? "set logscale y\nset format y '%g'\n" : "");
+  add_legend(figure, labels);
+  figure.plot = plot_command(clauses);
+  return figure;
+}
+
+void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions, const Table& table) {
+  std::size_t changes = 0;
+  for (const Trend& trend : trends) {
+    for (const Point& point : trend.points) {
+      if (!point.has_changed) continue;
+      ++changes;
+      fmt::print("{}\n",
+                 printable(fmt::format("{} changed in {}: {} than in {}.", trend.label, versions[point.version].name,
+                                       point.verdict, versions[point.base].name)));
+    }
+  }
+  if (changes == 0) fmt::print("No change beyond the margin was found in {} versions.\n", versions.size());
+  fmt::print("\n{}\n", aligned(readable_cells(table)));
+  for (const std::string& note : table.notes) fmt::print("{}\n", note);
+}
+
+void show_trend(const TrendArguments& arguments) {
+  const std::vector<Version> versions = versions_of(arguments);
+  const std::vector<std::string> labels = labels_of(versions, arguments);
+  AnalysisPlan plan = plan_of(versions.front().variants.front().study);
+  if (arguments.margin > 0) plan.margin = arguments.margin;
+  AnalysisPlan of_one = plan;  // Bonferroni's level over labels and steps
+  of_one.significance /= static_cast<double>(labels.size() * (versions.size() - 1));
+  std::vector<Trend> trends;
+  Metric metric = Metric::position_error_cm;
+  for (const Metric each : all_metrics()) {
+    if (name_of(each) == arguments.metric) metric = each;
+  }
+  for (const std::string& label : labels) trends.push_back(trend_of(label, versions, of_one, arguments.metric));
+  const Table table = table_of(trends, versions, metric, plan);
+  tell(trends, versions, table);
+  if (arguments.out.empty()) return;
+  const std::filesystem::path folder = arguments.out;
+  std::filesystem::create_directories(folder);
+  write_file(folder / "trend.csv", to_csv(table));
+  write_file(folder / "trend.md", to_markdown(table));
+  draw({figure_of(trends, versions, metric)}, folder, {.jobs = 1});
+  fmt::print("{}\n", printable((folder / "trend.svg").string()));
+}
+
+}  // namespace
+
+void add_trend(CLI::App& app, Invocation&) {
+  auto arguments = std::make_shared<TrendArguments>();
+  CLI::App* command =
+      app.add_subcommand("trend", "Show a metric over the stores of several versions, and where it changed");
+  command->add_option("STORE", arguments->stores, "the stores of the versions, oldest first")->required();
+  command->add_option("--metric", arguments->metric, "one of ikbench list metrics")->capture_default_str();
+  command->add_option("--label", arguments->labels, "only this label; repeat for more; default: all of the last store")
+      ->allow_extra_args(false);
+  command->add_option("--study", arguments->study, "name of the study; default: the first in each store");
+  add_margin_option(*command, arguments->margin)
+      ->description("smallest relative change that matters; default: the plan's");
+  command->add_option("--out", arguments->out,
+                      "also write trend.csv, trend.md and trend.svg, .pdf, .png into this folder");
+  command->footer(
+      "Examples:\n"
+      "  ikbench trend v1.sqlite v2.sqlite v3.sqlite\n"
+      "  ikbench trend releases/*/store.sqlite --metric evaluations --label mine --out out/trend\n\n"
+      "A version's name is that of its store's file, or of its folder where the file is store.sqlite.");
+  command->callback([arguments] { show_trend(*arguments); });
+}
+
+}  // namespace ikbench::cli

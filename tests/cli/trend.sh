@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# `ikbench trend` finds the version where a solver changed, and no other.
+source "$(dirname "$0")/common.sh"
+version() {
+  succeeds run slim2023 --set runs=10 --set path.points=3 --set population=10 --set seed="$2" --set stop.iterations="$3" \
+    --no-report --out "$1"
+}
+version v1 1 30
+version v2 2 30
+version v3 3 3
+version v4 4 3
+
+succeeds trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO --out drawn
+has "$out" "IK-BA changed in v3: worse by more than 5 % than in v1."
+[ "$(grep -c ' changed in ' <<<"$out")" -le 2 ] || fail "a change where there is none: $out"
+[ "$(grep -cE '^(IK-BA|PSO) +v[1-4] ' <<<"$out")" = 8 ] || fail "a row for each label and version: $out"
+grep -q '^IK-BA,v4,.*,v3,' drawn/trend.csv || fail "v4 is not compared with v3: $(<drawn/trend.csv)"
+[ -s drawn/trend.md ] || fail "no trend.md"
+! command -v gnuplot >/dev/null || [ -s drawn/trend.svg ] || fail "no figure"
+
+succeeds trend v1/store.sqlite v1/store.sqlite
+has "$out" "No change beyond the margin was found in 2 versions."
+refused "1 stores; expected 2 to 200" trend v1/store.sqlite
+refused "unknown label" trend v1/store.sqlite v2/store.sqlite --label none
+refused "position_eror_cm" trend v1/store.sqlite v2/store.sqlite --metric position_eror_cm
