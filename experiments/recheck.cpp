@@ -76,6 +76,12 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
   found.expect_at_least("repeats", solve, static_cast<double>(solve.repeats), 1);
   found.expect_at_least("smallest_seconds", solve, solve.smallest_seconds, 0);
+  constexpr double fastest =
+      1e-9;  // [s] an evaluation: a few operations of any processor; forward kinematics takes tens
+  if (solve.counted_by == CountedBy::suite && solve.evaluations >= 100 &&
+      solve.seconds < fastest * static_cast<double>(solve.evaluations)) {
+    found.add("seconds", solve, "less than 1 ns an evaluation, which no processor can do");
+  }
   if (solve.smallest_seconds > solve.seconds) found.add("smallest_seconds", solve, "larger than the median");
   found.expect_at_least("interruptions", solve, solve.interruptions, 0);
   found.expect_at_least("largest_seconds", solve, solve.largest_seconds, solve.seconds);

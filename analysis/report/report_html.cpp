@@ -12,9 +12,9 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "analysis/report/moving_arm.hpp"
+#include "analysis/report/page_data.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/words.hpp"
-#include "numerics/embedded_file.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::report {
@@ -42,52 +42,13 @@ std::string sha256_in_base64(std::string_view bytes) {
   return base64({digest.data(), digest.size()});
 }
 
-// The files of templates/ (embed.cmake).
-constexpr numerics::EmbeddedFile templates[]{
-#include "templates.inc"
-};
-
-constexpr std::string_view template_named(std::string_view name) {
-  return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
-}
-
-constexpr std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),
-                           report_js = template_named("report.js"), moving_arm_js = template_named("moving_arm.js");
+const std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),
+                       report_js = template_named("report.js"), moving_arm_js = template_named("moving_arm.js");
 
 constexpr std::string_view at_a_glance = "overview";  // the figure beside the verdict
 constexpr std::size_t largest_svg = 400'000;          // bytes; a larger one is shown as a link
 constexpr std::size_t largest_sum = 1'500'000;        // bytes of all figures together, for a page below 3 MB
 constexpr std::size_t most_page_rows = 60;            // most rows of a table on the page; its files have all
-
-using Data = kainjow::mustache::data;
-
-// Data of the page's template, which escapes texts. What is null or an empty text is false; "has_NAME" says that the
-// list NAME is not empty.
-Data data_of(const Json& json) {
-  if (json.is_string() && !json.get_ref<const std::string&>().empty()) return Data(one_line(json.get<std::string>()));
-  if (json.is_array()) {
-    Data list(Data::type::list);
-    for (const Json& item : json) list.push_back(data_of(item));
-    return list;
-  }
-  if (!json.is_object()) return Data(json.is_boolean() && json.get<bool>());
-  Data object;
-  for (const auto& [key, value] : json.items()) {
-    object.set(key, data_of(value));
-    if (value.is_array()) object.set("has_" + key, Data(!value.empty()));
-  }
-  return object;
-}
-
-// Makes a name safe as an id and in a link, even if a foreign table brings it.
-std::string id_of(std::string_view name) {
-  std::string id;
-  for (const char c : name) {
-    const bool is_safe = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
-    id += is_safe ? c : '-';
-  }
-  return id;
-}
 
 constexpr std::string_view colour_of(Nearness nearness) {
   constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
@@ -375,22 +336,22 @@ std::string to_html(const ReportContent& content, const std::filesystem::path& f
   if (pieces.left_out() > 0) json["beside"] = fmt::to_string(pieces.left_out());
   json["has_shown"] = std::ranges::any_of(content.results, is_shown);
 
-  Data page = data_of(json);
+  kainjow::mustache::data page = page_data(json);
   std::string scripts = source(report_js);
   if (library) {  // as they are, line by line
-    page.set("data", Data(*content.motion));
-    page.set("library", Data(*library));
-    page.set("view", Data(std::string(moving_arm_js)));
+    page.set("data", kainjow::mustache::data(*content.motion));
+    page.set("library", kainjow::mustache::data(*library));
+    page.set("view", kainjow::mustache::data(std::string(moving_arm_js)));
     scripts += ' ' + source(*library) + ' ' + source(moving_arm_js);
   }
-  page.set("told", Data(json_in_page(pieces.told())));
+  page.set("told", kainjow::mustache::data(json_in_page(pieces.told())));
   const std::string style = series_css() + std::string(report_css);
-  page.set("style", Data(style));
-  page.set("script", Data(std::string(report_js)));
-  page.set("policy",
-           Data(fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
-                            "form-action 'none'",
-                            scripts, source(style))));
+  page.set("style", kainjow::mustache::data(style));
+  page.set("script", kainjow::mustache::data(std::string(report_js)));
+  page.set("policy", kainjow::mustache::data(
+                         fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
+                                     "form-action 'none'",
+                                     scripts, source(style))));
   kainjow::mustache::mustache page_template{std::string(report_html)};
   return page_template.render(page);
 }
