@@ -30,9 +30,13 @@ std::string problem_of(const StudyEntry& entry) {
   const Json definition = Json::parse(entry.definition, nullptr, false);
   Json problem = Json::object();
   for (const char* key : {"arm", "robot", "path", "points", "search", "rotation_weight_m", "limits", "bounds", "start",
-                          "near_deg", "initial_deg", "stop", "seed", "wrap", "wrist_branch"}) {
+                          "near_deg", "initial_deg", "stop", "wrap", "wrist_branch"}) {
     if (definition.contains(key)) problem[key] = definition[key];
   }
+  // Random targets and starts depend on the seed.
+  const std::string start = definition.value("start", "");
+  const bool is_drawn = definition.value(Json::json_pointer("/path/targets"), "") == "drawn";
+  if (is_drawn || start == "random" || start == "near") problem["seed"] = definition.value("seed", Json());
   return numerics::text_of(problem);
 }
 
