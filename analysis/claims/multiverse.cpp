@@ -116,8 +116,8 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
       "plan because it needs two solvers at a time, so that pairs can be counted.",
       count_words(multiverse.universes()), multiverse.studies.size(), plan.significance, multiverse.solvers.size()));
   table.notes.emplace_back(
-      "deciding_dimension: between whose alternatives the share that holds differs most, with that difference. "
-      "between_seeds: largest difference between two seeds in one of these shares; each seed is a study of its own.");
+      "deciding dimension: between whose alternatives the share that holds differs most, with that difference. "
+      "between seeds: largest difference between two seeds in one of these shares; each seed is a study of its own.");
   const auto out_of_reach =
       std::ranges::count_if(multiverse.studies, [](const auto& study) { return study.out_of_reach > 0; });
   if (out_of_reach > 0) {
@@ -140,7 +140,7 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
     table.columns.insert(table.columns.end(), {"explained_on_average", "explained_at_most", "of_the_best_percent"});
     table.notes.emplace_back(
         "A number is explained where it lies, but for its rounding, in the range that 95 % of studies of 20 runs would "
-        "have (Hill's A(n)). Of the right interpretation about 5 % of the numbers would lie outside. of_the_best: share of the "
+        "have (Hill's A(n)). Of the right interpretation about 5 % of the numbers would lie outside. of the best: share of the "
         "interpretations that explain the most.");
   }
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
@@ -177,7 +177,7 @@ Table numbers_table(const Multiverse& multiverse, PrintedSolvers& printed, const
     const Explained explained = printed.explained(s, usual);
     for (std::size_t i = 0; i < numbers_of_solver; ++i) {
       const std::size_t m = i / predicted_statistics, statistic = i % predicted_statistics;
-      table.rows.push_back({multiverse.solvers[s], std::string(name_of(explained_metrics[m])),
+      table.rows.push_back({multiverse.solvers[s], Id{std::string(name_of(explained_metrics[m]))},
                             std::string(printed_statistics[statistic].first), printed.row(s, m).digits[statistic],
                             Range{ranges[i].low, ranges[i].high}, explained[i] ? "inside" : "outside",
                             percent_cell(support.numbers[s][i].weight, support.all.weight),

@@ -65,6 +65,11 @@ std::string list_of(const Evidence& evidence, const std::string& solver, Metric 
   return list;
 }
 
+// "Computing time, geometric mean"
+std::string title_of(const Evidence& evidence, Metric metric) {
+  return title(metric) + (evidence.scale == ValueScale::log10 ? ", geometric mean" : "");
+}
+
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
   if (here.plan.unit == Unit::point)
@@ -111,7 +116,7 @@ Claims compared(const Case& of, bool is_largest) {
     if (found->contrasts.empty() && metric == Metric::seconds) {
       claim.evidence.push_back(not_judged_words(title(metric) + ": not judged") + '.');
     } else {
-      claim.evidence.push_back(fmt::format("{}: {}.", title(metric), list_of(*found, entry.solver, metric)));
+      claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, entry.solver, metric)));
       std::vector<RankedSolver> rivals = rivals_of(entry.solver, *found);
       const RankedSolver& nearest = is_largest ? rivals.back() : rivals.front();
       number = fmt::format("{}, {} {}", with_unit(mean_of(*found, entry.solver), metric), nearest.solver,
@@ -165,7 +170,7 @@ Claims alike(const Case& of) {
                                                          : Verdict::fails;
   claim.number = fmt::format("{} and {}", number_of(mean_of(*found, of.entry.solver), metric),
                              with_unit(mean_of(*found, of.entry.against), metric));
-  claim.evidence = {fmt::format("{}: {}.", title(metric), list_of(*found, of.entry.solver, metric)),
+  claim.evidence = {fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, of.entry.solver, metric)),
                     how_tested(*found, *found)};
   return {claim};
 }

@@ -242,11 +242,13 @@ std::vector<std::string> status_notes(const StudyResults& study) {
   }
   const std::vector<Status> shown = shown_statuses(study);
   std::vector<std::string> by_status;
-  for (const Status status : shown) by_status.push_back(fmt::format("{} {}", name_of(status), all.of(status)));
+  for (const Status status : shown) {
+    if (all.of(status) > 0) by_status.push_back(fmt::format("{} {}", all.of(status), in_words(name_of(status))));
+  }
   const auto by_time = std::ranges::count(study.solves, StopReason::time, &Solve::stop_reason);
   const std::pair<bool, std::string> notes[]{
-      {true,
-       fmt::format("Solves: {} of {} expected; by status: {}.", all.solves, all.expected, fmt::join(by_status, ", "))},
+      {true, fmt::format("Solves: {} of {} expected{}{}.", all.solves, all.expected, by_status.empty() ? "" : ": ",
+                         fmt::join(by_status, ", "))},
       {all.solves < all.expected,
        fmt::format("The study is incomplete. Runs with missing points: {}; they have no mean, and only complete runs "
                    "are observations.",
@@ -263,7 +265,7 @@ std::vector<std::string> status_notes(const StudyResults& study) {
        "and the error that counts is the one it has there. Such a solve has no time, no evaluations and no move: in "
        "these it ranks last."},
       {all.of(Status::over_budget) > 0,
-       fmt::format("{} solves of programs took far more than their budget of time or evaluations (over_budget). They "
+       fmt::format("{} solves of programs took far more than their budget of time or evaluations (over budget). They "
                    "do not count as solved, but their errors are those of what they spent.",
                    all.of(Status::over_budget))},
       {all.of(Status::not_finite) > 0,

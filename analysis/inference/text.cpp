@@ -202,6 +202,12 @@ NameWithUnit split_unit(std::string_view name) {
   return {std::string(name.substr(0, name.find_last_not_of(' ') + 1)), std::string(unit)};
 }
 
+std::string in_words(std::string_view id) {
+  std::string words(id);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
 std::string text_of(const NameWithUnit& quantity) {
   return quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit);
 }

@@ -38,6 +38,7 @@ struct NameWithUnit {
 
 // Splits a user's name of a column or quantity: "error_cm", "error [cm]".
 NameWithUnit split_unit(std::string_view name);
+std::string in_words(std::string_view id);          // "tolerance missed" for tolerance_missed
 std::string text_of(const NameWithUnit& quantity);  // "error [cm]"
 
 }  // namespace ikbench::inference

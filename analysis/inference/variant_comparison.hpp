@@ -36,6 +36,7 @@ bool is_open(const MetricComparison& metric);
 
 struct VariantComparison {
   std::string label;
+  bool is_of_two = false;  // two solvers, not two variants of one
   std::vector<MetricComparison> metrics = {};
   std::vector<std::string> notes = {};  // say what is left out, and which settings differ
 };

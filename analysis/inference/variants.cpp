@@ -249,6 +249,7 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
   VariantStudy result{.label = a.series.label == b.series.label
                                    ? b.series.label
                                    : fmt::format("{} against {}", b.series.label, a.series.label),
+                      .is_of_two = a.series.label != b.series.label,
                       .study = maker.finish(reader.sessions()),
                       .times_differ = why_times_differ(of_a, of_b),
                       .differences = differences(a, of_a, b, of_b)};

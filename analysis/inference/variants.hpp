@@ -27,6 +27,7 @@ std::vector<Variant> variants(const results::Store& store, const results::StudyE
 // The solves of both, as solvers "A" and "B", and the reasons not to compare their times.
 struct VariantStudy {
   std::string label;
+  bool is_of_two = false;  // A and B have different labels: "B against A"
   StudyResults study;
   Doubts times_differ;      // reasons not to compare times; empty if they are comparable
   std::string differences;  // settings, program and machine that differ between A and B

@@ -38,6 +38,18 @@ std::string words_of(const Clause& clause) {
   return fmt::format("{}{}({})", clause.text, clause.text.empty() ? "" : " ", fmt::join(clause.remarks, "; "));
 }
 
+// The unit in which averages are told, and its size: milliseconds where all times are short.
+struct ToldUnit {
+  std::string_view unit = "";
+  double size = 1;
+};
+ToldUnit told_unit(const Evidence& evidence) {
+  constexpr double longest_in_ms = 0.1;
+  const auto is_long = [](const GroupEvidence& group) { return group.described.mean >= longest_in_ms; };
+  if (evidence.unit != "s" || std::ranges::any_of(evidence.groups, is_long)) return {};
+  return {" ms", 0.001};
+}
+
 // "0.0019 vs 0.365", with enough digits to tell them apart.
 std::string against(double mean, double other) {
   std::string one = rounded_number(mean, 3), two = rounded_number(other, 3);
@@ -97,12 +109,18 @@ struct ScaleWords {
   std::string_view average, difference, of_averages, none, unit;
   double in_unit = 1;
 };
-const ScaleWords& words_of_scale(const Evidence& evidence) {
+ScaleWords words_of_scale(const Evidence& evidence) {
   static constexpr std::array<ScaleWords, 3> all{
       {{"mean", "difference", "difference between means", "zero", ""},
        {"geometric mean", "ratio", "ratio", "1", " times"},
        {"share", "difference", "difference", "zero", " percentage points", 0.01}}};
-  return all[static_cast<std::size_t>(evidence.scale)];
+  ScaleWords words = all[static_cast<std::size_t>(evidence.scale)];
+  if (evidence.scale == ValueScale::plain) {
+    const auto [unit, size] = told_unit(evidence);
+    words.unit = unit;
+    words.in_unit = size;
+  }
+  return words;
 }
 
 bool includes_none(const Evidence& evidence, const Finding& pair) {
@@ -126,7 +144,7 @@ std::string doubt_words(const Evidence& evidence, const Finding& pair) {
   const double none = no_difference(evidence);
   std::vector<std::string> doubts, measures;
   if (is_open ? pair.estimate.low > none || pair.estimate.high < none : includes_none(evidence, pair)) {
-    const ScaleWords& scale = words_of_scale(evidence);
+    const ScaleWords scale = words_of_scale(evidence);
     doubts.push_back(fmt::format(words::interval_against, "of"_a = scale.of_averages,
                                  "includes"_a = is_open ? "excludes" : "includes", "none"_a = scale.none));
   }
@@ -147,14 +165,14 @@ std::string doubt_words(const Evidence& evidence, const Finding& pair) {
 // "0.156 to 0.57", "12 to 30 percentage points"
 std::string size_words(const Evidence& evidence, const Finding& pair) {
   const auto [low, high] = interval_sizes(evidence, pair);
-  const ScaleWords& scale = words_of_scale(evidence);
+  const ScaleWords scale = words_of_scale(evidence);
   const std::string least = rounded_number(low / scale.in_unit, 3), most = rounded_number(high / scale.in_unit, 3);
   return fmt::format("{}{}{}", least, least == most ? "" : " to " + most, scale.unit);
 }
 
 // The interval of `first` less the other of the pair, or of their ratio.
 std::string interval_words(const Evidence& evidence, const Finding& pair, std::size_t first) {
-  const ScaleWords& scale = words_of_scale(evidence);
+  const ScaleWords scale = words_of_scale(evidence);
   const bool by_ranks = evidence.ranks_decide(), is_ratio = by_ranks || evidence.scale == ValueScale::log10;
   const Estimate& of = by_ranks ? pair.ratio : pair.estimate;
   const Estimate difference = first == pair.first ? of : reversed(of, is_ratio);
@@ -167,8 +185,10 @@ std::string interval_words(const Evidence& evidence, const Finding& pair, std::s
 std::string mean_words(const Evidence& evidence, std::size_t group) {
   const Description& of = evidence.groups[group].described;
   const std::string name = name_words(evidence, group);
+  const auto [unit, size] = told_unit(evidence);
   if (std::isfinite(of.mean))
-    return fmt::format(words::has_mean, "name"_a = name, "mean"_a = rounded_number(of.mean, 3));
+    return fmt::format(words::has_mean, "name"_a = name,
+                       "mean"_a = rounded_number(of.mean / size, 3) + std::string(unit));
   return fmt::format(words::has_no_mean, "name"_a = name, "lost"_a = of.not_finite, "n"_a = of.n);
 }
 
@@ -182,10 +202,11 @@ Clause effect_of(const Evidence& evidence, const Finding& pair, std::size_t grou
                         : fmt::format(words::ahead, "share"_a = percent(share),
                                       "of"_a = evidence.blocks > 0 ? evidence.block_noun : "pairs of observations");
   if (!std::isfinite(mean + of_other)) return {ahead, {mean_words(evidence, group), mean_words(evidence, other)}};
+  const auto [unit, size] = told_unit(evidence);
   const std::string means =
       fmt::format("{} {}", words_of_scale(evidence).average,
                   evidence.scale == ValueScale::share ? fmt::format("{} vs {}", percent(mean), percent(of_other))
-                                                      : against(mean, of_other));
+                                                      : against(mean / size, of_other / size) + std::string(unit));
   if (evidence.ranks_decide()) return {ahead, {fmt::format(words::not_by_ranks, "means"_a = means)}};
   const auto [extent, remark] = extent_words(evidence, pair);
   const bool has_size = !includes_none(evidence, pair) && !is_against(evidence, pair, &Description::mean) &&

@@ -226,7 +226,9 @@ std::string json_of(const Evidence& evidence) {
   return numerics::text_of(object, 2);  // names may be anything
 }
 
-std::string heading_of(const Assessment& assessment) { return "Statistics: " + assessment.quantity; }
+std::string heading_of(const Assessment& assessment) {
+  return "Statistics: " + quantity_words(assessment.quantity, assessment.unit);
+}
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
   return with_observations(tested(observations, plan), observations);
@@ -273,10 +275,23 @@ Table groups_table(const Evidence& evidence) {
   const bool of_logarithms = evidence.scale == ValueScale::log10;
   Table table{
       .name = table_name(evidence, "groups"),
-      .caption = fmt::format("Observations: {}", evidence.quantity),
+      .caption = fmt::format("Observations: {}", quantity_words(evidence.quantity, evidence.unit)),
       .columns = {"group", "n", "not finite", of_logarithms ? "geometric mean" : "mean",
                   level + " interval of the mean", "bootstrap interval", of_logarithms ? "sd of log10" : "sd", "median",
                   level + " interval of the median", "q1", "q3", "min", "max", "Shapiro-Wilk p", "average rank"}};
+  if (evidence.unit == "s") {
+    table.times = {"mean",
+                   "geometric mean",
+                   level + " interval of the mean",
+                   "bootstrap interval",
+                   "median",
+                   level + " interval of the median",
+                   "q1",
+                   "q3",
+                   "min",
+                   "max"};
+    if (!of_logarithms) table.times.emplace_back("sd");
+  }
   for (const GroupEvidence& group : evidence.groups) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
@@ -305,7 +320,7 @@ Table outcomes_table(const Evidence& evidence) {
 
 Table tests_table(const Evidence& evidence) {
   Table table{.name = table_name(evidence, "tests"),
-              .caption = fmt::format("Tests of all groups: {}", evidence.quantity),
+              .caption = fmt::format("Tests of all groups: {}", quantity_words(evidence.quantity, evidence.unit)),
               .columns = {"part", "test", "statistic", "value", "df", "df within", "p", "effect", "size", "verdict"}};
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
@@ -339,11 +354,13 @@ std::string family_note(const Evidence& evidence) {
 Table contrasts_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   Table table{.name = table_name(evidence, "contrasts"),
-              .caption = fmt::format("Pairwise comparisons: {}", evidence.quantity),
+              .caption = fmt::format("Pairwise comparisons: {}", quantity_words(evidence.quantity, evidence.unit)),
               .columns = {"first", "second", "verdict",
                           evidence.scale == ValueScale::log10 ? "ratio of geometric means" : "difference of means",
                           level + " interval", "p", "p alone", evidence.blocks > 0 ? "ahead in blocks" : "A12",
                           level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12"), "Hedges g"}};
+  if (evidence.unit == "s" && evidence.scale == ValueScale::plain)
+    table.times = {"difference of means", level + " interval"};
   const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
   if (has_ranks) table.columns.push_back(fmt::format("p, {}", rank_method(evidence).of_pair));
   table.columns.push_back(replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide");

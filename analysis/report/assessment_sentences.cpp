@@ -34,7 +34,7 @@ std::string sizes(const Evidence& evidence) {
 Sentence design(const Evidence& evidence) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) names.push_back(name_words(evidence, i));
-  std::string text = fmt::format(words::data, "quantity"_a = evidence.quantity,
+  std::string text = fmt::format(words::data, "quantity"_a = quantity_words(evidence.quantity, evidence.unit),
                                  "better"_a = evidence.better == Better::smaller ? "smaller" : "larger",
                                  "count"_a = names.size(), "groups"_a = names.size() == 1 ? "group" : "groups",
                                  "names"_a = listed(names), "sizes"_a = sizes(evidence));

@@ -46,6 +46,10 @@ std::string joined(const std::vector<std::string>& items, std::string_view comma
 std::string listed(const std::vector<std::string>& items) { return joined(items, ", ", " and "); }
 std::string clauses(const std::vector<std::string>& items) { return joined(items, "; ", "; "); }
 
+std::string quantity_words(const std::string& quantity, std::string_view unit) {
+  return unit == "s" ? split_unit(quantity).name : quantity;
+}
+
 std::string name_words(const Evidence& evidence, std::size_t group) {
   std::string name = row_label(evidence.groups[group].name, longest_name_in_text);
   const auto breaks = [&](const char* separator) { return name.find(separator) != std::string::npos; };

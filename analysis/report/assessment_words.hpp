@@ -16,6 +16,8 @@ namespace ikbench::report {
 constexpr std::size_t longest_name_in_text = 60;
 
 std::string p_words(double p);
+// The name of a quantity for headings and captions. A time has none of its unit, which is that of its numbers.
+std::string quantity_words(const std::string& quantity, std::string_view unit);
 std::string listed(
     const std::vector<std::string>& items);  // "a, b and c"; of a long list the first items and the number of the rest
 std::string clauses(const std::vector<std::string>& items);  // the same for clauses that contain commas

@@ -145,6 +145,18 @@ Table audit_table(const std::vector<AuditItem>& items) {
   return table;
 }
 
+std::string audit_answer(const std::vector<AuditItem>& items) {
+  if (items.empty()) return "";
+  const auto several = [&](std::string_view verdict) {
+    const auto count =
+        std::ranges::count_if(items, [verdict](const AuditItem& item) { return words_of(item) == verdict; });
+    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), verdict,
+                       count == 1 || count == 0 ? "" : "s");
+  };
+  return fmt::format(words::audit_answer, "contradictions"_a = several(audit_verdicts[4]),
+                     "misprints"_a = several(audit_verdicts[2]), "checks"_a = items.size());
+}
+
 std::string audit_sentence(const std::vector<AuditItem>& items) {
   std::vector<std::string> parts;
   for (const std::string_view verdict : audit_verdicts) {

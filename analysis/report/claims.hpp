@@ -86,6 +86,8 @@ std::string_view words_of(const AuditItem& item);  // one of these
 
 // Named "audit".
 Table audit_table(const std::vector<AuditItem>& items);
+// Says how many of the printed numbers are wrong; empty without items.
+std::string audit_answer(const std::vector<AuditItem>& items);
 // Counts the verdicts: "40 checks: 28 consistent, 2 rounding, ...", which is the first note of audit_table() too.
 std::string audit_sentence(const std::vector<AuditItem>& items);
 

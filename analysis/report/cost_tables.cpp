@@ -45,9 +45,10 @@ std::string interval_note(const Clusters& clusters, std::string_view meaning) {
 
 Table cost_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
   Table table{.name = name_of_table(cost, ""),
-              .caption = fmt::format(words::cost_caption, "cost"_a = name_of(cost),
+              .caption = fmt::format(words::cost_caption, "cost"_a = info_of(cost).name,
                                      "within"_a = within_words(study, Metric::position_error_cm)),
               .columns = {"solver", "solves", "solved", "ert", "ert interval"}};
+  if (cost == Metric::seconds) table.times = {"ert", "ert interval"};
   std::vector<std::string> undefined;
   const std::vector<SolverCost> costs = costs_of(study, cost, clusters);
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -67,7 +68,7 @@ Table cost_table(const StudyResults& study, Metric cost, const Clusters& cluster
 
 Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& clusters) {
   Table table{.name = name_of_table(cost, "-pairs"),
-              .caption = fmt::format(words::cost_pairs_caption, "cost"_a = name_of(cost),
+              .caption = fmt::format(words::cost_pairs_caption, "cost"_a = info_of(cost).name,
                                      "within"_a = within_words(study, Metric::position_error_cm)),
               .columns = {"first", "second", "spends less", "ert ratio", "ert ratio interval", "remark"}};
   for (const Finding& finding : compare_costs(study, cost, clusters)) {

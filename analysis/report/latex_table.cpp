@@ -29,13 +29,6 @@ std::vector<std::string> words_of(std::string_view text) {
   return {std::istream_iterator<std::string>(words), {}};
 }
 
-// "mean_reached_ms" as "mean reached [ms]".
-std::string in_words(std::string_view name) {
-  NameWithUnit words = split_unit(name);
-  std::ranges::replace(words.name, '_', ' ');
-  return text_of(words);
-}
-
 // -1.2e-05 as $-1.2 \times 10^{-5}$.
 std::string latex_number(const std::string& number) {
   const std::size_t e = number.find('e');
@@ -84,12 +77,17 @@ std::string preamble(const std::vector<LatexColumn>& columns) {
   return text;
 }
 
-std::string head_of(const LatexColumn& column, const std::string& name) {
+std::vector<std::string> lines_of(const std::string& head, std::size_t longest) {
   std::vector<std::string> lines;
-  for (const std::string& word : words_of(in_words(name))) {
-    const bool fits = !lines.empty() && lines.back().size() + 1 + word.size() <= longest_head;
+  for (const std::string& word : words_of(head)) {
+    const bool fits = !lines.empty() && lines.back().size() + 1 + word.size() <= longest;
     fits ? lines.back() += ' ' + word : lines.emplace_back(word);
   }
+  return lines;
+}
+
+std::string head_of(const LatexColumn& column, const std::string& name, std::size_t longest = longest_head) {
+  std::vector<std::string> lines = lines_of(name, longest);
   for (std::string& line : lines) line = latex_text(line);
   if (lines.size() == 1) return lines.front();
   return fmt::format("\\shortstack[{}]{{{}}}", column.is_text ? "l" : "r", fmt::join(lines, "\\\\"));
@@ -135,7 +133,139 @@ bool needs_another_engine(std::string_view latex) {
   return false;
 }
 
+// Narrow tables. Widths are in points, at least as large as LaTeX's, with 8 points in the body and 7 in the spreads.
+
+constexpr double column_of_article = 218, between_columns = 6;
+constexpr double smaller = 7.0 / 8;              // a spread by the size of the body
+constexpr double widest_name = 80;               // wider names break into lines
+constexpr std::size_t longest_narrow_head = 11;  // longest line of a head [characters]
+
+double width_of(std::string_view text) {
+  double width = 0;
+  for (const char c : text) {
+    const auto is_one_of = [c](std::string_view which) { return which.find(c) != std::string_view::npos; };
+    const auto byte = static_cast<unsigned char>(c);
+    width += (byte & 0xC0) == 0x80       ? 0
+             : byte >= 0x80              ? 8
+             : is_one_of("MW@%mw")       ? 8.8
+             : is_one_of(" .,;:'ijl|!I") ? 3
+             : c >= 'A' && c <= 'Z'      ? 6.6
+                                         : 4.6;
+  }
+  return width;
+}
+
+double width_of_number(const std::string& number) {
+  constexpr double power_of_ten = 30;
+  const std::size_t e = number.find('e');
+  return e == std::string::npos ? width_of(number) : width_of(number.substr(0, e)) + power_of_ten;
+}
+
+double width_of_spread(const AverageCell& average) {
+  double width = width_of("[]");
+  for (const double each : average.spread) width += width_of_number(value_words({.value = each})) + width_of(", ") / 2;
+  return smaller * width;
+}
+
+// The width of a column, as narrow as its words let it be.
+double width_of(const Table& table, std::size_t column) {
+  double width = 0;
+  for (const std::string& line : lines_of(table.columns[column], longest_narrow_head))
+    width = std::max(width, width_of(line));
+  for (const std::vector<Cell>& row : table.rows) {
+    if (const auto* average = std::get_if<AverageCell>(&row[column]))
+      width = std::max({width, width_of_number(value_words(*average)), width_of_spread(*average)});
+    else
+      width = std::max(width, std::min(widest_name, width_of(readable(row[column]))));
+  }
+  return width;
+}
+
+std::string spread_latex(const AverageCell& average) {
+  std::vector<std::string> numbers;
+  for (const double each : average.spread) numbers.push_back(latex_number(value_words({.value = each})));
+  if (numbers.empty()) return "";
+  return numbers.size() == 1 ? fmt::format("\\scriptsize$\\pm$ {}", numbers.front())
+                             : fmt::format("\\scriptsize[{}]", fmt::join(numbers, ", "));
+}
+
+std::string value_latex(const AverageCell& average) {
+  const std::string value = latex_number(value_words(average));
+  return (average.is_best ? fmt::format("\\textbf{{\\boldmath {}}}", value) : value) +
+         (average.differs ? "\\rlap{$^{*}$}" : "");
+}
+
+// A row of averages, and below it their spreads.
+std::string narrow_rows(const std::vector<Cell>& row, const std::vector<LatexColumn>& columns) {
+  std::vector<std::string> values, spreads;
+  bool has_spreads = false;
+  for (const LatexColumn& column : columns) {
+    const auto* average = std::get_if<AverageCell>(&row[column.index]);
+    values.push_back(average ? value_latex(*average) : cell_latex(row[column.index], column));
+    spreads.push_back(average ? spread_latex(*average) : "");
+    has_spreads = has_spreads || !spreads.back().empty();
+  }
+  if (!has_spreads) return fmt::format("{} \\\\\n", fmt::join(values, " & "));
+  return fmt::format("{} \\\\*\n{} \\\\[2pt]\n", fmt::join(values, " & "), fmt::join(spreads, " & "));
+}
+
+std::string narrow_latex(const Table& table) {
+  std::vector<LatexColumn> columns = columns_of(table);
+  std::string heads, letters;
+  for (LatexColumn& column : columns) {
+    const auto is_wide = [&](const auto& row) { return width_of(readable(row[column.index])) > widest_name; };
+    column.wraps = column.is_text && std::ranges::any_of(table.rows, is_wide);
+    heads += (heads.empty() ? "" : " & ") + head_of(column, table.columns[column.index], longest_narrow_head);
+    letters += column.wraps     ? fmt::format(">{{\\raggedright\\arraybackslash}}p{{{}pt}}", widest_name)
+               : column.is_text ? "l"
+                                : "r";
+  }
+  std::string text = fmt::format(
+      "% Needs \\usepackage{{booktabs,array}}\n\\begin{{table}}\n\\centering\n{}"
+      "\\footnotesize\\setlength{{\\tabcolsep}}{{{}pt}}\n\\begin{{tabular}}{{@{{}}{}@{{}}}}\n\\toprule\n{} \\\\\n\\midrule\n",
+      caption_of(table, true), between_columns / 2, letters, heads);
+  for (const std::vector<Cell>& row : table.rows) text += narrow_rows(row, columns);
+  return text + "\\bottomrule\n\\end{tabular}\n" + notes_of(table) + "\\end{table}\n";
+}
+
+std::string wide_latex(const Table& table) {
+  const std::vector<LatexColumn> columns = columns_of(table);
+  const bool is_turned = columns.size() > widest_upright;
+  const bool has_long_texts = std::ranges::count(columns, true, &LatexColumn::wraps) > 0;
+  const std::string_view environment = is_turned ? "sidewaystable" : "table";
+  const std::size_t all = table.rows.size(), rows_that_fit = has_long_texts ? 15 : is_turned ? 25 : 40;
+  const std::size_t pages = std::max<std::size_t>(1, (all + rows_that_fit - 1) / rows_that_fit);
+  const std::size_t rows_a_page = (all + pages - 1) / pages;
+  std::string text = fmt::format("% Needs \\usepackage{{booktabs,array,adjustbox{}}}\n", is_turned ? ",rotating" : "");
+  for (std::size_t page = 0; page < pages; ++page) {
+    const std::size_t first = page * rows_a_page;
+    const Rows rows = Rows(table.rows).subspan(first, std::min(rows_a_page, all - first));
+    const bool is_last = page + 1 == pages;
+    text += fmt::format(
+        "\\begin{{{0}}}{1}\n\\centering\n{2}"
+        "\\begin{{adjustbox}}{{max width=\\linewidth,max totalheight=0.6\\{3}}}\n{4}\n\\end{{adjustbox}}\n{5}\\end{{{0}}}\n",
+        environment, pages > 1 ? "[p]" : "", caption_of(table, page == 0), is_turned ? "textwidth" : "textheight",
+        tabular(table, columns, rows), is_last ? notes_of(table) : "");
+    if (!is_last) text += "\\clearpage\n";
+  }
+  return text;
+}
+
 }  // namespace
+
+Table fitted(Table table) {
+  const auto width = [](const Table& of) {
+    const Table shown = for_people(of);
+    double sum = -between_columns;
+    for (std::size_t c = 0; c < shown.columns.size(); ++c) sum += width_of(shown, c) + between_columns;
+    return sum;
+  };
+  while (table.columns.size() > 2 && width(table) > column_of_article) {
+    table.columns.pop_back();
+    for (std::vector<Cell>& row : table.rows) row.pop_back();
+  }
+  return table;
+}
 
 std::string breakable_latex(std::string_view text, std::size_t longest_word) {
   std::string result;
@@ -156,28 +286,10 @@ std::string breakable_latex(std::string_view text, std::size_t longest_word) {
   return result;
 }
 
-std::string to_latex(const Table& table) {
-  const std::vector<LatexColumn> columns = columns_of(table);
-  const bool is_turned = columns.size() > widest_upright;
-  const bool has_long_texts = std::ranges::count(columns, true, &LatexColumn::wraps) > 0;
-  const std::string_view environment = is_turned ? "sidewaystable" : "table";
-  const std::size_t all = table.rows.size(), rows_that_fit = has_long_texts ? 15 : is_turned ? 25 : 40;
-  const std::size_t pages = std::max<std::size_t>(1, (all + rows_that_fit - 1) / rows_that_fit);
-  const std::size_t rows_a_page = (all + pages - 1) / pages;
-  std::string text = fmt::format("% Needs \\usepackage{{booktabs,array,adjustbox{}}}\n", is_turned ? ",rotating" : "");
-  for (std::size_t page = 0; page < pages; ++page) {
-    const std::size_t first = page * rows_a_page;
-    const Rows rows = Rows(table.rows).subspan(first, std::min(rows_a_page, all - first));
-    const bool is_last = page + 1 == pages;
-    text += fmt::format(
-        "\\begin{{{0}}}{1}\n\\centering\n{2}"
-        "\\begin{{adjustbox}}{{max width=\\linewidth,max totalheight=0.6\\{3}}}\n{4}\n\\end{{adjustbox}}\n{5}\\end{{{0}}}\n",
-        environment, pages > 1 ? "[p]" : "", caption_of(table, page == 0), is_turned ? "textwidth" : "textheight",
-        tabular(table, columns, rows), is_last ? notes_of(table) : "");
-    if (!is_last) text += "\\clearpage\n";
-  }
-  if (needs_another_engine(text)) text = "% Needs lualatex or xelatex, and a font that has its letters\n" + text;
-  return text;
+std::string to_latex(const Table& given) {
+  const Table table = for_people(given);
+  const std::string text = table.is_narrow ? narrow_latex(table) : wide_latex(table);
+  return needs_another_engine(text) ? "% Needs lualatex or xelatex, and a font that has its letters\n" + text : text;
 }
 
 }  // namespace ikbench::report

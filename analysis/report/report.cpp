@@ -21,6 +21,7 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/moving_arm.hpp"
@@ -321,6 +322,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .set_up = set_up_sentences(study, paper, sessions),
                         .solvers = study.solvers,
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
+                        .audited = paper.audit ? audit_answer(paper.audit()) : "",
                         .summary = summary(reported, paper),
                         .command = command_of(study, sessions),
                         .plan = std::move(plan),
@@ -339,6 +341,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
+  if (!study.solves.empty()) tables.push_back(article_table(study));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {

@@ -71,6 +71,7 @@ std::vector<std::string> answers_of(const ReportContent& content) {
   if (content.claims.empty()) return words_of(content.answer);
   std::vector<std::string> answers{tally(content.claims)};
   if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
+  answers.push_back(content.audited);
   std::erase(answers, "");
   return answers;
 }
@@ -99,6 +100,11 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
        content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
+  fill({{"A table for your paper",
+         "It fits a column of a two-column article, in the size of footnotes: \\input{tables/paper}.",
+         {},
+         {"paper"}}},
+       content.results);
   fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
         {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}},
        content.results);

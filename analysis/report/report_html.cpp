@@ -82,20 +82,21 @@ Json cell_json(const Cell& cell, bool is_left) {
   const auto* graded = std::get_if<Graded>(&cell);
   const bool is_words =
       graded || std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
+  const auto* average = std::get_if<AverageCell>(&cell);
   return {{"text", text},
           {"right", !is_left},
+          {"best", average != nullptr && average->is_best},
           {"short", is_left && character_count(text) <= short_text},
           {"verdict", graded && graded->nearness != Nearness::unknown ? Json(colour_of(graded->nearness)) : Json()},
           {"number", is_words ? Json() : Json(computable(cell))}};
 }
 
-Json table_json(const Table& table) {
+Json table_json(const Table& given) {
+  const Table table = for_people(given);
   Json heads = Json::array(), rows = Json::array();
   const std::vector<std::size_t> used = columns_in_use(table);
   for (const std::size_t c : used) {
-    std::string head = table.columns[c];
-    std::ranges::replace(head, '_', ' ');  // so that a long name may break into lines
-    heads.push_back({{"text", head}, {"right", !is_left(table, c)}});
+    heads.push_back({{"text", table.columns[c]}, {"right", !is_left(table, c)}});
   }
   const std::size_t all = table.rows.size(), shown = std::min(all, most_page_rows);
   for (std::size_t r = 0; r < shown; ++r) {
@@ -314,7 +315,7 @@ Json header_json(const ReportContent& content, Pieces& pieces) {
 // Files of the report's folder that the page offers for download.
 std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
-  for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
+  for (const char* name : {"index.md", "report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
     if (std::filesystem::is_regular_file(folder / name)) files.emplace_back(name);
   }
   return files;

@@ -36,6 +36,21 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
+std::string index_row(const Piece& piece) {
+  constexpr std::size_t longest_title = 120;
+  const auto* table = std::get_if<Table>(&piece);
+  const auto* figure = std::get_if<ReportFigure>(&piece);
+  const std::string& name = name_of(piece);
+  std::vector<std::string_view> types{"md", "csv", "tex"};
+  if (figure) types = {"gp", "dat"};
+  if (figure && figure->drawn) types = {"svg", "pdf", "png", "gp", "dat"};
+  std::string files;
+  for (const std::string_view type : types)
+    files += fmt::format("{0}[{1}]({2}/{3}.{1})", files.empty() ? "" : " ", type, table ? "tables" : "figures", name);
+  const std::string title = table ? numbered_caption(*table) : figure->figure.caption;
+  return fmt::format("| {} | {} | {} |\n", markdown_text(name), markdown_text(shortened(title, longest_title)), files);
+}
+
 std::string verdict(const ReportContent& content, EvidenceShown evidence) {
   std::string text;
   const std::vector<Claim> papers = claims_by(Claimant::paper, content.claims),
@@ -78,9 +93,25 @@ std::string to_markdown(const ReportContent& content) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
   }
   text +=
-      "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has the script and the data of every "
+      "[index.md](index.md) lists all tables and figures. `tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has the script and the data of every "
       "figure, and where gnuplot drew it SVG, PDF and PNG.\n\n";
   return text + markdown(content.circumstances) + markdown(content.results);
+}
+
+std::string index_markdown(const ReportContent& content) {
+  std::string text = fmt::format("# Tables and figures: {}\n\n", markdown_text(content.title));
+  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
+    for (const Section& section : *part) {
+      if (section.pieces.empty() && section.folded.empty()) continue;
+      text += fmt::format("## {}\n\n| name | what it shows | files |\n| :--- | :--- | :--- |\n",
+                          markdown_text(section.heading));
+      for (const std::vector<Piece>* pieces : {&section.pieces, &section.folded}) {
+        for (const Piece& piece : *pieces) text += index_row(piece);
+      }
+      text += '\n';
+    }
+  }
+  return text;
 }
 
 std::string verdict_markdown(const ReportContent& content) {

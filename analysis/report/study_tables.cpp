@@ -79,7 +79,8 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
   for (const Metric metric : metrics) {
     for (const Sample& sample : samples(study, metric)) {
       const Description of = statistics::describe(sample.values);
-      table.rows.push_back({sample.solver, std::string(name_of(metric)), of.mean, of.median, of.std, of.max, of.min});
+      table.rows.push_back(
+          {sample.solver, Id{std::string(name_of(metric))}, of.mean, of.median, of.std, of.max, of.min});
     }
   }
   add_notes(table, study);
@@ -91,10 +92,7 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
 Table further_table(const StudyResults& study, std::span<const Metric> metrics) {
   Table table{.name = "further", .caption = "Further means over the runs", .columns = {"algorithm"}};
   add_averages(table, study, metrics, {});
-  for (const Metric metric : metrics) {
-    table.columns.push_back(std::string(name_of(metric)));
-    table.notes.push_back(fmt::format("{}: {}.", name_of(metric), info_of(metric).name));
-  }
+  for (const Metric metric : metrics) table.columns.push_back(std::string(name_of(metric)));
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/inference/metrics.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 #include "results/csv.hpp"
@@ -27,6 +28,70 @@ struct Overloaded : Visitors... {
 };
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
+
+// "mean_reached_ms" as "mean reached [ms]"; a metric's column has its name.
+NameWithUnit named(std::string_view id) {
+  for (const Metric metric : all_metrics()) {
+    if (name_of(metric) == id) return with_unit(metric);
+  }
+  NameWithUnit words = split_unit(id);
+  constexpr std::string_view percent = "_percent";
+  if (words.name.ends_with(percent)) words = {words.name.substr(0, words.name.size() - percent.size()), "%"};
+  words.name = in_words(words.name);
+  return words;
+}
+
+bool is_of_times(std::string_view id) {
+  return std::ranges::any_of(
+      all_metrics(), [id](Metric metric) { return name_of(metric) == id && info_of(metric).kind == Kind::time; });
+}
+
+bool has_times(const std::vector<Cell>& row) {
+  return std::ranges::any_of(row, [](const Cell& cell) {
+    const auto* id = std::get_if<Id>(&cell);
+    return id != nullptr && is_of_times(id->id);
+  });
+}
+
+// The numbers of a cell that may be times; null for one with printed digits, which stay as they are.
+std::vector<double*> numbers_in(Cell& cell) {
+  if (auto* value = std::get_if<double>(&cell)) return {value};
+  if (auto* range = std::get_if<Range>(&cell)) return {&range->low, &range->high};
+  if (std::holds_alternative<OursAndPrinted>(cell)) return {nullptr};
+  std::vector<double*> numbers;
+  if (auto* average = std::get_if<AverageCell>(&cell)) {
+    numbers.push_back(&average->value);
+    for (double& each : average->spread) numbers.push_back(&each);
+  }
+  return numbers;
+}
+
+// Turns seconds into milliseconds if all of them are short. Returns the unit.
+std::string_view with_short_times(const std::vector<double*>& seconds) {
+  constexpr double ms_per_second = 1000, longest_in_ms = 0.1;
+  if (std::ranges::count(seconds, nullptr) > 0) return "s";
+  double longest = 0;
+  for (const double* each : seconds) longest = std::isfinite(*each) ? std::max(longest, std::abs(*each)) : longest;
+  if (!(longest > 0 && longest < longest_in_ms)) return "s";
+  for (double* each : seconds) *each *= ms_per_second;
+  return "ms";
+}
+
+// "1.46", "0.200", "10050", "2.24e-06"
+std::string three_digits(double value) {
+  if (!std::isfinite(value)) return "-";
+  if (value == 0 || std::abs(value) >= 1000) return rounded_number(value, 3);
+  const std::string text = fmt::format("{:#.3g}", value);
+  return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
+std::string cell_markdown(const Cell& cell) {
+  const auto* average = std::get_if<AverageCell>(&cell);
+  std::string text = markdown_text(readable(cell));
+  if (average == nullptr || !average->is_best) return text;
+  const std::string value = markdown_text(value_words(*average));
+  return fmt::format("**{}**{}", value, text.substr(value.size()));
+}
 
 template <class Kind>
 bool has_any(const Table& table, std::size_t column) {
@@ -56,8 +121,21 @@ std::string readable(const Cell& cell) {
             return fmt::format("{} (printed {}{}{})", own_digits(beside), beside.printed,
                                beside.words.empty() ? "" : ": ", beside.words);
           },
-          [](const Graded& graded) { return graded.words; }},
+          [](const Graded& graded) { return graded.words; }, [](const Id& id) { return text_of(named(id.id)); },
+          [](const AverageCell& average) {
+            const std::string spread = spread_words(average);
+            return fmt::format("{}{}{}{}", three_digits(average.value), spread.empty() ? "" : " ", spread,
+                               average.differs ? " *" : "");
+          }},
       cell);
+}
+
+std::string value_words(const AverageCell& average) { return three_digits(average.value); }
+std::string spread_words(const AverageCell& average) {
+  const std::vector<double>& of = average.spread;
+  return of.empty()       ? ""
+         : of.size() == 1 ? "± " + three_digits(of.front())
+                          : fmt::format("[{}, {}]", three_digits(of.front()), three_digits(of.back()));
 }
 
 std::string own_digits(const OursAndPrinted& beside) {
@@ -69,13 +147,14 @@ std::string readable_end(double of_range) { return rounded_number(of_range, 3); 
 bool is_number(const Cell& cell) {
   if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value);
   if (const auto* p = std::get_if<PValue>(&cell)) return std::isfinite(p->value);
-  return std::holds_alternative<std::int64_t>(cell);
+  return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<AverageCell>(cell);
 }
 
 bool is_left(const Table& table, std::size_t column) {
   return std::ranges::any_of(table.rows, [column](const std::vector<Cell>& row) {
     const auto* text = std::get_if<std::string>(&row[column]);
-    return text ? !number_from(*text) : std::holds_alternative<Graded>(row[column]);
+    return text ? !number_from(*text)
+                : std::holds_alternative<Graded>(row[column]) || std::holds_alternative<Id>(row[column]);
   });
 }
 
@@ -85,7 +164,36 @@ std::string computable(const Cell& cell) {
   if (const auto* p = std::get_if<PValue>(&cell)) return number(p->value);
   if (const auto* range = std::get_if<Range>(&cell)) return text_of(range->low) + " to " + text_of(range->high);
   if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) return number(beside->ours);
+  if (const auto* id = std::get_if<Id>(&cell)) return id->id;
+  if (const auto* average = std::get_if<AverageCell>(&cell)) return number(average->value);
   return readable(cell);
+}
+
+Table for_people(Table table) {
+  const auto is_time = [&](const std::string& column) {
+    return is_of_times(column) || std::ranges::count(table.times, column) > 0;
+  };
+  std::vector<double*> seconds;
+  for (std::vector<Cell>& row : table.rows) {
+    const bool is_all = has_times(row);
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (is_all || is_time(table.columns[c])) std::ranges::copy(numbers_in(row[c]), std::back_inserter(seconds));
+    }
+  }
+  const std::string_view unit = with_short_times(seconds);
+  const auto words = [&](std::string_view id, bool of_times) {
+    NameWithUnit name = named(id);
+    if (of_times) name.unit = unit;
+    return text_of(name);
+  };
+  for (std::vector<Cell>& row : table.rows) {
+    for (Cell& cell : row) {
+      if (const auto* id = std::get_if<Id>(&cell)) cell = words(id->id, is_of_times(id->id));
+    }
+  }
+  for (std::string& column : table.columns) column = words(column, is_time(column));
+  table.times.clear();
+  return table;
 }
 
 std::vector<std::size_t> columns_in_use(const Table& table) {
@@ -97,7 +205,8 @@ std::vector<std::size_t> columns_in_use(const Table& table) {
   return used;
 }
 
-std::vector<std::vector<std::string>> readable_cells(const Table& table) {
+std::vector<std::vector<std::string>> readable_cells(const Table& given) {
+  const Table table = for_people(given);
   const std::vector<std::size_t> used = columns_in_use(table);
   std::vector<std::vector<std::string>> cells(1);
   for (const std::size_t c : used) cells[0].push_back(table.columns[c]);
@@ -108,7 +217,8 @@ std::vector<std::vector<std::string>> readable_cells(const Table& table) {
   return cells;
 }
 
-std::string to_markdown(const Table& table) {
+std::string to_markdown(const Table& given) {
+  const Table table = for_people(given);
   const std::vector<std::size_t> used = columns_in_use(table);
   std::string text = fmt::format("**{}**\n\n|", markdown_text(numbered_caption(table)));
   for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(table.columns[c]));
@@ -117,17 +227,37 @@ std::string to_markdown(const Table& table) {
   text += '\n';
   for (const auto& row : table.rows) {
     text += '|';
-    for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(readable(row[c])));
+    for (const std::size_t c : used) text += fmt::format(" {} |", cell_markdown(row[c]));
     text += '\n';
   }
   for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
   return text;
 }
 
+namespace {
+
+// The heads of a column of averages, which all have a spread of the same kind; false if it is another column.
+bool add_heads_of_averages(const Table& table, std::size_t column, CsvTable& csv) {
+  if (!has_any<AverageCell>(table, column)) return false;
+  const std::size_t spread = std::get<AverageCell>(table.rows.front()[column]).spread.size();
+  const std::vector<std::string> heads = spread == 0   ? std::vector<std::string>{""}
+                                         : spread == 1 ? std::vector<std::string>{" mean", " sd"}
+                                                       : std::vector<std::string>{" median", " q1", " q3"};
+  for (const std::string& head : heads) csv.header.push_back(table.columns[column] + head);
+  csv.header.push_back(table.columns[column] + " differs");
+  return true;
+}
+
+}  // namespace
+
 std::string to_csv(const Table& table) {
   CsvTable csv;
   std::vector<bool> is_two;  // by column: it takes two in the file
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (add_heads_of_averages(table, c, csv)) {
+      is_two.push_back(false);
+      continue;
+    }
     const bool has_ranges = has_any<Range>(table, c);
     is_two.push_back(has_ranges || has_any<OursAndPrinted>(table, c));
     const std::string& name = table.columns[c];
@@ -137,6 +267,12 @@ std::string to_csv(const Table& table) {
   for (const auto& row : table.rows) {
     std::vector<std::string>& cells = csv.rows.emplace_back();
     for (std::size_t c = 0; c < row.size(); ++c) {
+      if (const auto* average = std::get_if<AverageCell>(&row[c])) {
+        cells.push_back(computable(*average));
+        for (const double each : average->spread) cells.push_back(computable(each));
+        cells.emplace_back(average->differs ? "yes" : "no");
+        continue;
+      }
       const Range* range = std::get_if<Range>(&row[c]);
       const OursAndPrinted* beside = std::get_if<OursAndPrinted>(&row[c]);
       cells.push_back(range ? text_of(range->low) : computable(row[c]));

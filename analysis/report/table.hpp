@@ -39,9 +39,25 @@ struct Graded {
   Nearness nearness = Nearness::unknown;
 };
 
+// An id: of a metric (its column), or another. Readers see its name: "position error [cm]" for position_error_cm.
+struct Id {
+  std::string id;
+};
+
+// An average in a table for an article, with three digits: "1.46 ± 1.05" with the standard deviation, "1.46 [0.9, 2.1]"
+// with quartiles, or alone. In CSV its column is several: "... mean" and "... sd", or "... median", "... q1" and
+// "... q3", and "... differs".
+struct AverageCell {
+  double value;
+  std::vector<double> spread = {};  // the standard deviation, both quartiles, or nothing
+  bool is_best = false;             // in bold
+  bool differs = false;             // has a star
+};
+
 // A double or p-value that is not finite shows as "not defined" (an empty field in CSV). std::monostate is an empty
 // cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded, Id,
+                          AverageCell>;
 
 struct Table {
   std::string name;     // stable; also the file's name: "results"
@@ -51,10 +67,17 @@ struct Table {
   std::vector<std::string> notes = {};       // remarks for the reader; not in the CSV
   std::string legend = {};                   // what the colours of a page mean, if not how our repetitions agree
   int number = 0;                            // number in its paper; 0: none
+  std::vector<std::string> times = {};       // columns of times [s], besides those of a metric of times
+  bool is_narrow = false;                    // its LaTeX fits a column of an article, in the size of footnotes
 };
 
 // "Table 3: errors"
 std::string numbered_caption(const Table& table);
+
+// The table as people read it. Columns and ids have names; times are in milliseconds if all of the table are below
+// 0.1 s. Times are the columns of Table::times and of metrics of times, and rows with the id of such a metric. Every
+// writer but CSV begins with it.
+Table for_people(Table table);
 
 // Columns that are empty in every row are left out of Markdown; the CSV has them all, with every digit.
 std::string to_markdown(const Table& table);
@@ -64,17 +87,22 @@ std::string to_csv(const Table& table);
 std::string readable(const Cell& cell);
 std::string computable(const Cell& cell);
 std::string readable_end(double of_range);
+std::string value_words(const AverageCell& average);   // "1.46"
+std::string spread_words(const AverageCell& average);  // "± 1.05", "[0.9, 2.1]"
 bool is_number(const Cell& cell);                      // true if it is shown as a number
 bool is_left(const Table& table, std::size_t column);  // true for a column of texts; numbers stand at the right
 // Indices of columns that are not empty in every row.
 std::vector<std::size_t> columns_in_use(const Table& table);
+
+// Leaves out the last columns of a narrow table until its LaTeX is as wide as a column of an article.
+Table fitted(Table table);
 
 // Heads and cells as in Markdown, without its escapes; the first row is the head.
 std::vector<std::vector<std::string>> readable_cells(const Table& table);
 
 // LaTeX that fits its page: the package adjustbox scales it to the line. A wide table is turned on its side, and a long
 // one is split over pages. The first line lists the packages it needs. Columns that are empty in every row are left
-// out. Heads are words: "mean_reached_ms" becomes "mean reached [ms]".
+// out. A narrow table keeps its size, and has the spread of an average below it.
 std::string to_latex(const Table& table);
 // Text whose words may break if they are longer than this, after punctuation if there is any.
 std::string breakable_latex(std::string_view text, std::size_t longest_word);

@@ -281,10 +281,16 @@ std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) 
   const std::string margin = margin_words(comparisons, plan);
   const std::string rest = fmt::format(words::comparisons, "count"_a = count, "s"_a = count == 1 ? "" : "s",
                                        "counts"_a = fmt::join(parts, ", "));
+  const bool is_of_two = comparisons.size() == 1 && comparisons.front().is_of_two;  // then nothing regresses
+  const auto said = [&](words::Template of_variants, words::Template of_two) {
+    return fmt::runtime(is_of_two ? of_two : of_variants);
+  };
+  const std::string label = comparisons.empty() ? "" : comparisons.front().label;
   if (any_metric(comparisons, is_regression))
-    return fmt::format(words::regression, "margin"_a = margin, "list"_a = regressions(comparisons), "rest"_a = rest);
+    return fmt::format(said(words::regression, words::worse), "label"_a = label, "margin"_a = margin,
+                       "list"_a = regressions(comparisons), "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
-  return fmt::format(words::no_regression, "margin"_a = margin,
+  return fmt::format(said(words::no_regression, words::not_worse), "label"_a = label, "margin"_a = margin,
                      "found"_a = any_metric(comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);
 }
 

@@ -45,7 +45,7 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
 inline constexpr Template exploratory =
-    "the study is judged by the quantity above. The {count} below are not corrected for one another.";
+    "the verdict is by the quantity above. Nothing corrects for the {count} below.";
 
 // Numbers that contradict the test, and what would change the answer.
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
@@ -128,6 +128,15 @@ inline constexpr Template pairs_with_best =
     "The table shows the pairs with {name}, the best; there are too many groups to show all pairs.";
 inline constexpr Template flawed = "Flawed: {why}";
 
+// The table for an article.
+inline constexpr Template article_means = "mean ± standard deviation";
+inline constexpr Template article_medians = "median [quartiles]";
+inline constexpr Template article_averages = "{averages} over {observations} (n = {n}).";
+inline constexpr Template article_tolerance = "An error below the tolerance counts as {least} cm.";
+inline constexpr Template article_marks =
+    "Bold: the best. Star: found to differ from {from}, at {level} for the column.";
+inline constexpr Template article_not_compared = "Not compared: {names}.";
+
 // The table of joint limits.
 inline constexpr Template limits =
     "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: they "
@@ -143,6 +152,8 @@ inline constexpr Template first_rows = "The first {shown} of {all} rows; all of 
 // `ikbench compare`.
 inline constexpr Template regression = "Regression beyond {margin}: {list}. {rest}";
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
+inline constexpr Template worse = "{label}: worse beyond {margin} in {list}. {rest}";
+inline constexpr Template not_worse = "{label}: not worse beyond {margin}{found}. {rest}";
 inline constexpr Template margins = "{margin} (shares: {of_shares})";
 inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";
@@ -182,27 +193,27 @@ inline constexpr Template wilson = "Interval: Wilson's.";
 inline constexpr Template percentiles =
     "p95 and p99: 95 % and 99 % of the solves took no longer. A solve without an answer counts as the longest.";
 inline constexpr Template deadline =
-    "over_deadline: share of solves that took longer than {deadline} ms. solved_in_time: share with status ok "
+    "over deadline: share of solves that took longer than {deadline} ms. solved in time: share with status ok "
     "that did not.";
 inline constexpr Template statuses =
-    "A solve has the first status that applies: not_finite, claimed_but_wrong, refused, limit_violated, "
-    "tolerance_missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if "
+    "A solve has the first status that applies: not finite, claimed but wrong, refused, limit violated, "
+    "tolerance missed, ok. So ok means finite, as claimed, inside the joint limits and within the tolerance, if "
     "the study has one. A solve without a usable answer leaves the arm where it was and counts with the error that it has "
-    "there. observations: what the tests of the position error use, of complete runs or targets. outside_limits counts all "
-    "answers with a joint outside its limits, whatever their status; worst_outside_deg is the largest such violation.";
+    "there. observations: what the tests of the position error use, of complete runs or targets. outside limits counts all "
+    "answers with a joint outside its limits, whatever their status; worst outside is the largest such violation.";
 
 // Costs, and shares within a part of the budget.
 inline constexpr Template no_intervals = "There are no intervals: {why}.";
 inline constexpr Template cluster_intervals =
     "Intervals: {level}, from {samples} bootstrap samples of the {clusters} with all their solves, the same for "
     "all solvers. {meaning} An interval without width means that all {clusters} agree, not that it is certain.";
-inline constexpr Template cost_caption = "Cost [{cost}] of an answer {within}";
+inline constexpr Template cost_caption = "Cost of an answer {within}: {cost}";
 inline constexpr Template running_time =
     "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved "
     "ones; inf where there are none.";
 inline constexpr Template infinite_end = "An end of inf: in some samples nothing is solved.";
 inline constexpr Template not_defined_for = "Not defined for {reason}.";
-inline constexpr Template cost_pairs_caption = "Which of two solvers spends fewer {cost} on an answer {within}";
+inline constexpr Template cost_pairs_caption = "Which of two solvers spends less on an answer {within}: {cost}";
 inline constexpr Template cost_ratios =
     "Ratios are first / second: below 1 the first spends less. The interval decides. In a sample that solves "
     "nothing the running time is infinite: such a pair has no interval, and the shares solved decide, each "
@@ -291,6 +302,8 @@ inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
 inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
+inline constexpr Template audit_answer =
+    "The paper's own numbers have {contradictions} and {misprints} (audit of {checks} items).";
 inline constexpr Template audit =
     "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
     "from statements that results/published marks as not printed. consistent: the numbers agree to the last "

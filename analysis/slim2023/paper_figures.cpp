@@ -40,7 +40,7 @@ Figure curves_beside_printed(const StudyResults& study, const PaperMetric& paper
     ratios.push_back(
         fmt::format("{} {}", row.algorithm, rounded_number(row.printed.mean / reference->printed.mean, 3)));
   }
-  figure.caption += fmt::format(" Printed mean times by {}'s: {}.", own_solver, fmt::join(ratios, ", "));
+  figure.caption += fmt::format(" Printed mean times, in multiples of {}'s: {}.", own_solver, fmt::join(ratios, ", "));
   return figure;
 }
 

@@ -101,6 +101,10 @@ std::vector<Agreement> agreements(const StudyResults& study, std::span<const Rep
   return result;
 }
 
+double expected_to_agree(const std::vector<Agreement>& agreements) {
+  return predictive_level * static_cast<double>(agreements.size());
+}
+
 std::string agreement_sentence(const std::vector<Agreement>& agreements) {
   if (agreements.empty()) return "";
   std::string means;
@@ -110,8 +114,10 @@ std::string agreement_sentence(const std::vector<Agreement>& agreements) {
         fmt::format("{}{} {} ({})", means.empty() ? "" : "; ", each.solver, info_of(each.metric).slug, words_of(each));
   }
   return fmt::format(
-      "{} of {} printed errors and variations lie where 95 % of our repetitions do. Means that do not: {}.",
-      std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size(), means.empty() ? "none" : means);
+      "{} of {} printed errors and variations lie where 95 % of our repetitions do; {:.0f} would if everything were the "
+      "same. Means that do not: {}.",
+      std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size(), expected_to_agree(agreements),
+      means.empty() ? "none" : means);
 }
 
 Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
@@ -124,8 +130,8 @@ Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetit
   const std::vector<Agreement> agreed = agreements(study, repetitions);
   for (std::vector<Cell>& cells : table.rows) {
     const std::string solver = std::get<std::string>(cells[0]);
-    const Metric metric = *std::ranges::find(metrics, std::get<std::string>(cells[1]),
-                                             [](Metric each) { return std::string(name_of(each)); });
+    const Metric metric =
+        *std::ranges::find(metrics, std::get<Id>(cells[1]).id, [](Metric each) { return std::string(name_of(each)); });
     const std::optional<PrintedRow> printed = printed_row(study, solver, metric);
     for (std::size_t s = 0; printed && s < printed_statistics.size(); ++s) {
       OursAndPrinted cell{.ours = std::get<double>(cells[2 + s]), .printed = printed->digits[s]};
@@ -167,7 +173,7 @@ std::optional<Table> table_7(const StudyResults& study) {
               .columns = {"configuration", "solves", "never_reached", "share_in_time"},
               .notes = {fmt::format(
                   "One observation is one solve. {} They include solves that do not reach the tolerance, because "
-                  "an arm waits for them too; share_in_time counts solves that reach it in less than {} ms.",
+                  "an arm waits for them too; share in time counts solves that reach it in less than {} ms.",
                   median_speed_words, real_time_ms)},
               .number = 7};
   for (const auto& [name, field] : printed_statistics) table.columns.push_back(fmt::format("{}_ms", name));

@@ -112,8 +112,9 @@ class Checker {
       return false;
     }
     line("it says a proper hello", true,
-         fmt::format("{} {}, mode {}, {} options, after {:.2f} s", program_->hello.name, program_->hello.version,
+         fmt::format("{} {}, mode {}, {} option{}, after {:.2f} s", program_->hello.name, program_->hello.version,
                      name_of(program_->mode), program_->hello.options.size(),
+                     program_->hello.options.size() == 1 ? "" : "s",
                      std::chrono::duration<double>(Clock::now() - began).count()));
     return true;
   }

@@ -192,6 +192,17 @@
     for (const details of unfolded) details.open = false;
   });
 
+  // A printed page has what is open, so all of it can be opened at once.
+  const open = document.getElementById('open');
+  if (open && all('main details').length > 0) {
+    open.hidden = false;
+    open.addEventListener('click', () => {
+      const closes = open.textContent === 'Close everything';
+      for (const details of all('main details')) details.open = !closes;
+      open.textContent = closes ? 'Open everything' : 'Close everything';
+    });
+  }
+
   // On a narrow screen the contents would push the verdict off it.
   if (!matchMedia('(min-width: 75rem)').matches) document.getElementById('contents').open = false;
 

@@ -61,7 +61,7 @@ TEST_CASE("what a tolerance costs is what all solves spend by those that are ok"
   CHECK(number_at(table, 0, "solves") == 8);
   CHECK(number_at(table, 0, "solved") == 5);
   CHECK(number_at(table, 0, "ert") == Approx(864));
-  CHECK(table.caption == "Cost [evaluations] of an answer within 0.1 cm and inside the joint limits");
+  CHECK(table.caption == "Cost of an answer within 0.1 cm and inside the joint limits: evaluations");
   StudyResults study = eight_solves(independent);
   study.solves.to_change().front().status = Status::limit_violated;
   CHECK(number_at(evaluations_table(study), 0, "solved") == 4);

@@ -1,6 +1,8 @@
 #include "analysis/report/table.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/catch.hpp"
 
@@ -23,7 +25,7 @@ Table small_table() {
 TEST_CASE("Markdown has five digits, words for what is not defined, and no empty column", "[table]") {
   CHECK(to_markdown(small_table()) ==
         "**A &lt;small&gt; table**\n\n"
-        "| solver | error_cm | p | n |\n"
+        "| solver | error \\[cm\\] | p | n |\n"
         "| :--- | ---: | ---: | ---: |\n"
         "| a&#124;b | 0.00019123 | &lt; 1e-300 | 20 |\n"
         "| \\[c\\] &amp; d | not defined | not defined | -3 |\n"
@@ -97,4 +99,72 @@ TEST_CASE("LaTeX writes powers of ten as such", "[table]") {
   const Table table{.name = "t", .caption = "t", .columns = {"x"}, .rows = {{7.2225e-24}, {1.0877e8}}};
   CHECK(to_latex(table).find("$7.2225 \\times 10^{-24}$") != std::string::npos);
   CHECK(to_latex(table).find("$1.0877 \\times 10^{8}$") != std::string::npos);
+}
+
+TEST_CASE("people read names of quantities, programs read ids", "[table]") {
+  const Table table{.name = "t",
+                    .caption = "t",
+                    .columns = {"metric", "variation_deg", "holds_percent", "not_solved"},
+                    .rows = {{Id{"position_error_cm"}, 1.5, 20.0, std::int64_t{0}}}};
+  CHECK(readable_cells(table) ==
+        std::vector<std::vector<std::string>>{{"metric", "angles variation [deg]", "holds [%]", "not solved"},
+                                              {"position error [cm]", "1.5", "20", "0"}});
+  CHECK(to_csv(table) == "metric,variation_deg,holds_percent,not_solved\nposition_error_cm,1.5,20,0\n");
+  CHECK(to_latex(table).find('_') == std::string::npos);
+}
+
+TEST_CASE("short times are in milliseconds, but for CSV, in one unit for a table", "[table]") {
+  Table table{.name = "t",
+              .caption = "t",
+              .columns = {"metric", "mean", "seconds", "ert"},
+              .rows = {{Id{"seconds"}, 0.002, 0.001, Range{0.001, 0.01}}, {Id{"evaluations"}, 7.0, 0.05, Cell()}},
+              .times = {"ert"}};
+  CHECK(readable_cells(table) ==
+        std::vector<std::vector<std::string>>{{"metric", "mean", "computing time [ms]", "ert [ms]"},
+                                              {"computing time [ms]", "2", "1", "1 to 10"},
+                                              {"evaluations", "7", "50", ""}});
+  CHECK(to_csv(table) ==
+        "metric,mean,seconds,ert low,ert high\nseconds,0.002,0.001,0.001,0.01\nevaluations,7,0.05,,\n");
+  table.rows[1][2] = 0.1;
+  CHECK(readable_cells(table)[1] == std::vector<std::string>{"computing time [s]", "0.002", "0.001", "0.001 to 0.01"});
+  table.rows[1][2] = OursAndPrinted{0.001, "0.02"};  // its digits stay
+  CHECK(readable_cells(table)[0][2] == "computing time [s]");
+}
+
+namespace {
+
+Table table_for_an_article(std::size_t quantities) {
+  Table table{.name = "paper", .caption = "c", .columns = {"solver"}, .rows = {{"A"}, {"B & C"}}, .is_narrow = true};
+  for (std::size_t i = 0; i < quantities; ++i) {
+    table.columns.emplace_back("position_error_cm");
+    table.rows[0].emplace_back(AverageCell{.value = 0.00168, .spread = {0.000175}, .is_best = true});
+    table.rows[1].emplace_back(AverageCell{.value = 268.4, .spread = {30.14}, .differs = true});
+  }
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("an average has three digits, its spread, bold where it is the best, and a star", "[table]") {
+  const Table table = table_for_an_article(1);
+  CHECK(to_markdown(table).find("| A | **0.00168** ± 0.000175 |\n| B &amp; C | 268 ± 30.1 \\* |\n") !=
+        std::string::npos);
+  CHECK(to_csv(table) ==
+        "solver,position_error_cm mean,position_error_cm sd,position_error_cm differs\n"
+        "A,0.00168,0.000175,no\nB & C,268.4,30.14,yes\n");
+  CHECK(readable(AverageCell{.value = 0.2, .spread = {2e-7, 10050}}) == "0.200 [2.00e-07, 10050]");
+  CHECK(readable(AverageCell{.value = NAN}) == "-");
+  const std::string latex = to_latex(table);
+  CHECK(latex.find("% Needs \\usepackage{booktabs,array}\n") == 0);
+  CHECK(latex.find("A & \\textbf{\\boldmath 0.00168} \\\\*\n & \\scriptsize$\\pm$ 0.000175 \\\\[2pt]\n") !=
+        std::string::npos);
+  CHECK(latex.find("B \\& C & 268\\rlap{$^{*}$} \\\\*\n") != std::string::npos);
+}
+
+TEST_CASE("a table for an article leaves out the last quantities that do not fit", "[table]") {
+  CHECK(fitted(table_for_an_article(2)).columns.size() == 3);
+  const Table many = fitted(table_for_an_article(20));
+  CHECK(many.columns.size() > 3);
+  CHECK(many.columns.size() < 8);
+  CHECK(many.rows[1].size() == many.columns.size());
 }

@@ -174,7 +174,7 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   bad.status = Status::not_finite;
   const StudyResults study = paper_study(solves);
   const Table table_3_here = table_3(study);
-  CHECK(to_markdown(table_3_here).find("| BA | position_error_cm | not defined (printed 1.6849) |") !=
+  CHECK(to_markdown(table_3_here).find("| BA | position error \\[cm\\] | not defined (printed 1.6849) |") !=
         std::string::npos);
   CHECK(contains(table_3_here.notes, "not_finite 1"));
   const StudyAnova without_ba = anova(study, Metric::position_error_cm);

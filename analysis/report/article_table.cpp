@@ -1,0 +1,151 @@
+#include "analysis/report/article_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/estimand.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace inference;
+using namespace statistics;
+using namespace fmt::literals;
+
+namespace {
+
+struct ArticleColumn {
+  Metric metric;
+  Estimand estimand;
+  const Evidence* evidence;
+
+  bool is_share() const { return estimand == Estimand::reliability; }
+  bool is_compared() const { return !evidence->contrasts.empty() && evidence->flaws.empty(); }
+};
+
+// The quantities that the study is judged by, the most important first. An error has the plan's first average.
+std::vector<ArticleColumn> article_columns(const JudgedStudy& study) {
+  std::vector<Metric> metrics{Metric::position_error_cm, Metric::orientation_error_deg, Metric::seconds,
+                              Metric::evaluations};
+  const std::vector<Metric> judged = shown_metrics(study).judged;
+  std::erase_if(metrics, [&](Metric metric) { return std::ranges::count(judged, metric) == 0; });
+  std::ranges::copy_if(judged, std::back_inserter(metrics),
+                       [&](Metric metric) { return std::ranges::count(metrics, metric) == 0; });
+  std::vector<ArticleColumn> columns;
+  for (const Metric metric : metrics) {
+    const std::vector<Estimand> estimands = estimands_of(study, metric);
+    const bool has_share =
+        metric == Metric::position_error_cm && std::ranges::count(estimands, Estimand::reliability) > 0;
+    if (has_share) columns.push_back({metric, Estimand::reliability, &study.evidence(metric, Estimand::reliability)});
+    const auto average = std::ranges::find_if(estimands, [](Estimand of) { return of != Estimand::reliability; });
+    const Estimand estimand = average == estimands.end() ? average_estimand(metric) : *average;
+    columns.push_back({metric, estimand, &study.evidence(metric, estimand)});
+  }
+  return columns;
+}
+
+std::string head_of_article(const StudyResults& study, const ArticleColumn& column) {
+  if (!column.is_share()) return std::string(name_of(column.metric));
+  return std::isfinite(tolerance_cm(study)) ? "solved [%]" : within_words(study, column.metric) + " [%]";
+}
+
+AverageCell average_of(const GroupEvidence& group, const ArticleColumn& column) {
+  constexpr double whole = 100;
+  if (column.is_share()) return {.value = whole * group.described.mean};
+  if (column.estimand == Estimand::typical) return {.value = group.median.value, .spread = {group.q1, group.q3}};
+  return {.value = group.described.mean, .spread = {group.described.std}};
+}
+
+// Marks the best of a column, and what was found to differ from it or from the control.
+void mark(std::vector<AverageCell>& averages, const Evidence& evidence) {
+  const double sign = evidence.better == Better::smaller ? 1 : -1;
+  const auto score = [&](const AverageCell& of) { return std::isfinite(of.value) ? sign * of.value : HUGE_VAL; };
+  const auto best = std::ranges::min_element(averages, {}, score);
+  const auto control = std::ranges::find(evidence.groups, evidence.plan.control, &GroupEvidence::name);
+  const auto reference = static_cast<std::size_t>(control != evidence.groups.end() ? control - evidence.groups.begin()
+                                                                                   : best - averages.begin());
+  for (std::size_t i = 0; i < averages.size(); ++i) {
+    averages[i].is_best = std::isfinite(averages[i].value) && value_words(averages[i]) == value_words(*best);
+    const std::optional<Finding> finding = finding_of(evidence.contrasts, reference, i);
+    averages[i].differs = finding && is_decided(*finding);
+  }
+}
+
+void add_column(Table& table, const JudgedStudy& study, const ArticleColumn& column) {
+  const std::vector<GroupEvidence>& groups = column.evidence->groups;
+  std::vector<AverageCell> averages;
+  for (const GroupEvidence& group : groups) averages.push_back(average_of(group, column));
+  if (column.is_compared()) mark(averages, *column.evidence);
+  table.columns.push_back(head_of_article(study, column));
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto group = std::ranges::find(groups, study.solvers[row], &GroupEvidence::name);
+    table.rows[row].emplace_back(group == groups.end() ? average_of({}, column)  // a solver without observations
+                                                       : averages[static_cast<std::size_t>(group - groups.begin())]);
+  }
+}
+
+// Says what the numbers and the marks are.
+std::string article_caption(const JudgedStudy& study, std::span<const ArticleColumn> columns) {
+  const auto any = [&](const auto& is_so) { return std::ranges::any_of(columns, is_so); };
+  const auto is_of = [](Estimand estimand) {
+    return [estimand](const ArticleColumn& column) { return column.estimand == estimand; };
+  };
+  const Evidence& first = *columns.front().evidence;
+  int most = 0;
+  for (const GroupEvidence& group : first.groups) most = std::max(most, group.described.n);
+  std::vector<std::string> averages;
+  if (any(is_of(Estimand::mean))) averages.emplace_back(words::article_means);
+  if (any(is_of(Estimand::typical))) averages.emplace_back(words::article_medians);
+  const std::string_view observations = first.blocks > 0                 ? std::string_view(first.block_noun)
+                                        : study.plan.unit == Unit::point ? "points"
+                                                                         : "runs";
+  std::vector<std::string> sentences{
+      capitalised(fmt::format(words::article_averages, "averages"_a = fmt::join(averages, " or "),
+                              "observations"_a = observations, "n"_a = most))};
+  const auto is_error = [](const ArticleColumn& column) {
+    return column.metric == Metric::position_error_cm && !column.is_share();
+  };
+  if (const double least = tolerance_of(study, Metric::position_error_cm); any(is_error) && std::isfinite(least))
+    sentences.push_back(fmt::format(words::article_tolerance, "least"_a = rounded_number(least, 4)));
+  const auto penalised =
+      std::ranges::find_if(columns, [&](const ArticleColumn& column) { return is_penalised(study, column.metric); });
+  if (penalised != columns.end()) sentences.push_back(capitalised(penalty_words(study, penalised->metric)) + '.');
+  std::vector<std::string> not_compared;
+  for (const ArticleColumn& column : columns) {
+    if (!column.is_compared()) not_compared.emplace_back(info_of(column.metric).name);
+  }
+  if (study.solvers.size() < 2) return fmt::format("{}", fmt::join(sentences, " "));
+  if (not_compared.size() < columns.size()) {
+    const std::string& control = first.plan.control;
+    sentences.push_back(fmt::format(words::article_marks, "from"_a = control.empty() ? "the best" : control,
+                                    "level"_a = rounded_number(first.plan.significance, 3)));
+  }
+  if (!not_compared.empty())
+    sentences.push_back(fmt::format(words::article_not_compared, "names"_a = listed(not_compared)));
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+}  // namespace
+
+Table article_table(const JudgedStudy& study) {
+  Table table{.name = "paper", .caption = "", .columns = {"solver"}, .is_narrow = true};
+  for (const std::string& solver : study.solvers) table.rows.push_back({solver});
+  const std::vector<ArticleColumn> columns = article_columns(study);
+  for (const ArticleColumn& column : columns) add_column(table, study, column);
+  table = fitted(std::move(table));
+  table.caption = article_caption(study, std::span(columns).first(table.columns.size() - 1));
+  return table;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,13 @@
+// The table of a study for an article: a row for each solver, a column for each quantity that matters most.
+#pragma once
+
+#include "analysis/inference/judged_study.hpp"
+#include "analysis/report/table.hpp"
+
+namespace ikbench::report {
+
+// Named "paper". Its numbers are those that the study is judged by, and its stars are findings. It has so many
+// quantities as fit a column of an article: first the share of solves that succeed, errors, time and evaluations.
+Table article_table(const inference::JudgedStudy& study);
+
+}  // namespace ikbench::report
