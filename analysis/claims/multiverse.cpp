@@ -132,8 +132,8 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
                          const UniverseSupport* support) {
   Table table{.name = "multiverse-alternatives",
               .caption =
-                  "The interpretations with each alternative: in which percentage a claim holds, and how many "
-                  "printed numbers they explain",
+                  "How often each claim holds with each alternative [% of its interpretations], and how many printed "
+                  "numbers these explain",
               .columns = {"alternative", "notes", "default"}};
   for (const ClaimCounts& counts : all) table.columns.push_back(counts.claim.id);
   if (support != nullptr) {

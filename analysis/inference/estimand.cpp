@@ -206,8 +206,12 @@ std::string penalty_words(const StudyResults& study, Metric metric) {
 }
 
 std::string within_words(const StudyResults& study, Metric metric) {
+  constexpr double ms_per_second = 1000, longest_in_ms = 0.1;
+  const double distance = distance_of(study, metric);
+  const bool is_in_ms = info_of(metric).kind == Kind::time && distance < longest_in_ms;
   const std::string words =
-      fmt::format("within {} {}", rounded_number(distance_of(study, metric), 4), info_of(metric).unit);
+      fmt::format("within {} {}", rounded_number(is_in_ms ? ms_per_second * distance : distance, 4),
+                  is_in_ms ? "ms" : info_of(metric).unit);
   const double most_deg = tolerance_deg(study);
   const bool is_half_a_pose = metric == Metric::position_error_cm && study.facts.pose;
   if (!has_tolerance(study)) return is_half_a_pose ? words + ", however turned" : words;

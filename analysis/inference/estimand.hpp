@@ -54,7 +54,7 @@ std::string penalty_words(const StudyResults& study, Metric metric);  // "failur
 Quantity quantity_of(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // "within 0.01 cm", of poses without a tolerance "within 0.01 cm, however turned"; with a tolerance "within 0.01 cm and
-// inside the joint limits", and of times "solved within 0.005 s".
+// inside the joint limits", and of times "solved within 5 ms".
 std::string within_words(const StudyResults& study, Metric metric);
 
 }  // namespace ikbench::inference

@@ -224,6 +224,10 @@ std::string piece_counts(const std::vector<Piece>& pieces) {
                      several(figures, "figure"));
 }
 
+std::string pieces_left_out(int figures) {
+  return figures == 1 ? std::string(words::figure_beside) : fmt::format(words::figures_beside, "count"_a = figures);
+}
+
 bool is_shown(const Section& section) { return !section.pieces.empty(); }
 
 Json section_json(const Section& section, const ReportContent& content, Pieces& pieces) {
@@ -334,7 +338,7 @@ std::string to_html(const ReportContent& content, const std::filesystem::path& f
     json["motion"] = {{"still", figure ? pieces.picture(*figure) : Json()}, {"moves", library.has_value()}};
   }
   json["sections"] = sections_json(content, pieces);
-  if (pieces.left_out() > 0) json["beside"] = fmt::to_string(pieces.left_out());
+  if (pieces.left_out() > 0) json["beside"] = pieces_left_out(pieces.left_out());
   json["has_shown"] = std::ranges::any_of(content.results, is_shown);
 
   kainjow::mustache::data page = page_data(json);

@@ -29,10 +29,11 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;  // clang++ 14 wants the guide spelled out
 
-// "mean_reached_ms" as "mean reached [ms]"; a metric's column has its name.
+// "mean_reached_ms" as "mean reached [ms]"; a metric's column has its name, but for a word, such as "solved".
 NameWithUnit named(std::string_view id) {
   for (const Metric metric : all_metrics()) {
-    if (name_of(metric) == id) return with_unit(metric);
+    const bool is_word = info_of(metric).unit.empty() && id.find('_') == std::string_view::npos;
+    if (name_of(metric) == id && !is_word) return with_unit(metric);
   }
   NameWithUnit words = split_unit(id);
   constexpr std::string_view percent = "_percent";
@@ -80,9 +81,8 @@ std::string_view with_short_times(const std::vector<double*>& seconds) {
 // "1.46", "0.200", "10050", "2.24e-06"
 std::string three_digits(double value) {
   if (!std::isfinite(value)) return "-";
-  if (value == 0 || std::abs(value) >= 1000) return rounded_number(value, 3);
-  const std::string text = fmt::format("{:#.3g}", value);
-  return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+  if (value == 0 || std::abs(value) >= 99.95) return rounded_number(value, 3);
+  return fmt::format("{:#.3g}", value);
 }
 
 std::string cell_markdown(const Cell& cell) {

@@ -44,8 +44,7 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
-inline constexpr Template exploratory =
-    "the verdict is by the quantity above. Nothing corrects for the {count} below.";
+inline constexpr Template exploratory = "the verdict is by the quantity above. Nothing corrects for the {count} below.";
 
 // Numbers that contradict the test, and what would change the answer.
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
@@ -134,7 +133,7 @@ inline constexpr Template article_medians = "median [quartiles]";
 inline constexpr Template article_averages = "{averages} over {observations} (n = {n}).";
 inline constexpr Template article_tolerance = "An error below the tolerance counts as {least} cm.";
 inline constexpr Template article_marks =
-    "Bold: the best. Star: found to differ from {from}, at {level} for the column.";
+    "Bold: the best. Star: found to differ from {from} (level {level} for all pairs of a column).";
 inline constexpr Template article_not_compared = "Not compared: {names}.";
 
 // The table of joint limits.
@@ -147,6 +146,9 @@ inline constexpr Template limits =
 inline constexpr Template legend = "Large: ours. Small: as printed.";
 inline constexpr Template legend_of_colours =
     " Green: the printed number is where 95 % of our repetitions are. Yellow: outside, but near. Red: far.";
+inline constexpr Template figure_beside = "One figure is not on this page, to keep it small: a link leads to it.";
+inline constexpr Template figures_beside =
+    "{count} figures are not on this page, to keep it small: a link leads to each.";
 inline constexpr Template first_rows = "The first {shown} of {all} rows; all of them are in the CSV.";
 
 // `ikbench compare`.

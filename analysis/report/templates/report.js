@@ -196,10 +196,11 @@
   const open = document.getElementById('open');
   if (open && all('main details').length > 0) {
     open.hidden = false;
-    open.addEventListener('click', () => {
-      const closes = open.textContent === 'Close everything';
+    const button = open.querySelector('button');
+    button.addEventListener('click', () => {
+      const closes = button.textContent === 'Close everything';
       for (const details of all('main details')) details.open = !closes;
-      open.textContent = closes ? 'Open everything' : 'Close everything';
+      button.textContent = closes ? 'Open everything' : 'Close everything';
     });
   }
 
