@@ -147,14 +147,15 @@ Table audit_table(const std::vector<AuditItem>& items) {
 
 std::string audit_answer(const std::vector<AuditItem>& items) {
   if (items.empty()) return "";
-  const auto several = [&](std::string_view verdict) {
-    const auto count =
-        std::ranges::count_if(items, [verdict](const AuditItem& item) { return words_of(item) == verdict; });
-    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), verdict,
-                       count == 1 || count == 0 ? "" : "s");
+  const auto several = [](std::ptrdiff_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), what, count > 1 ? "s" : "");
   };
-  return fmt::format(words::audit_answer, "contradictions"_a = several(audit_verdicts[4]),
-                     "misprints"_a = several(audit_verdicts[2]), "checks"_a = items.size());
+  const auto number_of = [&](std::string_view verdict) {
+    const auto is_it = [verdict](const AuditItem& item) { return words_of(item) == verdict; };
+    return several(std::ranges::count_if(items, is_it), verdict);
+  };
+  return fmt::format(words::audit_answer, "contradictions"_a = number_of("contradiction"),
+                     "misprints"_a = number_of("misprint"), "items"_a = several(std::ssize(items), "item"));
 }
 
 std::string audit_sentence(const std::vector<AuditItem>& items) {

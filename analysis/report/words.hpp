@@ -305,7 +305,7 @@ inline constexpr Template departs_judged = " Only claims that it has the solvers
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
 inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
 inline constexpr Template audit_answer =
-    "The paper's own numbers have {contradictions} and {misprints} (audit of {checks} items).";
+    "The paper's own numbers have {contradictions} and {misprints} (audit of {items}).";
 inline constexpr Template audit =
     "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
     "from statements that results/published marks as not printed. consistent: the numbers agree to the last "

@@ -14,12 +14,12 @@ has "$(<made/report.md)" "50 bats"
 # The larger ones, and the poses of the CSV file beside a study.
 cp "$examples"/experiments/studies/{ur5e-rectangle.toml,panda-random.toml,path.csv} .
 succeeds run ur5e-rectangle.toml --set runs=2 --set path.points=7 --set stop.iterations=5 --no-figures --out rectangle
-has "$(<rectangle/report.md)" "path_length_deg"
+has "$(<rectangle/report.md)" "joint path length"
 has "$(<rectangle/tables/further.csv)" "return_deg"
 [ -s rectangle/tables/times.csv ] || fail "there is no table of times"
 succeeds run panda-random.toml --set runs=3 --set path.points=2 --set stop.iterations=5 --no-figures --out random
 has "$(<random/tables/solved.csv)" "95 % interval low"
-has_no "$(<random/report.md)" "return_deg"
+has_no "$(<random/report.md)" "distance of the angles after a closed path"
 printf 'search = "all_joints"\n[path]\nkind = "csv"\nfile = "path.csv"\n[[solvers]]\nsolver = "bat"\n' >poses.toml
 succeeds run poses.toml --set runs=2 --set stop.iterations=5 --no-figures --out poses
 [ "$(solves poses/store.sqlite)" = 4 ] || fail "two runs of two poses are 4 solves"

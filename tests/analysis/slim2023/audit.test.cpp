@@ -29,6 +29,13 @@ bool has(const std::string& text, const std::string& words) { return text.find(w
 
 }  // namespace
 
+TEST_CASE("the first lines count what the printed numbers contradict", "[audit]") {
+  CHECK(audit_answer(audit()) == "The paper's own numbers have 4 contradictions and 11 misprints (audit of 48 items).");
+  const AuditItem misprint{.id = "1", .verdict = Verdict::fails, .is_misprint = true};
+  CHECK(audit_answer({misprint}) == "The paper's own numbers have no contradiction and 1 misprint (audit of 1 item).");
+  CHECK(audit_answer({}).empty());
+}
+
 TEST_CASE("Tables 4 to 6 follow from Table 3 but for rounding", "[audit][paper]") {
   // R 4.2.2 from the same means and standard deviations, n = 20.
   CHECK(has(item("3.1a").follows, "40.773"));
