@@ -57,6 +57,7 @@ void add_article(CLI::App& app, Invocation&) {
       "pdflatex (apt-get install texlive-latex-extra). The text has no author: it is yours to write.");
   command->callback([arguments] {
     const fs::path folder = folder_of(arguments->where);
+    WorkingLine working("Making the PDF ...");
     for (int pass = 1; pass <= 2; ++pass) {  // the second knows the numbers of tables
       const figures::ProcessResult result = figures::run_process(
           {"pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "article.tex"}, folder);
@@ -65,6 +66,7 @@ void add_article(CLI::App& app, Invocation&) {
                                            printable(one_line(error_in(result.output))),
                                            printable((folder / "article.log").string())));
     }
+    working.end();
     fmt::print("Article: {}\n", printable((folder / "article.pdf").string()));
   });
 }

@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include "analysis/collections.hpp"
 #include "analysis/report/report.hpp"
@@ -20,22 +24,23 @@ using namespace report;
 
 namespace {
 
-// One line per check, and the reasons below.
-std::string shown(const std::vector<AuditItem>& items) {
-  std::vector<std::vector<std::string>> rows{{"ID", "VERDICT", "WHERE", "PRINTED", "FOLLOWS"}};
-  for (const AuditItem& item : items) {
-    rows.push_back({item.id, std::string(words_of(item)), item.where, item.printed, item.follows});
+// How many checks have which verdict, then the checks, those that fail first, with --verbose each with its reason.
+void show(std::vector<AuditItem> items, const OutputArguments& output) {
+  const std::string first = audit_sentence(items);
+  std::ranges::stable_sort(items, std::greater(), [](const AuditItem& item) {
+    return item.verdict == Verdict::fails     ? 3
+           : item.verdict == Verdict::holds   ? 0
+           : item.verdict == Verdict::in_part ? 1
+                                              : 2;
+  });
+  constexpr std::array<std::string_view, 5> shown{"verdict", "id", "where", "printed", "follows"};
+  Tones tones{.column = 0};
+  for (const AuditItem& item : items) tones.of_rows.push_back(tone_of(item.verdict));
+  Part rows = table_rows(with_columns(audit_table(items), shown), output, 0, tones);
+  if (output.is_verbose) {
+    for (std::size_t i = 0; i < items.size(); ++i) rows.items[i + 1] += '\n' + wrapped("  " + items[i].why);
   }
-  const std::string lines = aligned(rows);
-  std::string text;
-  std::size_t row = 0, begin = 0;
-  for (std::size_t end = lines.find('\n'); end != std::string::npos; end = lines.find('\n', begin)) {
-    text += lines.substr(begin, end + 1 - begin);
-    if (row > 0) text += fmt::format("      {}\n", printable(items[row - 1].why));
-    begin = end + 1;
-    ++row;
-  }
-  return text;
+  show_screen({{.items = {wrapped(first)}}, std::move(rows), {}}, output, "");
 }
 
 }  // namespace
@@ -43,14 +48,17 @@ std::string shown(const std::vector<AuditItem>& items) {
 void add_audit(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string paper, out;
+    OutputArguments output;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("audit", "Check whether a paper's printed numbers agree with each other");
   add_paper_option(*command, arguments->paper, [](const Collection& of) { return of.paper && of.paper->audit; });
   command->add_option("--out", arguments->out, "folder for tables/audit.md, .csv and .tex; default: print only");
+  add_output_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench audit slim2023\n"
+      "  ikbench audit slim2023 --verbose         each check with its reason\n"
       "  ikbench audit slim2023 --out out/audit\n\n"
       "Verdicts:\n"
       "  consistent      the numbers agree to the last printed digit\n"
@@ -65,7 +73,8 @@ void add_audit(CLI::App& app, Invocation&) {
     if (!arguments->out.empty()) {
       write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");
     }
-    fmt::print("{}\n{}\n", shown(items), audit_sentence(items));
+    if (arguments->output.is_json) return show_json(rows_json(audit_table(items)));
+    show(items, arguments->output);
   });
 }
 

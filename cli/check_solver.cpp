@@ -8,11 +8,13 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/screen.hpp"
 #include "experiments/foreign/check.hpp"
 
 namespace ikbench::cli {
 
 using namespace experiments;
+using namespace report;
 
 namespace {
 
@@ -29,6 +31,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> words;
     double patience = 5;
+    OutputArguments output;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program or a shared object");
@@ -39,6 +42,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
@@ -46,15 +50,22 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "  ikbench check-solver ./libmine.so\n\n"
       "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
-    int checks = 0, failed = 0;
+    int failed = 0;
+    report::Json all = report::Json::array();
     check_program(choice_of(arguments->words, arguments->patience), [&](const CheckLine& line) {
-      ++checks;
       failed += line.passed ? 0 : 1;
-      fmt::print("{}  {}{}{}\n", line.passed ? "ok    " : "FAILED", line.what, line.seen.empty() ? "" : ": ",
-                 printable(line.seen));
+      all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
+      if (arguments->output.is_json) return;
+      constexpr std::size_t length_of_state = 8;
+      fmt::print("{}{}\n", line.passed ? coloured("ok      ", Tone::good) : coloured("FAILED  ", Tone::bad),
+                 wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
+                         text_width() - length_of_state));
       std::fflush(stdout);
     });
-    fmt::print("{} of {} checks failed\n", failed, checks);
+    if (arguments->output.is_json)
+      show_json(all);
+    else
+      fmt::print("{} of {} checks failed\n", failed, all.size());
     if (failed > 0) invocation.exit_code = 1;
   });
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -39,18 +40,30 @@ std::string metric_names() {
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-// The columns that fit on a terminal.
-Table narrow(const Table& table) {
-  constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A",
-                                                   "low",   "high",   "p",    "level",  "remark"};
-  Table result{.name = table.name, .caption = table.caption};
-  result.rows.resize(table.rows.size());
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (std::ranges::find(shown, table.columns[c]) == shown.end()) continue;
-    result.columns.push_back(table.columns[c]);
-    for (std::size_t r = 0; r < table.rows.size(); ++r) result.rows[r].push_back(table.rows[r][c]);
+// The verdict, what is compared, the rows with their tones, and the notes.
+std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArguments& output, bool counts_as_failure) {
+  constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is",   "B_by_A", "p",     "low",
+                                                   "high",  "mean_A", "mean_B", "level",  "remark"};
+  constexpr std::size_t of_rows = 14, of_notes = 6;
+  Tones tones{.column = 2};
+  for (const VariantComparison& comparison : compared.comparisons) {
+    for (const MetricComparison& metric : comparison.metrics)
+      tones.of_rows.push_back(tone_of(reversed(metric.finding().relation)));
   }
-  return result;
+  const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric); };
+  const Tone tone = any_metric(compared.comparisons, is_regression) ? Tone::bad
+                    : any_metric(compared.comparisons, is_unknown)  ? Tone::open
+                                                                    : Tone::good;
+  const std::string verdict = variants_verdict(compared.comparisons, compared.plan);
+  std::vector<std::string> notes = compared.notes;
+  std::ranges::copy(variants_notes(compared.comparisons), std::back_inserter(notes));
+  return {{.items = {coloured(wrapped(verdict + (counts_as_failure ? " With --strict this counts as a failure." : "")),
+                              tone),
+                     wrapped(compared.headline), ""}},
+          table_rows(with_columns(variants_table(compared.comparisons, compared.plan), shown), output, of_rows, tones),
+          {.items = {""}},
+          sentences(notes, of_notes),
+          {}};
 }
 
 std::string markdown(const ComparedLabels& compared, Table table) {
@@ -96,11 +109,12 @@ int exit_code(const ComparedLabels& compared, const CompareArguments& arguments)
 int tell(const ComparedLabels& compared, const CompareArguments& arguments) {
   const int code = exit_code(compared, arguments);
   if (!arguments.output.empty()) write_output(compared, arguments.output);
-  fmt::print("{}{}\n{}\n\n{}\n", printable(variants_verdict(compared.comparisons, compared.plan)),
-             code == undecided ? " With --strict this counts as a failure." : "", printable(compared.headline),
-             aligned(readable_cells(narrow(variants_table(compared.comparisons, compared.plan)))));
-  for (const std::string& note : compared.notes) fmt::print("{}\n", printable(note));
-  for (const std::string& note : variants_notes(compared.comparisons)) fmt::print("{}\n", printable(note));
+  if (arguments.output_as.is_json)
+    fmt::print("{}", variants_json(compared.comparisons, compared.plan));
+  else
+    show_screen(
+        screen_of(compared, arguments.output_as, code == undecided), arguments.output_as,
+        arguments.output.empty() ? ", and -o FILE writes it" : fmt::format(", and {} has it", arguments.output));
   return code;
 }
 
@@ -141,7 +155,7 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   const int earlier = std::min(stored_runs(store_in(folder), study.name), looks.most);
   for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
     const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
-    if (run_and_tell(study, folder, request) == Ended::stopped) return cancelled_exit_code();
+    if (run_and_tell(study, folder, request, arguments.output_as) == Ended::stopped) return cancelled_exit_code();
     const ComparedLabels compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
     if (compared.state != LookState::open) return tell(compared, arguments);
   }
@@ -238,6 +252,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
                     "--metric seconds");
   command->add_option("-o,--output", arguments->output, "also write the full table to this .md, .csv or .json file");
   add_sequential_options(*command, *arguments, {store, study});
+  add_output_options(*command, arguments->output_as);
   command->footer(
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite\n"

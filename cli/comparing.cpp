@@ -11,6 +11,7 @@
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/words.hpp"
+#include "cli/console.hpp"
 #include "numerics/names.hpp"
 #include "results/looks.hpp"
 
@@ -146,6 +147,7 @@ Request labels_of_stores(const CompareArguments& arguments) {
 }
 
 ComparedLabels judged(const Request& asked, const CompareArguments& arguments) {
+  const WorkingLine comparing("Comparing ...");
   ComparedLabels compared{
       .headline = fmt::format("{}; {}.", asked.headline, rules(asked.plan)), .plan = asked.plan, .notes = asked.notes};
   if (!arguments.sequential) {

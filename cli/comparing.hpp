@@ -27,6 +27,7 @@ struct CompareArguments {
   std::string run;  // the study to solve look by look
   experiments::Overrides overrides;
   RunArguments solving;
+  OutputArguments output_as;
 };
 
 // The studies to compare, with A's plan as the options change it.

@@ -1,13 +1,18 @@
 #include "cli/console.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "analysis/inference/text.hpp"
@@ -66,7 +71,72 @@ void write_error(const std::string& text) {
   std::fflush(stderr);
 }
 
-// Rate and time left; empty before the first solve.
+constexpr std::size_t most_columns = 100, fewest_columns = 40;
+
+// The columns of a stream; those of standard error break its lines too.
+std::size_t columns_of(int stream) {
+  winsize size{};
+  if (isatty(stream) == 0 || ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return most_columns;
+  return std::clamp<std::size_t>(size.ws_col, fewest_columns, most_columns);
+}
+
+bool has_colours(int stream) {
+  const auto value = [](const char* name) {
+    const char* const text = std::getenv(name);  // NOLINT: no thread sets a variable
+    return std::string_view(text == nullptr ? "" : text);
+  };
+  return isatty(stream) != 0 && value("NO_COLOR").empty() && !value("TERM").empty() && value("TERM") != "dumb";
+}
+
+std::string coloured_for(int stream, std::string text, Tone tone) {
+  constexpr std::string_view codes[]{"", "32", "33", "31"};
+  const std::string_view code = codes[static_cast<std::size_t>(tone)];
+  return code.empty() || text.empty() || !has_colours(stream) ? std::move(text)
+                                                              : fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+// The words of a text in lines of at most that width; longer words stay whole.
+std::vector<std::string> lines_of(std::string_view text, std::size_t first, std::size_t others) {
+  std::vector<std::string> lines{""};
+  std::size_t used = 0;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
+    if (at > 0 && used + 1 + length > width && used > 0) {
+      lines.emplace_back(word);
+      used = length;
+    } else {
+      if (at > 0) lines.back() += ' ';
+      lines.back() += word;
+      used += length + (at > 0 ? 1 : 0);
+    }
+    at = end + 1;
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
+}
+
+// Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
+void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t width) {
+  std::vector<std::size_t> least(widths.size(), 1);
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      for (const std::string& word : lines_of(row[c], 1, 1)) least[c] = std::max(least[c], character_count(word));
+    }
+  }
+  const std::size_t gaps = 2 * (widths.size() - std::min<std::size_t>(widths.size(), 1));
+  for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
+    std::size_t widest = widths.size();
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      if (widths[c] > least[c] && (widest == widths.size() || widths[c] > widths[widest])) widest = c;
+    }
+    if (widest == widths.size()) return;
+    --widths[widest];
+  }
+}
+
+// Rate and time left; empty before anything is done.
 std::string pace(const Progress& progress, double elapsed) {
   const std::int64_t solved = progress.done - progress.reused;
   if (solved <= 0 || elapsed <= 0) return "";
@@ -93,7 +163,35 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) { write_error(printable(text) + '\n'); }
+void say(std::string_view text) {
+  write_error((isatty(STDERR_FILENO) != 0 ? wrapped(text, columns_of(STDERR_FILENO)) : printable(text)) + '\n');
+}
+
+void warn(std::string_view text) {
+  constexpr std::string_view word = "warning:";
+  const std::string line = fmt::format("{} {}", word, text);
+  const std::string shown = isatty(STDERR_FILENO) != 0 ? wrapped(line, columns_of(STDERR_FILENO)) : printable(line);
+  write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
+}
+
+std::size_t text_width() { return columns_of(STDOUT_FILENO); }
+
+std::string wrapped(std::string_view text, std::size_t width) {
+  constexpr std::size_t indent = 2;
+  const std::string shown = printable(text);
+  std::string result;
+  for (std::size_t at = 0; at <= shown.size();) {
+    const std::size_t end = std::min(shown.find('\n', at), shown.size());
+    const std::vector<std::string> lines =
+        lines_of(std::string_view(shown).substr(at, end - at), width, width - indent);
+    if (at > 0) result += '\n';
+    result += fmt::format("{}", fmt::join(lines, '\n' + std::string(indent, ' ')));
+    at = end + 1;
+  }
+  return result;
+}
+
+std::string coloured(std::string text, Tone tone) { return coloured_for(STDOUT_FILENO, std::move(text), tone); }
 
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments) {
   constexpr std::string_view harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,:/+@%";
@@ -111,21 +209,47 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
   return text;
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+std::vector<std::string> aligned_rows(const Rows& rows, std::size_t width, const Tones& tones) {
+  Rows shown = rows;
   std::vector<std::size_t> widths;
-  for (const auto& row : rows) {
+  for (auto& row : shown) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
-  }
-  std::string text;
-  for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      text += row[c];
-      if (c + 1 < row.size()) text += std::string(widths[c] - character_count(row[c]) + 2, ' ');
+      row[c] = one_line(printable(row[c]));
+      widths[c] = std::max(widths[c], character_count(row[c]));
     }
-    text += '\n';
   }
-  return printable(text);
+  narrow(widths, shown, width);
+  std::vector<std::string> result;
+  for (std::size_t r = 0; r < shown.size(); ++r) {
+    const auto& row = shown[r];
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      lines = std::max(lines, cells.emplace_back(lines_of(row[c], widths[c], widths[c])).size());
+    }
+    std::string text;
+    for (std::size_t line = 0; line < lines; ++line) {
+      std::size_t missing = 0;  // blanks before the next cell
+      if (line > 0) text += '\n';
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const std::string cell = line < cells[c].size() ? cells[c][line] : "";
+        const bool has_tone = c == tones.column && r < tones.of_rows.size();
+        if (!cell.empty()) {
+          text += std::string(missing, ' ') + (has_tone ? coloured(cell, tones.of_rows[r]) : cell);
+          missing = 0;
+        }
+        missing += widths[c] - std::min(widths[c], character_count(cell)) + 2;
+      }
+    }
+    result.push_back(std::move(text));
+  }
+  return result;
+}
+
+std::string aligned(const Rows& rows, std::size_t width) {
+  const std::vector<std::string> lines = aligned_rows(rows, width);
+  return lines.empty() ? "" : fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 
 SignalWatch::SignalWatch() {
@@ -163,14 +287,14 @@ EndOnSignal::EndOnSignal(std::string_view words) { set_last_words(printable(word
 
 EndOnSignal::~EndOnSignal() { set_last_words(std::string(usual_words)); }
 
-ProgressText::ProgressText(std::string title, Medium medium, Clock::time_point started)
-    : title_(printable(title)), medium_(medium), started_(started), next_(started) {
+ProgressText::ProgressText(std::string title, Medium medium, Clock::time_point started, std::string noun)
+    : title_(printable(title)), noun_(std::move(noun)), medium_(medium), started_(started), next_(started) {
   if (medium_ == Medium::log) next_ += std::chrono::seconds(30);
 }
 
 std::string ProgressText::at(Clock::time_point now, const Progress& progress) {
   if (now < next_) return "";
-  const std::string state = fmt::format("{}/{} solves{}", progress.done, progress.total,
+  const std::string state = fmt::format("{}/{} {}{}", progress.done, progress.total, noun_,
                                         pace(progress, std::chrono::duration<double>(now - started_).count()));
   if (medium_ == Medium::log) {
     next_ = now + std::chrono::seconds(30);
@@ -182,10 +306,10 @@ std::string ProgressText::at(Clock::time_point now, const Progress& progress) {
   return fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}", title_, "", full, "", cells - full, state);
 }
 
-ProgressBar::ProgressBar(std::string title)
+ProgressBar::ProgressBar(std::string title, std::string noun)
     : on_terminal_(isatty(STDERR_FILENO) != 0),
       text_(std::move(title), on_terminal_ ? ProgressText::Medium::terminal : ProgressText::Medium::log,
-            ProgressText::Clock::now()) {}
+            ProgressText::Clock::now(), std::move(noun)) {}
 
 ProgressBar::~ProgressBar() {
   if (on_terminal_) write_error("\r\x1b[K");

@@ -1,8 +1,9 @@
-// The terminal: progress with time left, Ctrl-C, and harmless output of any text.
+// The terminal: its width and colours, progress with time left, Ctrl-C, and harmless output of any text.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,14 +18,36 @@ namespace ikbench::cli {
 // terminal or reverses its writing; newlines stay.
 std::string printable(std::string_view text);
 
-// Prints a printable line on standard error, after all earlier standard output; a failure to print is ignored.
+// Prints a printable line on standard error, after all earlier standard output; a failure to print is ignored. On a
+// terminal, lines break between words.
 void say(std::string_view text);
+void warn(std::string_view text);  // says "warning: " and the text
+
+// Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
+std::size_t text_width();
+// Printable text whose lines break between words; further lines are indented. Longer words stay whole.
+std::string wrapped(std::string_view text, std::size_t width = text_width());
+
+// How a verdict is meant: a colour on a terminal, unless NO_COLOR is set or TERM is dumb. No colour has a meaning that
+// the words do not have.
+enum class Tone { plain, good, open, bad };
+std::string coloured(std::string text, Tone tone);
 
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
 
-// Pads columns to their widest cell; the first row is the head.
-std::string aligned(const std::vector<std::vector<std::string>>& rows);
+using Rows = std::vector<std::vector<std::string>>;
+// The tones of a column, by row.
+struct Tones {
+  std::size_t column = 0;
+  std::vector<Tone> of_rows = {};
+};
+
+// Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
+// widest columns are wrapped.
+std::string aligned(const Rows& rows, std::size_t width = text_width());
+// The same row by row, without the last newline.
+std::vector<std::string> aligned_rows(const Rows& rows, std::size_t width = text_width(), const Tones& tones = {});
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;
@@ -71,12 +94,12 @@ class ProgressText {
   using Clock = std::chrono::steady_clock;
   enum class Medium { terminal, log };
 
-  ProgressText(std::string title, Medium medium, Clock::time_point started);
+  ProgressText(std::string title, Medium medium, Clock::time_point started, std::string noun = "solves");
   std::string at(Clock::time_point now,
                  const experiments::Progress& progress);  // empty if it is too soon after the last text
 
  private:
-  std::string title_;
+  std::string title_, noun_;
   Medium medium_;
   Clock::time_point started_;
   Clock::time_point next_;
@@ -85,7 +108,7 @@ class ProgressText {
 // Shows the progress on standard error, with rate and time left; on a terminal it is wiped at the end.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string title);
+  explicit ProgressBar(std::string title, std::string noun = "solves");
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -95,13 +97,22 @@ void add_export(CLI::App& app, Invocation&) {
     if (format.write_folder && arguments->file == "-")
       throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));
     store.at_one_moment([&] {
-      for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
+      for (const std::string& damage : damages_of(store, study.name)) warn(damage);
       const std::vector<Session> sessions = store.sessions();
+      const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
+      const std::int64_t all = store.solves_of(study.series);
       const Exported exported{.study = study, .sessions = sessions, .each_solve = [&](const auto& take) {
-                                store.each_of_study(study, take);
+                                std::optional<ProgressBar> bar;
+                                if (has_bar) bar.emplace("writing " + study.name);
+                                Progress progress{.total = all};
+                                store.each_of_study(study, [&](const SolveRecord& solve) {
+                                  take(solve);
+                                  ++progress.done;
+                                  if (bar) bar->show(progress);
+                                });
                               }};
       if (format.write_folder) {
-        for (const std::string& warning : format.write_folder(exported, arguments->file)) say("warning: " + warning);
+        for (const std::string& warning : format.write_folder(exported, arguments->file)) warn(warning);
       } else if (arguments->file == "-") {
         // main checks that it could be written
         format.write_text(exported, [](std::string_view part) { std::fwrite(part.data(), 1, part.size(), stdout); });

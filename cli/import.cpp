@@ -20,6 +20,7 @@ namespace ikbench::cli {
 
 using namespace results;
 using namespace experiments;
+using namespace report;
 
 namespace {
 
@@ -34,6 +35,15 @@ std::string words_on(const ImportedSolver& solver) {
                          solver.largest_mistake_cm);
   }
   return words;
+}
+
+report::Json json_of(const ImportedSolver& solver) {
+  return {{"solver", solver.label},
+          {"solves", solver.solves},
+          {"verified", solver.verified},
+          {"without_answer", solver.without_answer},
+          {"is_stored_already", solver.is_stored_already},
+          {"largest_mistake_cm", json_number(solver.largest_mistake_cm)}};
 }
 
 std::string text_in(const std::filesystem::path& file) {
@@ -97,11 +107,19 @@ void add_import(CLI::App& app, Invocation& invocation) {
                               .label = arguments->label.empty() ? file.stem().string() : arguments->label,
                               .command = invocation.command});
     store.finish();
-    for (const ImportedSolver& solver : imported.solvers) fmt::print("{}\n", printable(words_on(solver)));
+    if (!arguments->report.output.is_json) {
+      for (const ImportedSolver& solver : imported.solvers) fmt::print("{}\n", wrapped(words_on(solver)));
+    }
     if (!imported.unread.empty())
-      say(fmt::format("warning: columns that are not imported: {}", fmt::join(imported.unread, ", ")));
-    if (arguments->without_report) return;
-    write_and_announce(store, {.study = study, .folder = folder, .arguments = arguments->report});
+      warn(fmt::format("columns that are not imported: {}", fmt::join(imported.unread, ", ")));
+    report::Json data{{"imported", report::Json::array()}};
+    for (const ImportedSolver& solver : imported.solvers) data["imported"].push_back(json_of(solver));
+    if (!arguments->without_report) {
+      write_and_announce(store,
+                         {.study = study, .folder = folder, .arguments = arguments->report, .data = std::move(data)});
+    } else if (arguments->report.output.is_json) {
+      show_json(data);
+    }
   });
 }
 

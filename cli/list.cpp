@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -14,6 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
+#include "cli/screen.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
@@ -28,138 +31,179 @@ using namespace robots;
 using namespace solvers;
 using namespace results;
 using namespace experiments;
+using namespace report;
 
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
+// What is listed, for a reader and for a program.
+struct Listed {
+  std::string text;
+  report::Json json;
+};
 
-std::string solver_list() {
-  Rows rows{{"NAME", "WHAT", "FROM"}};
-  for (const SolverInfo& info : all_solvers()) rows.push_back({info.name, info.summary, info.source});
-  for (const MissingPeer& peer : missing_peers()) rows.push_back({peer.name, peer.how, ""});
-  return aligned(rows);
+// The rows of the table. For a reader the names of its columns are in capitals.
+Listed listed(const Table& table) {
+  Rows rows = readable_cells(table);
+  for (std::string& head : rows.front()) {
+    std::ranges::transform(head, head.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  }
+  return {aligned(rows), rows_json(table)};
 }
 
-std::string solver_details(std::string_view name) {
+Table solver_list() {
+  Table table{.name = "solvers", .caption = "", .columns = {"name", "what", "from"}};
+  for (const SolverInfo& info : all_solvers()) {
+    table.rows.push_back({std::string(info.name), std::string(info.summary), std::string(info.source)});
+  }
   for (const MissingPeer& peer : missing_peers()) {
-    if (peer.name == name) return fmt::format("{}: {}\n", peer.name, peer.how);
+    table.rows.push_back({std::string(peer.name), std::string(peer.how), Cell()});
+  }
+  return table;
+}
+
+Listed solver_details(std::string_view name) {
+  for (const MissingPeer& peer : missing_peers()) {
+    if (peer.name == name) {
+      return {wrapped(fmt::format("{}: {}", peer.name, peer.how)) + '\n', {{"name", peer.name}, {"what", peer.how}}};
+    }
   }
   const SolverInfo info = solver(name);
-  Rows rows{{"OPTION", "DEFAULT", "EXPECTED", "MEANING"}};
+  Table table{.name = "options", .caption = "", .columns = {"option", "default", "expected", "meaning"}};
   info.describe([&](const OptionList& list) {
     for (const Option& option : list.options()) {
-      rows.push_back({option.name, option.get(), option.expected, option.meaning});
+      table.rows.push_back({option.name, option.get(), option.expected, option.meaning});
     }
   });
+  const Listed options = listed(table);
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
-  return fmt::format("{}: {}\nfrom {}{}\n\n{}", info.name, info.summary, info.source, library, aligned(rows));
+  return {
+      fmt::format("{}\n\n{}", wrapped(fmt::format("{}: {}\nfrom {}{}", info.name, info.summary, info.source, library)),
+                  options.text),
+      {{"name", info.name},
+       {"what", info.summary},
+       {"from", info.source},
+       {"library", info.library},
+       {"options", options.json}}};
 }
 
-std::string robot_list() {
-  Rows rows{{"NAME", "JOINTS", "WHAT"}};
-  for (const Robot& arm : all_robots()) rows.push_back({arm.name, std::to_string(arm.joints()), arm.summary});
-  return aligned(rows);
+Table robot_list() {
+  Table table{.name = "robots", .caption = "", .columns = {"name", "joints", "what"}};
+  for (const Robot& arm : all_robots()) table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary});
+  return table;
 }
 
-std::string study_list() {
-  Rows rows{{"NAME", "SOLVERS", "RUNS", "POINTS", "WHAT"}};
+Listed robot_details(const std::string& name) {
+  const Robot arm = is_arm_file(name) ? load_robot(name) : robot(name);
+  return {robot_text(arm), robot_json(arm)};
+}
+
+Table study_list() {
+  Table table{.name = "studies", .caption = "", .columns = {"name", "solvers", "runs", "points", "what"}};
   for (const Study& study : studies()) {
-    rows.push_back({study.name, std::to_string(study.solvers.size()), std::to_string(study.runs),
-                    std::to_string(study.path->points()), study.title});
+    table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
+                          std::int64_t{study.path->points()}, study.title});
   }
-  return aligned(rows);
+  return table;
 }
 
-std::string path_list() {
-  Rows rows{{"NAME", "TARGETS", "WHAT"}};
+Listed study_details(const std::string& name) {
+  const Study study = load_study(name, {}, PointsAsObservations::forced);
+  return {to_toml(study), parsed_ordered_json(to_json(study))};
+}
+
+Table path_list() {
+  Table table{.name = "paths", .caption = "", .columns = {"name", "targets", "what"}};
   for (const Path& path : paths()) {
-    rows.push_back({std::string(path->name()),
-                    path->is_drawn() ? "random, different in every run" : "the same in every run",
-                    std::string(path->summary())});
+    table.rows.push_back({std::string(path->name()),
+                          path->is_drawn() ? "random, different in every run" : "the same in every run",
+                          std::string(path->summary())});
   }
-  return aligned(rows);
+  return table;
 }
 
-std::string path_details(const std::string& name) {
+Listed path_details(const std::string& name) {
   std::vector<std::string> names;
   for (const Path& path : paths()) {
-    if (path->name() == name) return to_toml(path);
+    if (path->name() == name) {
+      const std::string toml = to_toml(path);
+      return {toml, {{"name", name}, {"what", path->summary()}, {"toml", toml}}};
+    }
     names.emplace_back(path->name());
   }
   throw std::invalid_argument(unknown_name("kind of path", name, names));
 }
 
-// The rows below the titles, or the row with that name in its first column.
-std::string rows_or_one(Rows rows, std::string_view what, std::string_view name) {
-  if (name.empty()) return aligned(rows);
+// The table, or its row with that name in the first column.
+Listed rows_or_one(Table table, std::string_view what, std::string_view name) {
+  if (name.empty()) return listed(table);
   std::vector<std::string> names;
-  for (auto row = rows.begin() + 1; row != rows.end(); ++row) names.push_back(row->front());
+  for (const auto& row : table.rows) names.push_back(readable(row.front()));
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) throw std::invalid_argument(unknown_name(what, name, names));
-  return aligned({rows.front(), rows[static_cast<std::size_t>(found - names.begin()) + 1]});
+  table.rows = {table.rows[static_cast<std::size_t>(found - names.begin())]};
+  return listed(table);
 }
 
-Rows column_list() {
-  Rows rows{{"COLUMN", "TYPE", "MEANING"}};
+Table column_list() {
+  Table table{.name = "columns", .caption = "", .columns = {"column", "type", "meaning"}};
   for (const ColumnInfo& column : columns()) {
-    rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
+    table.rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
   }
-  return rows;
+  return table;
 }
 
-Rows metric_list() {
+Table metric_list() {
   using namespace inference;
-  Rows rows{{"METRIC", "UNIT", "BETTER", "OF", "WHAT"}};
+  Table table{.name = "metrics", .caption = "", .columns = {"metric", "unit", "better", "of", "what"}};
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);
-    rows.push_back({std::string(info.column), std::string(info.unit),
-                    info.better == Better::larger ? "larger" : "smaller", is_of_run(metric) ? "run" : "solve",
-                    std::string(info.name)});
+    table.rows.push_back({std::string(info.column), std::string(info.unit),
+                          info.better == Better::larger ? "larger" : "smaller", is_of_run(metric) ? "run" : "solve",
+                          std::string(info.name)});
   }
-  return rows;
+  return table;
 }
 
-Rows test_list() {
+Table test_list() {
   constexpr std::array<std::string_view, 3> needs{"summaries", "values", "blocks"};
-  Rows rows{{"TEST", "NEEDS", "WHAT", "FROM"}};
+  Table table{.name = "tests", .caption = "", .columns = {"test", "needs", "what", "from"}};
   for (const DecidingTest& test : deciding_tests()) {
     const auto method =
         std::ranges::find(inference::methods(), test.name, [](const inference::Method* each) { return each->name; });
-    rows.push_back({std::string(test.name), std::string(needs[static_cast<std::size_t>(test.needs)]),
-                    std::string(test.meaning), std::string((*method)->source)});
+    table.rows.push_back({std::string(test.name), std::string(needs[static_cast<std::size_t>(test.needs)]),
+                          std::string(test.meaning), std::string((*method)->source)});
   }
-  return rows;
+  return table;
 }
 
-Rows piece_list() {
-  Rows rows{{"PIECE", "KIND", "UNDER", "FILES AND CONTENTS"}};
-  for (const report::StudyPiece& piece : report::all_study_pieces()) {
+Table piece_list() {
+  Table table{.name = "pieces", .caption = "", .columns = {"piece", "kind", "under", "files and contents"}};
+  for (const StudyPiece& piece : all_study_pieces()) {
     if (!piece.tables && !piece.figures) continue;  // a place only
-    rows.push_back({std::string(piece.name), piece.tables ? "table" : "figure", std::string(piece.heading),
-                    std::string(piece.meaning)});
+    table.rows.push_back({std::string(piece.name), piece.tables ? "table" : "figure", std::string(piece.heading),
+                          std::string(piece.meaning)});
   }
-  return rows;
+  return table;
 }
 
-Rows instruction_set_list() {
-  Rows rows{{"NAME", "IN USE"}};
+Table instruction_set_list() {
+  Table table{.name = "instruction-sets", .caption = "", .columns = {"name", "in use"}};
   for (const InstructionSet each : instruction_sets()) {
-    rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
+    table.rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
   }
-  return rows;
+  return table;
 }
 
-std::string listed(const std::string& kind, const std::string& name) {
-  if (kind == "solvers") return name.empty() ? solver_list() : solver_details(name);
-  if (kind == "robots")
-    return name.empty() ? robot_list() : robot_text(is_arm_file(name) ? load_robot(name) : robot(name));
-  if (kind == "paths") return name.empty() ? path_list() : path_details(name);
+Listed listed(const std::string& kind, const std::string& name) {
+  if (kind == "solvers") return name.empty() ? listed(solver_list()) : solver_details(name);
+  if (kind == "robots") return name.empty() ? listed(robot_list()) : robot_details(name);
+  if (kind == "paths") return name.empty() ? listed(path_list()) : path_details(name);
   if (kind == "columns") return rows_or_one(column_list(), "column", name);
   if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
   if (kind == "tests") return rows_or_one(test_list(), "test", name);
   if (kind == "pieces") return rows_or_one(piece_list(), "piece", name);
   if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
-  return name.empty() ? study_list() : to_toml(load_study(name, {}, PointsAsObservations::forced));
+  return name.empty() ? listed(study_list()) : study_details(name);
 }
 
 }  // namespace
@@ -167,6 +211,7 @@ std::string listed(const std::string& kind, const std::string& name) {
 void add_list(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string kind, name;
+    OutputArguments output;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
@@ -177,6 +222,7 @@ void add_list(CLI::App& app, Invocation&) {
   command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"
@@ -190,7 +236,11 @@ void add_list(CLI::App& app, Invocation&) {
     }
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
-    fmt::print("{}", listed(arguments->kind, arguments->name));
+    const Listed found = listed(arguments->kind, arguments->name);
+    if (arguments->output.is_json)
+      show_json(found.json);
+    else
+      fmt::print("{}", found.text);
   });
 }
 

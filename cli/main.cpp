@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -30,7 +33,7 @@ int main(int argc, char** argv) {
       "  ikbench audit slim2023                   whether the paper's printed numbers agree with each other\n"
       "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
-      "  ikbench COMMAND --help                   more examples\n\n"
+      "  ikbench help COMMAND                     more examples, as ikbench COMMAND --help\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
       "5 more runs are needed (compare --sequential) or solves are missing (merge, status),\n"
@@ -40,20 +43,31 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
   });
+  // "help COMMAND" is "COMMAND --help", "help" is "--help".
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool is_help = !words.empty() && words.front() == "help";
+  if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
   cli::add_commands(app, invocation);
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
+  }
+  const std::string first = words.empty() ? "" : words.front();
+  std::ranges::reverse(words);  // as CLI11 takes them
   const cli::SignalWatch signals;
   try {
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
-    app.parse(argc, argv);
+    app.parse(words);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw std::runtime_error("cannot write to standard output");
     return invocation.exit_code;
   } catch (const CLI::RequiredError& error) {
-    if (argc < 2 || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
-    std::vector<std::string> commands;  // CLI11 does not say which word it did not know
-    for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    cli::say(fmt::format("ikbench: {}", unknown_name("command", argv[1], commands)));
+    if (first.empty() || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
+    // CLI11 does not say which word it did not know.
+    cli::say(fmt::format("ikbench: {}", unknown_name("command", first, commands)));
     return 1;
   } catch (const CLI::ExtrasError& error) {  // CLI11 names what it did not expect, but no option that is like it
     const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();

@@ -10,12 +10,14 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "cli/screen.hpp"
 #include "cli/shards.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
 
 using namespace results;
+using namespace report;
 
 namespace {
 
@@ -40,7 +42,9 @@ std::optional<Merged> merged_or_stopped(const fs::path& out, const std::vector<f
   const EndOnSignal at_once("Stopped. All was merged, or nothing; give the same command again.");
   CancelOnSignal signals("Stopping the merge.");
   try {
-    Merged merged = merge(out, stores, &signals.requested());
+    ProgressBar bar("merging", "stores");
+    Merged merged = merge(out, stores, &signals.requested(),
+                          [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     if (!signals.end()) return merged;
     say("Stopped. All was merged; give the same command again to see what is missing.");
   } catch (const MergeCancelled&) {
@@ -55,6 +59,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string out;
     std::vector<std::string> places;
+    OutputArguments output;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
@@ -66,6 +71,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
                    "stores, folders with a store.sqlite, or a folder of such folders, as out/<study>/shards")
       ->required()
       ->check(not_empty());
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
@@ -86,16 +92,27 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const Merged& merged = *done;
     const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
     const std::size_t taken = stores.size() - merged.half_written.size();
-    fmt::print("{}: {} solve{} added from {} store{}, {} were there with the same bits\n", printable(out.string()),
-               merged.added, merged.added == 1 ? "" : "s", taken, taken == 1 ? "" : "s", merged.known);
-    for (const std::string& sentence : merged.half_written) say("warning: left out: " + sentence);
-    const Store store(out, Store::Mode::read);
-    for (const StudyEntry& study : store.studies()) {
-      for (const std::string& line : missing_parts(store, study)) {
-        say(line);
-        invocation.exit_code = 5;
-      }
+    if (!arguments->output.is_json) {
+      fmt::print("{}\n", wrapped(fmt::format("{}: {} solve{} added from {} store{}, {} were there with the same bits",
+                                             out.string(), merged.added, merged.added == 1 ? "" : "s", taken,
+                                             taken == 1 ? "" : "s", merged.known)));
     }
+    for (const std::string& sentence : merged.half_written) warn("left out: " + sentence);
+    const Store store(out, Store::Mode::read);
+    report::Json missing = report::Json::object();
+    for (const StudyEntry& study : store.studies()) {
+      const std::vector<std::string> lines = missing_parts(store, study);
+      for (const std::string& line : lines) say(line);
+      if (!lines.empty()) invocation.exit_code = 5;
+      if (const std::int64_t lacks = solves_missing(store, study); lacks > 0) missing[study.name] = lacks;
+    }
+    if (!arguments->output.is_json) return;
+    show_json({{"store", out.string()},
+               {"stores", taken},
+               {"added", merged.added},
+               {"known", merged.known},
+               {"half_written", merged.half_written},
+               {"missing", std::move(missing)}});
   });
 }
 

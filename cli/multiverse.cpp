@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -30,6 +32,7 @@ struct MultiverseArguments {
   Overrides overrides;
   int seeds = 1, jobs = 1;
   bool list = false, small = false, one_at_a_time = false, without_figures = false;
+  OutputArguments output;
 
   Combined combined() const { return one_at_a_time ? Combined::one_at_a_time : Combined::every; }
 };
@@ -72,26 +75,36 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   const MultiverseSize size = size_of(varied, labels, combined);
-  return aligned(rows) +
-         fmt::format("\n{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n",
-                     size.universes, varied.size(), size.studies, size.series);
+  return fmt::format("{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n\n{}",
+                     size.universes, varied.size(), size.studies, size.series, aligned(rows));
 }
 
-void tell(const Table& table) {
-  fmt::print("{}\n", aligned(readable_cells(table)));
-  for (const std::string& note : table.notes) fmt::print("{}\n", printable(note));
+// A table with what is said of it, and at the end where the files are.
+void show(const Table& table, std::vector<std::string> said, const std::vector<std::string>& places,
+          const OutputArguments& output) {
+  if (output.is_json) return show_json(rows_json(table));
+  std::ranges::copy(table.notes, std::back_inserter(said));
+  constexpr std::size_t of_table = 15;
+  show_screen({{.items = {wrapped(table.caption), ""}},
+               table_rows(table, output, of_table),
+               {.items = {""}},
+               sentences(said),
+               {.items = places}},
+              output, ", and the tables have it");
 }
 
 void tell(const MultiverseReport& report, const MultiverseArguments& arguments, const std::filesystem::path& folder) {
-  for (const ClaimShares& claim : report.claims) fmt::print("{}\n", printable(claim.sentence));
-  for (const std::string& sentence : report.sentences) fmt::print("{}\n", printable(sentence));
-  fmt::print("\n");
-  tell(report.tables.front());
   for (const Table& table : report.tables) write_table(table, folder / "tables");
   draw(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
-  fmt::print(
-      "Tables: {}\nFigure: {}\n", printable((folder / "tables").string()),
-      printable((folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png")).string()));
+  std::vector<std::string> said;
+  for (const ClaimShares& claim : report.claims) said.push_back(claim.sentence);
+  std::ranges::copy(report.sentences, std::back_inserter(said));
+  const std::filesystem::path figure =
+      folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png");
+  show(report.tables.front(), std::move(said),
+       {fmt::format("Tables: {}", printable((folder / "tables").string())),
+        fmt::format("Figure: {}", printable(figure.string()))},
+       arguments.output);
 }
 
 void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, const std::vector<Dimension>& varied,
@@ -109,11 +122,17 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
     invocation.exit_code = cancelled_exit_code();
     return;
   }
-  if (!arguments.one_at_a_time) return tell(paper.multiverse(solved->multiverse, solved->plan), arguments, folder);
+  WorkingLine judging("Judging the claims ...");
+  if (!arguments.one_at_a_time) {
+    const MultiverseReport report = paper.multiverse(solved->multiverse, solved->plan);
+    judging.end();
+    return tell(report, arguments, folder);
+  }
   const Table table = paper.one_at_a_time(solved->multiverse, solved->plan);
-  tell(table);
+  judging.end();
   write_table(table, folder / "tables");
-  fmt::print("Table: {}\n", printable((folder / "tables" / (table.name + ".md")).string()));
+  show(table, {}, {fmt::format("Table: {}", printable((folder / "tables" / (table.name + ".md")).string()))},
+       arguments.output);
 }
 
 }  // namespace
@@ -156,6 +175,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->check(not_empty());
   command->add_flag("--no-figures", arguments->without_figures,
                     "write the script and data of the figure, but do not draw it");
+  add_output_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench multiverse slim2023 --jobs 2\n"

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -58,16 +60,16 @@ void warn_of_memory(const std::filesystem::path& store) {
   const double needed = memory_of_stored_byte * static_cast<double>(size), left = static_cast<double>(memory_left());
   constexpr double megabyte = 1e6;
   if (error || needed <= left) return;
-  say(fmt::format("warning: this report may take {:.0f} MB of memory, and {:.0f} MB are left", needed / megabyte,
-                  left / megabyte));
+  warn(fmt::format("this report may take {:.0f} MB of memory, and {:.0f} MB are left", needed / megabyte,
+                   left / megabyte));
 }
 
 // Explains why solves that look done are made anew.
 void warn_of_left_aside(const Study& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
-  say(fmt::format(
-      "warning: {} solves of {} come from another version of the solver or of shared code; they stay in the store, and "
+  warn(fmt::format(
+      "{} solves of {} come from another version of the solver or of shared code; they stay in the store, and "
       "this run solves those points again",
       aside.solves, fmt::join(aside.labels, ", ")));
 }
@@ -110,16 +112,78 @@ SolveCheck check_of(const Store& store, const StudyEntry& entry) {
           .unknown = [=] { return *unknown; }};
 }
 
+// The verdict, the claims or the results, what else is to be said, and where the report is.
+std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& remarks,
+                            const OutputArguments& output) {
+  std::vector<std::string> said = report.verdict.empty() ? report.summary : report.verdict;
+  const std::string first = said.empty() ? "" : said.front();
+  if (!said.empty()) said.erase(said.begin());
+  if (!report.verdict.empty()) {
+    std::ranges::copy_if(report.summary, std::back_inserter(said), [&](const std::string& sentence) {
+      return std::ranges::find(report.verdict, sentence) == report.verdict.end();
+    });
+  }
+  std::vector<Part> parts;
+  if (report.is_damaged || report.claims.empty()) {
+    constexpr std::size_t of_table = 13, of_sentences = 6;
+    if (!first.empty()) {
+      const Tone tone = report.is_damaged ? Tone::bad : tone_of(report.findings.lead);
+      parts.push_back({.items = {coloured(wrapped(first), tone), ""}});
+    }
+    parts.push_back(table_rows(report.results, output, of_table));
+    parts.push_back({.items = {""}});
+    parts.push_back(sentences(said, of_sentences));
+  } else {
+    constexpr std::size_t of_claims = 21;
+    constexpr std::array<std::string_view, 4> shown{"here", "printed", "number", "claim"};
+    Tones tones{.column = 0};
+    for (const Claim& claim : report.claims) tones.of_rows.push_back(tone_of(claim.verdict));
+    parts.push_back({.items = {wrapped(first)}});
+    parts.push_back(table_rows(with_columns(verdict_table(report.claims), shown), output, of_claims, tones));
+    parts.push_back(sentences(said));
+    if (output.is_verbose) parts.push_back(table_rows(report.results, output, 0));
+  }
+  if (!remarks.empty()) {
+    Part part;
+    for (const std::string& remark : remarks) part.items.push_back(wrapped(remark));
+    parts.push_back(std::move(part));
+  }
+  parts.push_back(warnings(report.warnings));
+  parts.push_back({.items = {fmt::format("Report: {}", printable(report.page.string()))}});
+  return parts;
+}
+
+// The claims or the pairs of the quantity that decides; statistics.json has every number of every quantity.
+report::Json json_of(const Report& report, WrittenReport wanted) {
+  report::Json json{{"study", wanted.study}, {"report", report.page.string()}, {"is_damaged", report.is_damaged}};
+  if (!report.claims.empty()) json["claims"] = rows_json(verdict_table(report.claims));
+  json["lead"] = name_of(report.findings.lead);
+  json["pairs"] = rows_json(report.findings.pairs);
+  json["results"] = rows_json(report.results);
+  json["warnings"] = report.warnings;
+  for (auto& [key, value] : wanted.data.items()) json[key] = std::move(value);
+  return json;
+}
+
 // Warns if somebody else has the store open, so that it is more than one file.
 void tell_of_log(const std::vector<std::filesystem::path>& files) {
   if (files.size() < 2) return;
-  say(fmt::format(
-      "warning: another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
+  warn(fmt::format(
+      "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
       "that program and run this command again to merge them",
       files[0].string(), files[1].string()));
 }
 
 }  // namespace
+
+void ReportProgress::show(ReportStep step, std::int64_t done, std::int64_t all) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> steps{
+      {{"reading", "solves"}, {"judging", "quantities"}, {"drawing", "figures"}}};
+  const auto& [title, noun] = steps[static_cast<std::size_t>(step)];
+  if (step_ != step || done <= 1) bar_.emplace(title, noun);
+  step_ = step;
+  bar_->show({.done = done, .total = all});
+}
 
 CLI::Validator not_empty() {
   return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
@@ -149,6 +213,7 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_flag("--force", arguments.forced, "allow points as observations; every table says so");
   command.add_flag("--no-figures", arguments.without_figures,
                    "write tables, but draw no figures; those that are there stay");
+  add_output_options(command, arguments.output);
 }
 
 void refuse_reproduction(const std::filesystem::path& folder) {
@@ -191,25 +256,30 @@ void add_perturb_option(CLI::App& command, int& copies) {
 }
 
 void write_and_announce(const Store& store, WrittenReport wanted) {
+  const OutputArguments& output = wanted.arguments.output;
   const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
   warn_of_memory(store.name());
-  WorkingLine waiting("Writing the report ...");
-  const Report report = write_report(store, {.study = wanted.study,
-                                             .folder = wanted.folder,
-                                             .plan = plan,
-                                             .figures = {.render = !wanted.arguments.without_figures},
-                                             .collections = analysis::collections(),
-                                             .extra_tables = std::move(wanted.tables),
-                                             .extra_figures = std::move(wanted.figures),
-                                             .repetitions = std::move(wanted.repetitions),
-                                             .shares = std::move(wanted.shares),
-                                             .check = [&](const StudyEntry& entry) { return check_of(store, entry); }});
-  waiting.end();
-  fmt::print("\n{}\n", aligned(readable_cells(report.results)));
-  for (const std::string& sentence : report.summary) fmt::print("{}\n", printable(sentence));
-  for (const std::string& remark : wanted.remarks) fmt::print("{}\n", printable(remark));
-  for (const std::string& warning : report.warnings) say("warning: " + warning);
-  fmt::print("Report: {}\n", printable(report.page.string()));
+  ReportProgress progress;
+  const Report report = write_report(
+      store, {.study = wanted.study,
+              .folder = wanted.folder,
+              .plan = plan,
+              .figures = {.render = !wanted.arguments.without_figures},
+              .collections = analysis::collections(),
+              .extra_tables = std::move(wanted.tables),
+              .extra_figures = std::move(wanted.figures),
+              .repetitions = std::move(wanted.repetitions),
+              .shares = std::move(wanted.shares),
+              .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); },
+              .check = [&](const StudyEntry& entry) { return check_of(store, entry); }});
+  progress.end();
+  if (output.is_json) {
+    for (const std::string& warning : report.warnings) warn(warning);
+    show_json(json_of(report, std::move(wanted)));
+  } else {
+    show_screen(screen_of(report, wanted.remarks, output), output,
+                fmt::format(", and {} has it", report.file.string()));
+  }
   if (!report.is_damaged) return;
   std::fflush(stdout);
   throw std::invalid_argument(
@@ -220,16 +290,24 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
 std::vector<std::string> damages_of(const Store& store, const std::string& study) {
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
-  store.each_of_study(entry, check.look_at);
+  {
+    ProgressBar bar(fmt::format("checking {}", study));
+    Progress progress{.total = store.solves_of(entry.series)};
+    store.each_of_study(entry, [&](const SolveRecord& solve) {
+      check.look_at(solve);
+      ++progress.done;
+      bar.show(progress);
+    });
+  }
   std::vector<std::string> damages = check.damages();
-  if (const std::string unknown = check.unknown(); !unknown.empty()) say("warning: " + unknown);
+  if (const std::string unknown = check.unknown(); !unknown.empty()) warn(unknown);
   return damages;
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           const figures::RenderOptions& options) {
   for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options).outcomes) {
-    if (!outcome.error.empty()) say(fmt::format("warning: {} was not drawn: {}", outcome.name, outcome.error));
+    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
   }
 }
 
@@ -244,22 +322,22 @@ void warn_of_unreachable(const Study& study) {
   const std::vector<Unreachable> found = unreachable(study);
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
-    say(fmt::format(
-        "warning: point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-        found[i].point, found[i].distance * 100, found[i].reach * 100));
+    warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
+                     found[i].point, found[i].distance * 100, found[i].reach * 100));
   }
-  if (found.size() > most) say(fmt::format("warning: {} more points are out of reach", found.size() - most));
+  if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
 }
 
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request, Store::Mode mode) {
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request,
+                   const OutputArguments& output, Store::Mode mode) {
   warn_of_unreachable(study);
   for (const LeftOut& left_out : study.left_out) {
-    say(fmt::format("warning: {} is left out: it is {}", left_out.label, left_out.why));
+    warn(fmt::format("{} is left out: it is {}", left_out.label, left_out.why));
   }
   if (is_debug_build()) {
-    say("warning: this is a debug build; its times are marked and not comparable");
+    warn("this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
-    say(fmt::format("warning: {} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
+    warn(fmt::format("{} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
   }
   constexpr std::chrono::milliseconds patience{20};  // a transaction for each solve would cost more than many a solve
   request.patience = std::max(request.patience, patience);
@@ -270,16 +348,16 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
     if (difference.empty()) {
       const std::string changes = changes_between(plan_of(earlier), study.analysis);
       if (!changes.empty()) {
-        say(fmt::format("warning: the analysis plan of {} in {} has changed: {}; the report will say so", study.name,
-                        folder.string(), changes));
+        warn(fmt::format("the analysis plan of {} in {} has changed: {}; the report will say so", study.name,
+                         folder.string(), changes));
       }
     } else {
-      say(fmt::format(
-          "warning: {} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
-          "--out to keep both",
-          folder.string(), study.name, difference,
-          mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
-                                            : "report is overwritten"));
+      warn(
+          fmt::format("{} has a different study named {} ({}); its solves stay there, but its {}; use another name or "
+                      "--out to keep both",
+                      folder.string(), study.name, difference,
+                      mode == Store::Mode::write_shared ? "definition is replaced, and merge takes no two of one name"
+                                                        : "report is overwritten"));
     }
   }
   warn_of_left_aside(study, store);
@@ -293,7 +371,7 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
     progress = run(study, store, request);
     is_cancelled = signals.end();
   }
-  for (const std::string& note : progress.notes) say("warning: " + note);
+  for (const std::string& note : progress.notes) warn(note);
   tell_of_log(store.finish());
   const std::string place = printable(store_in(folder).string());
   if (is_cancelled) {
@@ -301,11 +379,38 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
                     progress.total, place));
     return Ended::stopped;
   }
+  if (output.is_json) return Ended::complete;
   const std::string part = request.shard.count == 1 ? std::string() : fmt::format(", shard {}", request.shard.text());
   fmt::print("{}{}: {} solves in {}{}\n", printable(study.name), part, progress.total, place,
              progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
   std::fflush(stdout);  // the report may take a while
   return Ended::complete;
+}
+
+Tone tone_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return Tone::good;
+    case Verdict::fails:
+      return Tone::bad;
+    case Verdict::untested:
+      return Tone::plain;
+    default:
+      return Tone::open;
+  }
+}
+
+Tone tone_of(Relation relation) {
+  switch (relation) {
+    case Relation::better:
+      return Tone::good;
+    case Relation::worse:
+      return Tone::bad;
+    case Relation::undecided:
+      return Tone::open;
+    default:
+      return Tone::plain;
+  }
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/report/claims.hpp"
 #include "analysis/report/paper.hpp"
+#include "analysis/report/report.hpp"
 #include "analysis/report/table.hpp"
+#include "cli/screen.hpp"
 #include "experiments/runner.hpp"
 #include "results/store.hpp"
 
@@ -27,6 +31,7 @@ struct ReportArguments {
   double significance = 0;  // replaces the study's; 0: not given
   bool forced = false;      // points of a run may be observations
   bool without_figures = false;
+  OutputArguments output = {};
 };
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
@@ -43,17 +48,29 @@ struct WrittenReport {
   std::string study;
   std::filesystem::path folder;
   ReportArguments arguments = {};
-  std::vector<std::string> remarks = {};  // printed after the summary
+  std::vector<std::string> remarks = {};       // printed after the verdict
+  report::Json data = report::Json::object();  // printed with the verdict as JSON
   std::vector<report::Table> tables = {};
   std::vector<figures::Figure> figures = {};
   std::vector<report::RepeatedSolver> repetitions = {};
   std::vector<report::ClaimShares> shares = {};
 };
 
-// Writes tables, figures, report.md and report.html into the folder; prints the summary, the remarks and, as the last
-// line, the path of report.html. If the store is damaged, the report says so first, and std::invalid_argument is thrown
-// at the end.
+// Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
+// remarks and, as the last line, the path of report.html. If the store is damaged, the report says so first, and
+// std::invalid_argument is thrown at the end.
 void write_and_announce(const results::Store& store, WrittenReport wanted);
+
+// Shows how far a report is, a bar for each step and study.
+class ReportProgress {
+ public:
+  void show(report::ReportStep step, std::int64_t done, std::int64_t all);
+  void end() { bar_.reset(); }
+
+ private:
+  std::optional<report::ReportStep> step_ = {};
+  std::optional<ProgressBar> bar_ = {};
+};
 
 // Writes figures into the folder, draws them, and warns of those that were not drawn.
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
@@ -86,7 +103,11 @@ void add_perturb_option(CLI::App& command, int& copies);
 // Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, says
 // what was done, and after Ctrl-C how to continue.
 Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,
-                   experiments::RunRequest request, results::Store::Mode mode = results::Store::Mode::write);
+                   experiments::RunRequest request, const OutputArguments& output,
+                   results::Store::Mode mode = results::Store::Mode::write);
+
+Tone tone_of(report::Verdict verdict);
+Tone tone_of(inference::Relation relation);  // of the first
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
 

@@ -34,20 +34,57 @@ using namespace report;
 
 namespace {
 
-// One line with the fingerprint of a study, and whether it equals the reference that every machine should give.
-std::string compared_with_reference(const Store& store, const std::string& name) {
-  const std::string ours = fingerprint(store, store.study(name)).text;
-  const std::string_view reference = reference_fingerprint(name);
+// The fingerprint of a study, and the reference that every machine should give; empty if there is none for this seed
+// and number of runs.
+struct Fingerprints {
+  std::string study, ours, reference;
+};
+
+Fingerprints fingerprints_of(const Store& store, const std::string& name) {
   const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
-  return fmt::format("Fingerprint of {}: {}, {}", name, ours,
-                     reference.empty()   ? "this study has no reference"
-                     : !is_as_built_in   ? "no reference for this seed and number of runs"
-                     : ours == reference ? "equal to the reference"
-                                         : fmt::format("different from the reference {}", reference));
+  return {.study = name,
+          .ours = fingerprint(store, store.study(name)).text,
+          .reference = std::string(is_as_built_in ? reference_fingerprint(name) : "")};
 }
 
-// Prints the collection's own tables of its first `solved` studies, except those already `shown`.
-void show_tables(const Store& store, const Collection& collection, std::size_t solved, std::set<std::string>& shown) {
+report::Json json_of(const std::vector<Fingerprints>& all) {
+  report::Json rows = report::Json::array();
+  for (const auto& [study, ours, reference] : all) {
+    rows.push_back({{"study", study},
+                    {"fingerprint", ours},
+                    {"reference", reference.empty() ? report::Json(nullptr) : report::Json(reference)},
+                    {"is_equal", reference.empty() ? report::Json(nullptr) : report::Json(ours == reference)}});
+  }
+  return rows;
+}
+
+// How many equal their reference, which differ, and each with its fingerprint where all is shown.
+std::vector<std::string> words_on(const std::vector<Fingerprints>& all, bool is_verbose) {
+  std::vector<std::string> lines, different;
+  std::size_t compared = 0;
+  for (const auto& [study, ours, reference] : all) {
+    compared += reference.empty() ? 0 : 1;
+    if (!reference.empty() && ours != reference) different.push_back(study);
+    if (is_verbose) {
+      lines.push_back(fmt::format("Fingerprint of {}: {}, {}", study, ours,
+                                  reference.empty()   ? "no reference for this seed and number of runs"
+                                  : ours == reference ? "equal to the reference"
+                                                      : "different from the reference " + reference));
+    }
+  }
+  lines.insert(lines.begin(),
+               compared == 0
+                   ? "Fingerprints: no reference for this seed and number of runs"
+                   : fmt::format("Fingerprints: {} of {} equal the reference{}{}", compared - different.size(),
+                                 compared, different.empty() ? "" : "; different: ", fmt::join(different, ", ")));
+  return lines;
+}
+
+// Prints the collection's table of results from its first study; with --verbose also the other tables of its first
+// `solved` studies, except those already `shown`.
+void show_tables(const Store& store, const Collection& collection, std::size_t solved, const OutputArguments& output,
+                 std::set<std::string>& shown) {
+  if (output.is_json || (!output.is_verbose && solved > 1)) return;
   std::vector<inference::JudgedStudy> studies;
   for (std::size_t i = 0; i < solved; ++i) {
     const std::string& name = collection.studies[i].name;
@@ -55,7 +92,8 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   }
   const StudyPieces pieces = pieces_of({studies.front(), {studies.begin() + 1, studies.end()}}, collection);
   std::vector<std::string> names{pieces.results};
-  const auto sections = collection.paper ? collection.paper->sections.further : std::vector<SectionPlan>();
+  const auto sections =
+      collection.paper && output.is_verbose ? collection.paper->sections.further : std::vector<SectionPlan>();
   for (const SectionPlan& section : sections) {
     std::ranges::copy(section.names, std::back_inserter(names));
     std::ranges::copy(section.folded, std::back_inserter(names));
@@ -63,9 +101,9 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   for (const std::string& name : names) {
     const auto table = std::ranges::find(pieces.tables, name, &Table::name);
     if (table == pieces.tables.end() || !shown.insert(name).second) continue;
-    fmt::print("\n{}\n{}\n", printable(numbered_caption(*table)), aligned(readable_cells(*table)));
+    show_screen({{.items = {"", wrapped(numbered_caption(*table))}}, table_rows(*table, output, 0), {.items = {""}}},
+                output, ", and the report will have it");
   }
-  std::fflush(stdout);
 }
 
 // The collection's studies, each with the overrides that it takes.
@@ -157,8 +195,9 @@ bool try_lock(const Arguments& arguments, const Lock& lock, WrittenReport& wante
   CancelOnSignal signals;
   std::vector<PrintedNumbers> found;
   const std::vector<SetUp> all = set_ups(lock);
+  ProgressBar bar("other set-ups", "set-ups");
   for (const SetUp& chosen : all) {
-    say(fmt::format("Set-up {} of {} ...", found.size() + 1, all.size()));
+    bar.show({.done = std::ssize(found), .total = std::ssize(all)});
     Study study = load_study(lock.study, overrides_of(lock, chosen));
     std::erase_if(study.solvers, [&](const SolverEntry& entry) {
       return std::ranges::find(lock.solvers, entry.label) == lock.solvers.end();
@@ -248,7 +287,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         studies_of(collection, {fmt::format("seed={}", arguments->seed)}, fmt::format("runs={}", arguments->runs));
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};
     const auto is_stopped = [&](const Study& study) {
-      if (run_and_tell(study, folder, request) != Ended::stopped) return false;
+      if (run_and_tell(study, folder, request, arguments->report.output) != Ended::stopped) return false;
       invocation.exit_code = cancelled_exit_code();
       return true;
     };
@@ -257,7 +296,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const auto& [name, overrides] = studies[i];
       if (is_stopped(load_study(name, overrides))) return;
       if (i == 0 || i + 1 == studies.size()) {
-        show_tables(Store(store_in(folder), Store::Mode::read), collection, i + 1, shown);
+        show_tables(Store(store_in(folder), Store::Mode::read), collection, i + 1, arguments->report.output, shown);
       }
     }
     for (const auto& [name, overrides] : studies) {
@@ -277,10 +316,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
     if (paper.audit) wanted.tables.push_back(audit_table(paper.audit()));
     const Store store(store_in(folder), Store::Mode::read);
+    std::vector<Fingerprints> fingerprints;
     for (const auto& [name, overrides] : studies) {
       check_is_stored(load_study(name, overrides), store);
-      wanted.remarks.push_back(compared_with_reference(store, name));
+      fingerprints.push_back(fingerprints_of(store, name));
     }
+    std::ranges::move(words_on(fingerprints, arguments->report.output.is_verbose), std::back_inserter(wanted.remarks));
+    wanted.data["fingerprints"] = json_of(fingerprints);
     write_and_announce(store, std::move(wanted));
   });
 }

@@ -19,6 +19,7 @@
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
+#include "experiments/study_writer.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
@@ -28,6 +29,7 @@ namespace ikbench::cli {
 using namespace numerics;
 using namespace robots;
 using namespace figures;
+using namespace report;
 
 namespace {
 
@@ -36,6 +38,7 @@ struct RobotArguments {
   UrdfChoice urdf;
   double snap_deg = 0.001;
   std::vector<double> at;
+  OutputArguments output;
 };
 
 std::string number(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }  // no -0
@@ -136,8 +139,10 @@ Figure picture(const Robot& arm, const Configuration& q) {
   return figure;
 }
 
-void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::path& folder) {
+void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::path& folder,
+              const OutputArguments& output) {
   draw({picture(arm, q)}, folder, {.jobs = 1});
+  if (output.is_json) return;
   fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
 }
 
@@ -150,7 +155,16 @@ std::string robot_text(const Robot& arm) {
       SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
                                       : "not spherical; search = \"all_joints\" or \"pose\"");
   for (const std::string& note : arm.notes) text += fmt::format("note: {}\n", note);
-  return printable(text);
+  return wrapped(text);
+}
+
+report::Json robot_json(const Robot& arm) {
+  report::Json json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
+  const report::Json definition = parsed_ordered_json(experiments::to_json(arm));
+  for (const auto& [key, value] : definition.items()) json[key] = value;
+  json["reach_m"] = json_number(arm.chain.reach().radius);
+  json["has_spherical_wrist"] = SphericalWrist::fits(arm.chain);
+  return json;
 }
 
 void add_robot(CLI::App& app, Invocation&) {
@@ -177,6 +191,7 @@ void add_robot(CLI::App& app, Invocation&) {
       ->check(number_in({0, 1}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench robot ur5e\n"
@@ -193,8 +208,18 @@ void add_robot(CLI::App& app, Invocation&) {
     choice.snap = arguments->snap_deg * degree;
     const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
     const Configuration q = joints_at(arm, arguments->at);
-    fmt::print("{}{}\n", robot_text(arm), tool_text(arm, q));
-    if (!arguments->out.empty()) draw_arm(arm, q, arguments->out);
+    if (arguments->output.is_json) {
+      const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
+      const Frame tool = frame_of(arm.chain.forward(q));
+      const Eigen::Vector3d rpy_deg = tool.rpy / degree;
+      report::Json json = robot_json(arm);
+      json["at"] = std::vector<double>(in_units.begin(), in_units.end());
+      json["tool_at"] = {{"position_m", std::vector<double>(tool.position.begin(), tool.position.end())},
+                         {"rpy_deg", std::vector<double>(rpy_deg.begin(), rpy_deg.end())}};
+      show_json(json);
+    } else
+      fmt::print("{}{}\n", robot_text(arm), wrapped(tool_text(arm, q)));
+    if (!arguments->out.empty()) draw_arm(arm, q, arguments->out, arguments->output);
   });
 }
 

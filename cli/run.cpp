@@ -37,8 +37,8 @@ void warn_of_too_few(const Study& study) {
   if (!planned.decides_within_blocks()) return;
   const auto fewest = static_cast<std::size_t>(inference::fewest_to_differ(planned));
   if (planned.blocks < 2 || planned.blocks >= fewest) return;
-  say(fmt::format("warning: with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",
-                  planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
+  warn(fmt::format("with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",
+                   planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     }
     Ended ended = Ended::complete;
     for (int copy = 0; copy <= arguments->copies && ended == Ended::complete; ++copy) {
-      ended = run_and_tell(copy == 0 ? study : perturbed_copy(study, copy), folder, request,
+      ended = run_and_tell(copy == 0 ? study : perturbed_copy(study, copy), folder, request, arguments->report.output,
                            is_part ? Store::Mode::write_shared : Store::Mode::write);
     }
     if (ended == Ended::stopped) {

@@ -134,6 +134,10 @@ std::vector<fs::path> stores_in(const fs::path& place) {
   return stores;
 }
 
+std::int64_t solves_missing(const Store& store, const StudyEntry& study) {
+  return solves_of({}, size_of(study)) - stored_by_shard(1, study, store).front();
+}
+
 std::vector<std::string> missing_parts(const Store& store, const StudyEntry& study) {
   const StudySize size = size_of(study);
   const Commands commands = commands_of(store, study);

@@ -25,6 +25,8 @@ std::vector<std::filesystem::path> stores_in(const std::filesystem::path& place)
 // if sessions of the study with as many runs have recorded theirs.
 std::vector<std::string> missing_parts(const results::Store& store, const results::StudyEntry& study);
 
+std::int64_t solves_missing(const results::Store& store, const results::StudyEntry& study);
+
 struct ShardState {
   experiments::Shard shard = {};
   std::int64_t stored = 0, total = 0;  // solves of all studies

@@ -46,6 +46,7 @@ struct SolveArguments {
   double tolerance_cm = 0.01;
   std::optional<double> tolerance_deg;
   std::int64_t seed = 1;
+  OutputArguments output;
 };
 
 // Turns the study reader's message about the flags' study into one about the flags.
@@ -91,7 +92,7 @@ Study study_of(const SolveArguments& arguments) {
         arguments.start_deg[j] * joint_units(arm.chain)[static_cast<Eigen::Index>(j)];
   }
   if (!arguments.start_deg.empty() && arm.limits.violation(study.initial) > 0) {
-    say("warning: --start-deg is outside the joint limits");
+    warn("--start-deg is outside the joint limits");
   }
   if (is_arm_file(arguments.robot)) study.robot_of_file = std::make_shared<const Robot>(arm);
   const bool needs_pose = !solver(arguments.solver).why_not(arm.chain, solvers::GoalKind::position).empty();
@@ -143,7 +144,7 @@ Study asked_study(const SolveArguments& arguments) {
   }
 }
 
-std::string shown(const SolveRecord& record, const Study& study) {
+void show(const SolveRecord& record, const Study& study) {
   const Robot arm = arm_of(study);
   std::vector<std::vector<std::string>> rows{{"solver", record.solver},
                                              {"status", std::string(name_of(record.status))}};
@@ -166,7 +167,8 @@ std::string shown(const SolveRecord& record, const Study& study) {
   rows.push_back({"evaluations", std::to_string(record.evaluations)});
   rows.push_back({"iterations", std::to_string(record.iterations)});
   rows.push_back({"time [ms]", fmt::format("{:.4f}", record.seconds * 1e3)});
-  return aligned(rows);
+  const Tones tones{.column = 1, .of_rows = {Tone::plain, record.status == Status::ok ? Tone::good : Tone::bad}};
+  for (const std::string& line : aligned_rows(rows, text_width(), tones)) fmt::print("{}\n", line);
 }
 
 }  // namespace
@@ -224,6 +226,7 @@ void add_solve(CLI::App& app, Invocation& invocation) {
   command->add_option("--seed", arguments->seed, "seed of the random numbers")
       ->check(whole_number())
       ->capture_default_str();
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench solve --position-cm 60 20 10\n"
@@ -239,7 +242,10 @@ void add_solve(CLI::App& app, Invocation& invocation) {
     study.path = path_through({target});
     warn_of_unreachable(study);
     const SolveRecord record = solve_once(study, study.solvers.front(), target);
-    fmt::print("{}", shown(record, study));
+    if (arguments->output.is_json)
+      fmt::print("{}\n", to_json(record));
+    else
+      show(record, study);
     if (record.status != Status::ok) invocation.exit_code = not_solved;
   });
 }

@@ -39,6 +39,7 @@ struct StatsArguments {
   std::string quantity, out, estimand = "mean";
   AnalysisPlan plan;
   double margin = 0;  // absolute; replaces the plan's
+  OutputArguments output;
 };
 
 // Reads the whole text, or just more than the CSV reader takes: a stream may have no end.
@@ -81,7 +82,7 @@ void rename(Of& of, const std::string& quantity) {
   of.unit = split_unit(quantity).unit;
 }
 
-std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
+std::vector<Assessment> assessments_of(const StatsArguments& arguments, ReportProgress& progress) {
   std::vector<Assessment> result;
   std::set<std::string> names;
   const Better better = arguments.larger ? Better::larger : Better::smaller;
@@ -92,6 +93,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
           fmt::format("--quantity names one quantity, but {} has {}", arguments.summaries, all.size()));
     }
     for (Summaries& summaries : all) {
+      progress.show(ReportStep::judging, std::ssize(result), std::ssize(all));
       summaries.better = better;
       summaries.name = distinct(summaries.name, names);
       rename(summaries, arguments.quantity);
@@ -111,6 +113,7 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments) {
   std::vector<std::string> values = arguments.values;
   if (values.empty()) values.emplace_back();
   for (const std::string& value : values) {
+    progress.show(ReportStep::judging, std::ssize(result), std::ssize(values));
     request.value = value;
     Observations observations = read_observations(text, name_of_source(arguments.file), request);
     observations.name = distinct(observations.name, names);
@@ -168,19 +171,40 @@ void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& al
       "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
 }
 
-constexpr std::size_t longest_cell = 120;  // on a terminal; files have the whole text
-
-void print(const Assessment& assessment) {
-  const std::string heading = heading_of(assessment);
-  fmt::print("\n{}\n{}\n", printable(heading), std::string(character_count(heading), '='));
-  for (const std::string& sentence : words_of(assessment.sentences)) fmt::print("- {}\n", printable(sentence));
-  for (const Table& table : assessment.tables) {
-    std::vector<std::vector<std::string>> cells = readable_cells(table);
-    for (auto& row : cells) {
-      for (std::string& cell : row) cell = shortened(cell, longest_cell);
+// The answer of each quantity, then its groups, its pairs and what else is to be said of it.
+std::vector<Part> screen_of(const std::vector<Assessment>& all, const Report& report, const OutputArguments& output) {
+  std::vector<Part> parts;
+  for (const Assessment& assessment : all) {
+    std::vector<std::string> said = words_of(assessment.sentences);
+    const std::string first = said.empty() ? "" : said.front();
+    if (!said.empty()) said.erase(said.begin());
+    const std::size_t share = screen_lines / all.size();
+    parts.push_back(
+        {.items = {wrapped(heading_of(assessment)), coloured(wrapped(first), tone_of(assessment.findings.lead))},
+         .noun = "answer",
+         .least = share});
+    for (const Table& table : assessment.tables) {
+      Part rows = table_rows(table, output, 0);
+      rows.items.front() = '\n' + wrapped(table.caption) + '\n' + rows.items.front();
+      parts.push_back(std::move(rows));
     }
-    fmt::print("\n{}\n{}", printable(table.caption), aligned(cells));
+    parts.push_back(sentences(said));
   }
+  parts.push_back(warnings(report.warnings));
+  parts.push_back({.items = {fmt::format("Report: {}", printable(report.page.string()))}});
+  return parts;
+}
+
+report::Json json_of(const std::vector<Assessment>& all, const Report& report) {
+  report::Json json{
+      {"report", report.page.string()}, {"quantities", report::Json::array()}, {"warnings", report.warnings}};
+  for (const Assessment& assessment : all) {
+    json["quantities"].push_back({{"quantity", assessment.quantity},
+                                  {"is_flawed", !assessment.flaws.empty()},
+                                  {"lead", name_of(assessment.findings.lead)},
+                                  {"pairs", rows_json(assessment.findings.pairs)}});
+  }
+  return json;
 }
 
 }  // namespace
@@ -223,6 +247,7 @@ void add_stats(CLI::App& app, Invocation& invocation) {
       ->excludes("--margin");
   command->add_option("--out", arguments->out, "folder for the report; default: out/stats-<file>");
   command->add_flag("--no-figures", arguments->without_figures, "write tables, but draw no figures");
+  add_output_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench stats results.csv --value error --group solver\n"
@@ -245,7 +270,8 @@ void add_stats(CLI::App& app, Invocation& invocation) {
     const std::string& source = arguments->summaries.empty() ? arguments->file : arguments->summaries;
     const std::string stem = source == "-" ? "input" : std::filesystem::path(source).stem().string();
     const EndOnSignal at_once("Stopped. No report was written.");
-    const std::vector<Assessment> assessments = assessments_of(*arguments);
+    ReportProgress progress;
+    const std::vector<Assessment> assessments = assessments_of(*arguments, progress);
     check_margin_cm(arguments->plan, assessments);
     const Report report = write_statistics(
         {.study = source,
@@ -255,11 +281,16 @@ void add_stats(CLI::App& app, Invocation& invocation) {
          .command = invocation.command,
          .assessments = assessments},
         arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
-        {.render = !arguments->without_figures});
-    for (const Assessment& assessment : assessments) print(assessment);
-    std::fflush(stdout);  // both streams may go to one place
-    for (const std::string& warning : report.warnings) say("warning: " + warning);
-    fmt::print("\nReport: {}\n", printable(report.page.string()));
+        {.render = !arguments->without_figures, .progress = [&](std::int64_t drawn, std::int64_t figures) {
+           progress.show(ReportStep::drawing, drawn, figures);
+         }});
+    progress.end();
+    if (!arguments->output.is_json) {
+      return show_screen(screen_of(assessments, report, arguments->output), arguments->output,
+                         fmt::format(", and {} has it", report.file.string()));
+    }
+    for (const std::string& warning : report.warnings) warn(warning);
+    show_json(json_of(assessments, report));
   });
 }
 

@@ -313,6 +313,8 @@ std::string to_json(const Study& study) {
   return numerics::text_of(json);
 }
 
+std::string to_json(const Robot& arm) { return numerics::text_of(arm_definition(arm)); }
+
 std::string to_json(const AnalysisPlan& plan) { return numerics::text_of(json_of(plan)); }
 
 }  // namespace ikbench::experiments

@@ -13,6 +13,8 @@ std::string to_toml(const Study& study);
 std::string to_toml(Path path);
 // The study without its solvers, with its number of points and its arm, as the store keeps it.
 std::string to_json(const Study& study);
+// The arm's links, base and tool, as in its file.
+std::string to_json(const robots::Robot& arm);
 // A plan, as in the definition at "/analysis".
 std::string to_json(const results::AnalysisPlan& plan);
 

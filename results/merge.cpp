@@ -342,13 +342,15 @@ void end_where(SQLite::Database& sqlite, const std::atomic<bool>* cancelled) {
 
 // Gathers all stores in a new one. It is nobody else's, so it needs no journal.
 std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, const std::vector<fs::path>& stores,
-                                 const std::atomic<bool>* cancelled) {
+                                 const std::atomic<bool>* cancelled, const MergeProgress& progress) {
   return guarded(out.string(), [&] {
     StoreFile target(file, Store::Mode::write_shared);
     target.sqlite().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
     end_where(target.sqlite(), cancelled);
     MergedStore all(target);
+    std::int64_t done = 0;
     for (const fs::path& place : stores) {
+      if (progress) progress(done++, std::ssize(stores));
       const Source source{.file = place};
       std::optional<Store> store;
       try {
@@ -397,7 +399,8 @@ std::error_code publish(const fs::path& file, const fs::path& name) {
   return {errno, std::generic_category()};
 }
 
-Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled) {
+Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled,
+                 const MergeProgress& progress) {
   try {
     std::error_code none;
     if (fs::exists(out, none)) Store(out, Store::Mode::read);  // refuses what is no store before the long copy
@@ -405,7 +408,7 @@ Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const
   }
   const TemporaryFolder scratch(out.parent_path());
   const fs::path file = scratch.path() / out.filename();
-  auto [gathered, merged] = gather(file, out, stores, cancelled);
+  auto [gathered, merged] = gather(file, out, stores, cancelled, progress);
   end_if(cancelled);
   const std::error_code error = publish(file, out);
   if (!error) return merged;
@@ -420,9 +423,10 @@ Merged merge_all(const fs::path& out, const std::vector<fs::path>& stores, const
 
 }  // namespace
 
-Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled) {
+Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const std::atomic<bool>* cancelled,
+             const MergeProgress& progress) {
   try {
-    return merge_all(out, stores, cancelled);
+    return merge_all(out, stores, cancelled, progress);
   } catch (const std::exception&) {
     end_if(cancelled);  // whatever the error was
     throw;

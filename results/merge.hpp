@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Merged {
 // Thrown by a cancelled merge, which has added nothing.
 struct MergeCancelled {};
 
+// Told how many of all stores are read.
+using MergeProgress = std::function<void(std::int64_t done, std::int64_t all)>;
+
 // Adds studies, solves and sessions of `stores` to the store `out`, which is created if missing. Sessions get new
 // numbers. A session that `out` has already is the same one, so merging again changes nothing. Solves are copied as
 // they are; readers find what is damaged in them.
@@ -30,6 +34,6 @@ struct MergeCancelled {};
 // have different studies of one name or different bits of one solve (columns of the fingerprint), if no store can be
 // read, and as store.hpp says. Throws MergeCancelled soon after `cancelled` is set, unless all is merged by then.
 Merged merge(const std::filesystem::path& out, const std::vector<std::filesystem::path>& stores,
-             const std::atomic<bool>* cancelled = nullptr);
+             const std::atomic<bool>* cancelled = nullptr, const MergeProgress& progress = {});
 
 }  // namespace ikbench::results

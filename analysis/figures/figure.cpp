@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -164,6 +165,8 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
   const TemporaryFolder workshop(folder);
   for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
   std::atomic<std::size_t> next = 0;
+  std::mutex one_at_a_time;
+  std::int64_t done = 0;
   std::vector<std::exception_ptr> failures(figures.size());  // these end the report, not only a figure
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
@@ -177,6 +180,9 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
         next = figures.size();
       }
       if (!outcomes[i].rendered) remove_pictures(figures[i].name, folder);
+      if (!options.progress) continue;
+      const std::scoped_lock lock(one_at_a_time);
+      options.progress(++done, static_cast<std::int64_t>(figures.size()));
     }
   };
   std::vector<std::jthread> others;

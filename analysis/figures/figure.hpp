@@ -2,7 +2,9 @@
 // with `gnuplot NAME.gp`. Every figure of the program uses this module.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct RenderOptions {
   bool render = true;               // false: writes only scripts and data, and pictures stay
   std::string gnuplot = "gnuplot";  // the program, sought on the PATH
   int jobs = 2;                     // figures drawn at once
+  std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
 };
 
 struct FigureOutcome {

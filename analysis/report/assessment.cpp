@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -86,6 +87,7 @@ Assessment assessment_of(const Evidence& evidence) {
                     .sentences = sentences_of(evidence),
                     .answer = answer(evidence),
                     .flaws = evidence.flaws,
+                    .findings = findings_of(evidence),
                     .tables = tables_of(evidence),
                     .json = json_of(evidence)};
   if (!is_worth_drawing(evidence)) return result;
@@ -186,6 +188,27 @@ Json contrast_json(const Evidence& evidence, const Finding& contrast) {
 }
 
 }  // namespace
+
+Findings findings_of(const Evidence& evidence) {
+  Findings found{.pairs = {.name = "findings",
+                           .caption = "How the first relates to the second",
+                           .columns = {"first", "second", "relation", "estimate", "low", "high", "is_ratio", "p"}}};
+  if (evidence.groups.empty()) return found;
+  const std::size_t best = evidence.reference.value_or(best_group(evidence));
+  constexpr std::array weight{Relation::undefined, Relation::same, Relation::worse, Relation::better,
+                              Relation::undecided};  // the last that occurs counts
+  const auto weight_of = [&](Relation relation) { return std::ranges::find(weight, relation); };
+  for (const Finding& pair : evidence.contrasts) {
+    const Estimate& estimate = evidence.ranks_decide() ? pair.ratio : pair.estimate;
+    found.pairs.rows.push_back({evidence.groups[pair.first].name, evidence.groups[pair.second].name,
+                                std::string(name_of(pair.relation)), estimate.value, estimate.low, estimate.high,
+                                std::int64_t{pair.is_ratio || evidence.ranks_decide()}, PValue{pair.p}});
+    if (pair.first != best && pair.second != best) continue;
+    const Relation relation = pair.first == best ? pair.relation : reversed(pair.relation);
+    if (weight_of(relation) > weight_of(found.lead)) found.lead = relation;
+  }
+  return found;
+}
 
 std::string json_of(const Evidence& evidence) {
   constexpr std::array scales{"plain", "log10", "share"};

@@ -12,6 +12,14 @@
 
 namespace ikbench::report {
 
+// The pairs of an evidence as a table of data, and how its best group (or the control) relates to the others: undecided
+// if one is, else better or worse if it is so of one.
+struct Findings {
+  Table pairs = {};  // first, second, relation, estimate, low, high, is_ratio, p
+  inference::Relation lead = inference::Relation::undefined;
+};
+Findings findings_of(const inference::Evidence& evidence);
+
 struct Assessment {
   std::string name;      // as in Observations; tables and figures are "statistics-<name>-..."
   std::string quantity;  // "position error [cm]"
@@ -19,6 +27,7 @@ struct Assessment {
   std::vector<Sentence> sentences;       // plain text
   std::vector<std::string> answer = {};  // its sentences, without full stops
   inference::Doubts flaws = {};          // reasons to doubt it
+  Findings findings = {};
   std::vector<Table> tables;
   std::vector<figures::Figure> figures;
   std::string json;  // one object with every number

@@ -87,6 +87,21 @@ Table claims_table(const std::vector<Claim>& claims, std::string name, std::stri
   return table;
 }
 
+Table verdict_table(const std::vector<Claim>& claims) {
+  constexpr std::array<std::string_view, 6> names{"holds", "in part", "undecided", "fails", "depends", "untested"};
+  const auto word = [&](Verdict verdict) { return std::string(names[static_cast<std::size_t>(verdict)]); };
+  const auto text = [](const std::string& of) { return of.empty() ? Cell() : Cell(of); };
+  Table table{.name = "verdict",
+              .caption = "The claims",
+              .columns = {"here", "printed", "number", "claim", "id", "by", "section", "depends_on"}};
+  for (const Claim& claim : claims) {
+    table.rows.push_back({word(claim.verdict), claim.printed ? Cell(word(*claim.printed)) : Cell(), text(claim.number),
+                          claim.statement, text(claim.id), claim.by == Claimant::paper ? "paper" : "us",
+                          text(claim.section), text(fmt::format("{}", fmt::join(claim.depends_on, ", ")))});
+  }
+  return table;
+}
+
 std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims) {
   std::vector<Claim> result;
   std::ranges::copy_if(claims, std::back_inserter(result), [by](const Claim& claim) { return claim.by == by; });

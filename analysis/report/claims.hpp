@@ -43,6 +43,10 @@ std::string evidence_text(const Claim& claim);  // all of it
 enum class EvidenceShown { whole, first_sentence };
 Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption, EvidenceShown evidence);
 
+// One row per claim for a screen and for JSON: here, printed, number, claim, id, by, section, depends_on. The verdicts
+// are single words: "holds", "in part", "undecided", "fails", "depends", "untested".
+Table verdict_table(const std::vector<Claim>& claims);
+
 std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims);
 
 // A sentence that counts how many of the paper's claims hold here; our own questions do not count.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/report/table.hpp"
 #include "numerics/json.hpp"
 
 namespace ikbench::report {
@@ -11,6 +12,10 @@ namespace ikbench::report {
 using Json = numerics::OrderedJson;
 
 inline Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+// The rows of a table as an array of objects, with the names of its columns. An interval has low and high, and a number
+// beside a printed one has ours and printed.
+Json rows_json(const Table& table);
 
 // Writes JSON for a data block of a page: escapes "<", so that none ends the element.
 inline std::string json_in_page(const Json& json) {

@@ -64,6 +64,8 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<Fig
 
   Report report{.page = folder / "report.html",
                 .file = folder / "report.md",
+                .verdict = answers_of(content),
+                .claims = content.claims,
                 .summary = content.summary,
                 .warnings = list_of(content.warnings)};
   const std::vector<std::string> answer = words_of(content.answer);

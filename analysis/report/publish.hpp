@@ -14,12 +14,15 @@
 namespace ikbench::report {
 
 struct Report {
-  std::filesystem::path page;         // report.html
-  std::filesystem::path file;         // report.md
-  Table results = {};                 // a study's table of results
-  std::vector<std::string> summary;   // its first sentences
-  std::vector<std::string> warnings;  // figures not drawn, an incomplete study, ...
-  bool is_damaged = false;            // the store has impossible numbers
+  std::filesystem::path page;             // report.html
+  std::filesystem::path file;             // report.md
+  Table results = {};                     // a study's table of results
+  std::vector<std::string> verdict = {};  // what the page says first
+  std::vector<Claim> claims = {};         // of a paper
+  Findings findings = {};                 // of a study: the quantity that decides
+  std::vector<std::string> summary;       // its first sentences
+  std::vector<std::string> warnings;      // figures not drawn, an incomplete study, ...
+  bool is_damaged = false;                // the store has impossible numbers
 };
 
 // Replaces files of the same names. Throws std::invalid_argument if the folder cannot be written. Writes tables even

@@ -83,12 +83,15 @@ class CheckedStore {
 
  private:
   StudyResults read(const StudyEntry& entry, const std::function<void(const SolveRecord&)>& take) {
-    StudyMaker maker(entry, static_cast<std::size_t>(store_.solves_of(entry.series)));
+    const std::int64_t all = store_.solves_of(entry.series);
+    std::int64_t done = 0;
+    StudyMaker maker(entry, static_cast<std::size_t>(all));
     const SolveCheck check = request_.check ? request_.check(entry) : SolveCheck();
     store_.each_of_study(entry, [&](const SolveRecord& solve) {
       maker.add(solve);
       if (check.look_at) check.look_at(solve);
       take(solve);
+      if (request_.progress) request_.progress(ReportStep::reading, ++done, all);
     });
     if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
     if (check.unknown) unknown_.push_back(check.unknown());
@@ -162,11 +165,15 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
   return result;
 }
 
-std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper) {
+std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper, const ReportRequest& request) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  for (const Metric metric : shown_metrics(study).judged) {
-    for (const Estimand estimand : estimands_of(study, metric)) result.push_back(assess(study, metric, estimand));
+  const std::vector<Metric> judged = shown_metrics(study).judged;
+  for (std::size_t m = 0; m < judged.size(); ++m) {
+    if (request.progress) request.progress(ReportStep::judging, static_cast<std::int64_t>(m), std::ssize(judged));
+    for (const Estimand estimand : estimands_of(study, judged[m])) {
+      result.push_back(assess(study, judged[m], estimand));
+    }
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
@@ -361,10 +368,17 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   add_seen(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
-  content.assessments = assessments_of(study, paper);
+  content.assessments = assessments_of(study, paper, request);
   content.motion = moving_arm(entry, study);
-  Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, request.figures);
+  RenderOptions options = request.figures;
+  if (request.progress) {
+    options.progress = [&](std::int64_t done, std::int64_t all) { request.progress(ReportStep::drawing, done, all); };
+  }
+  Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, options);
   report.results = results;
+  if (!study.solves.empty()) {
+    report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
+  }
   report.is_damaged = !checked.damages().empty();
   remember_look(entry.name, runs, store.name());
   return report;

@@ -1,6 +1,7 @@
 // The report of a study: report.html, report.md, tables/ (Markdown, CSV, LaTeX) and figures/ in one folder.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -25,6 +26,9 @@ struct SolveCheck {
   std::function<std::string()> unknown = {};  // empty if all is known
 };
 
+// Reads solves, judges quantities, draws figures.
+enum class ReportStep { reading, judging, drawing };
+
 struct ReportRequest {
   std::string study;
   std::filesystem::path folder;  // created if missing; files of the same names are replaced
@@ -36,6 +40,8 @@ struct ReportRequest {
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<RepeatedSolver> repetitions = {};     // the study solved with other seeds
   std::vector<ClaimShares> shares = {};             // shares of the paper's claims over all interpretations
+  // Told how far a step is. May be empty.
+  std::function<void(ReportStep step, std::int64_t done, std::int64_t all)> progress = {};
   // Makes a check of a study's solves. May be empty.
   std::function<SolveCheck(const results::StudyEntry&)> check = {};
 };

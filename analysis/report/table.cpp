@@ -205,6 +205,20 @@ std::vector<std::size_t> columns_in_use(const Table& table) {
   return used;
 }
 
+Table with_columns(const Table& table, std::span<const std::string_view> names) {
+  Table result = table;
+  result.columns.clear();
+  for (auto& row : result.rows) row.clear();
+  for (const std::string_view name : names) {
+    const auto found = std::ranges::find(table.columns, name);
+    if (found == table.columns.end()) continue;
+    result.columns.push_back(*found);
+    const auto c = static_cast<std::size_t>(found - table.columns.begin());
+    for (std::size_t r = 0; r < table.rows.size(); ++r) result.rows[r].push_back(table.rows[r][c]);
+  }
+  return result;
+}
+
 std::vector<std::vector<std::string>> readable_cells(const Table& given) {
   const Table table = for_people(given);
   const std::vector<std::size_t> used = columns_in_use(table);

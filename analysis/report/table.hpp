@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -96,6 +97,8 @@ std::vector<std::size_t> columns_in_use(const Table& table);
 
 // Leaves out the last columns of a narrow table until its LaTeX is as wide as a column of an article.
 Table fitted(Table table);
+// The table with these columns only, in this order; those that it lacks are left out.
+Table with_columns(const Table& table, std::span<const std::string_view> names);
 
 // Heads and cells as in Markdown, without its escapes; the first row is the head.
 std::vector<std::vector<std::string>> readable_cells(const Table& table);

@@ -12,8 +12,8 @@
 #include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/json.hpp"
 #include "analysis/report/words.hpp"
-#include "numerics/json.hpp"
 
 namespace ikbench::report {
 
@@ -23,8 +23,6 @@ using namespace inference;
 using namespace fmt::literals;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_labels = 12;
 
@@ -198,14 +196,6 @@ std::string design_words(const VariantComparison& comparison) {
                      "what"_a = observed.replicate, "pair"_a = observed.block);
 }
 
-Json json_of(const Cell& cell) {
-  if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return *count;
-  if (const auto* const value = std::get_if<double>(&cell)) return *value;  // dumped as null if not finite
-  if (const auto* const p = std::get_if<PValue>(&cell)) return p->value;
-  return nullptr;
-}
-
 // "position_error_cm (2.1 times A's, interval 1.8 to 2.5, p 0.0003)"
 std::string regression(const MetricComparison& metric) {
   std::vector<std::string> facts;
@@ -295,18 +285,12 @@ std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) 
 }
 
 std::string variants_json(Comparisons comparisons, const AnalysisPlan& plan) {
-  const Table table = variants_table(comparisons, plan);
   Json json{{"verdict", variants_verdict(comparisons, plan)},
             {"margin", plan.margin},
             {"margin_cm", plan.margin_cm},
             {"significance", plan.significance},
             {"notes", variants_notes(comparisons)},
-            {"rows", Json::array()}};
-  for (const std::vector<Cell>& row : table.rows) {
-    Json object = Json::object();
-    for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_of(row[c]);
-    json["rows"].push_back(std::move(object));
-  }
+            {"rows", rows_json(variants_table(comparisons, plan))}};
   return numerics::text_of(json, 2) + "\n";
 }
 

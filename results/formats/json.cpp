@@ -30,6 +30,8 @@ OrderedJson json_of(const SolveRecord& record) {
 
 }  // namespace
 
+std::string to_json(const SolveRecord& record) { return text_of(json_of(record), 2); }
+
 void json_text(const Exported& exported, const Write& write) {
   OrderedJson head;
   head["note"] = "null stands for a number that is not finite";

@@ -23,7 +23,7 @@ kind = "random"
 points = 3
 E2
 for solver in "${solvers[@]}"; do printf '[[solvers]]\nsolver = "%s"\n' "$solver"; done >>theirs.toml
-succeeds run theirs.toml --no-figures --out theirs
+succeeds run --verbose theirs.toml --no-figures --out theirs
 [ "$(solves theirs/store.sqlite)" = 96 ] || fail "eight solvers, four runs and three points are 96 solves"
 ! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
 has "$out" "within 0.1 cm and 0.5 deg"
@@ -73,7 +73,7 @@ solver = "damped_least_squares"
 [[solvers]]
 solver = "newton"
 E2
-succeeds run rectangle.toml --no-figures --out rectangle
+succeeds run --verbose rectangle.toml --no-figures --out rectangle
 ! grep -i -n 'helix\|slim' rectangle/report.html rectangle/report.md || fail "the report speaks of a paper"
 for solver in damped_least_squares newton; do
   grep -q "^$solver 1$" <<<"$(table_column share rectangle/tables/solved.csv)" || fail "$solver does not follow the rectangle"

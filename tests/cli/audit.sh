@@ -2,7 +2,7 @@
 # The audit of the paper: printed without a solve, and written where asked.
 source "$(dirname "$0")/common.sh"
 
-succeeds audit slim2023
+succeeds audit --verbose slim2023
 quiet
 has "$out" "Table 7, 20 bats"
 has "$out" "the mean exceeds the maximum"
@@ -11,12 +11,12 @@ has "$out" "less than 50 ms" # and "not meeting", in one section
   fail "the last line is: ${out##*$'\n'}"
 [ -z "$(ls)" ] || fail "it wrote something: $(ls)"
 
-succeeds audit slim2023 --out folder
+succeeds audit --verbose slim2023 --out folder
 for type in md csv tex; do [ -s "folder/tables/audit.$type" ] || fail "no audit.$type"; done
 [ "$(head -1 folder/tables/audit.csv)" = "id,where,printed,follows,verdict,why" ] || fail "$(head -1 folder/tables/audit.csv)"
 
 refused 'unknown paper "nobody1999"' audit nobody1999
-succeeds audit # of the first paper
+succeeds audit --verbose # of the first paper
 has "$out" "Table 7, 20 bats"
 echo "a file" >file
 refused 'file' audit slim2023 --out file

@@ -52,12 +52,15 @@ refused() {
   [[ $line == *"$words"* ]] || fail "ikbench $*: expected '$words' in: $line"
 }
 
+# flat TEXT: the text in one line, as it was before its lines were broken between words.
+flat() { printf %s "$1" | tr -s '\n ' ' '; }
+
 has() {
-  [[ $1 == *"$2"* ]] || fail "expected '$2' in: $1"
+  [[ $1 == *"$2"* || $(flat "$1") == *"$(flat "$2")"* ]] || fail "expected '$2' in: $1"
 }
 
 has_no() {
-  [[ $1 != *"$2"* ]] || fail "expected no '$2' in: $1"
+  [[ $1 != *"$2"* && $(flat "$1") != *"$(flat "$2")"* ]] || fail "expected no '$2' in: $1"
 }
 
 # A study that takes little, of the paper's six solvers.

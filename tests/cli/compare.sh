@@ -9,17 +9,17 @@ make() {
   succeeds run slim2023 --set runs=8 --set path.points=3 --set stop.iterations=40 --set population=10 "$@" --no-report --out "$folder"
 }
 
-# answer: the first line of what was said.
-answer() { echo "${out%%$'\n'*}"; }
+# answer: the first sentences of what was said; their further lines are indented.
+answer() { awk 'NR > 1 && !/^  / { exit } { sub(/^  /, " "); printf "%s", $0 }' .out; }
 
-# answers WORDS: the first line begins with them.
+# answers WORDS: it begins with them.
 answers() {
   [[ $(answer) == "$1"* ]] || fail "expected the answer '$1...', and it is: $(answer)"
 }
 
 # is_worse ARGUMENTS...: exit code 3, and the first line says so.
 is_worse() {
-  run_it compare "$@"
+  run_it compare --verbose "$@"
   [ "$code" = 3 ] || fail "compare $*: exit code $code, expected 3; it said: $out $err"
   answers "Regression beyond "
 }
@@ -30,23 +30,23 @@ make fewer --set stop.iterations=5
 base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 
 # The same, to the bit.
-succeeds compare $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
+succeeds compare --verbose $base $again --metric position_error_cm --metric variation_deg --metric evaluations --metric solved
 [ "$(grep -cE '  the same within 5 (%|percentage points)  .* equal bit for bit$' <<<"$out")" = 24 ] || fail "6 labels have 4 metrics that are the same: $out"
 [ "$(answer)" = "No regression beyond 5 % (shares: 5 percentage points). Of 24 comparisons: 18 the same within 5 %, 6 the same within 5 percentage points." ] || fail "the answer is: $(answer)"
 quiet
 
 # Without a tolerance nothing says what is solved, and that is said once.
 unsolved="The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an answer is inside the joint limits, however far it is from the target."
-[ "$(grep -cxF "$unsolved" .out)" = 1 ] || fail "not said once that the study has no tolerance: $out"
+[ "$(flat "$out" | grep -oF "$unsolved" | wc -l)" = 1 ] || fail "not said once that the study has no tolerance: $out"
 
 # Of two stores, B remembers how many runs were looked at; a later look at more runs says which level holds. A stays
 # unchanged.
 make grown --set runs=4
 cp $base base-before
-succeeds compare $base grown/store.sqlite --metric position_error_cm
+succeeds compare --verbose $base grown/store.sqlite --metric position_error_cm
 has_no "$out" "This is look"
 make grown
-succeeds compare $base grown/store.sqlite --metric position_error_cm
+succeeds compare --verbose $base grown/store.sqlite --metric position_error_cm
 has "$out" "This is look 2 at this study: earlier ones were after 4 ("
 has "$out" "a difference counts only if p is below 0.025"
 cmp $base base-before || fail "a comparison changed its baseline"
@@ -55,71 +55,71 @@ cmp $base base-before || fail "a comparison changed its baseline"
 is_worse $base $fewer --metric position_error_cm
 has "$out" "K-ABC"
 has "$out" "B differs from A in stop.iterations (40, 5)."
-succeeds compare $fewer $base --metric position_error_cm
+succeeds compare --verbose $fewer $base --metric position_error_cm
 answers "No regression beyond 5 %"
 is_worse $base $fewer --label K-ABC --metric position_error_cm --margin 20%
 answers "Regression beyond 20 %: position_error_cm ("
-succeeds compare $base $fewer --label K-ABC --metric evaluations
+succeeds compare --verbose $base $fewer --label K-ABC --metric evaluations
 has "$out" "better"
 
 # A margin in cm beside the relative one: errors that are worse, but by less than it.
 is_worse $base $fewer --label K-ABC --metric position_error_cm --margin-cm 0.01
 answers "Regression beyond 5 % or 0.01 cm: position_error_cm ("
-succeeds compare $base $fewer --label K-ABC --metric position_error_cm --margin-cm 1000
+succeeds compare --verbose $base $fewer --label K-ABC --metric position_error_cm --margin-cm 1000
 answers "No regression beyond 5 % or 1000 cm. Of 1 comparison: 1 worse by less than 5 % or 1000 cm."
 has "$out" "margin 5 % or 1000 cm; if A and B are alike"
-succeeds compare $base $fewer --label K-ABC --metric evaluations --metric position_error_cm --margin-cm 1000
+succeeds compare --verbose $base $fewer --label K-ABC --metric evaluations --metric position_error_cm --margin-cm 1000
 refused '--margin-cm: no metric is in cm' compare $base $fewer --metric evaluations --margin-cm 1
 refused '--margin-cm: 2000 is not a number from 0 to 1000' compare $base $fewer --margin-cm 2000
 
 # Another estimand of the errors than the study's first.
-succeeds compare BA IK-BA --store $base --metric position_error_cm --estimand typical
+succeeds compare --verbose BA IK-BA --store $base --metric position_error_cm --estimand typical
 has "$out" "IK-BA against BA  position_error_cm (typical)  "
 has "$out" "one observation is the geometric mean of a run over its 3 points."
-run_it compare BA IK-BA --store $base --metric position_error_cm --estimand mean
+run_it compare --verbose BA IK-BA --store $base --metric position_error_cm --estimand mean
 by_mean=$out
-succeeds compare BA IK-BA --store $base --metric position_error_cm
+succeeds compare --verbose BA IK-BA --store $base --metric position_error_cm
 [ "$out" = "$by_mean" ] || fail "the study's first estimand is the mean: $out"
 refused '--estimand: median not in {mean,typical,reliability}' compare BA IK-BA --store $base --estimand median
 
 # Two labels of one store.
-succeeds compare BA IK-BA --store $base --metric evaluations
+succeeds compare --verbose BA IK-BA --store $base --metric evaluations
 answers "IK-BA against BA: not worse beyond 5 %. "
 has "$out" "B: IK-BA, against A: BA, in study slim2023"
 has "$out" "Independent runs, 8 of A and 8 of B: one observation is the mean of a run over its 3 points."
 has "$out" "A report judges each metric over the pairs of all 6 solvers"
 
 # An undecided comparison is no regression, unless --strict demands a decision.
-succeeds compare $base $fewer --label IK-BA --metric variation_deg
+succeeds compare --verbose $base $fewer --label IK-BA --metric variation_deg
 answers "No regression beyond 5 % was found. Of 1 comparison: 1 undecided"
-run_it compare $base $fewer --label IK-BA --metric variation_deg --strict
+run_it compare --verbose $base $fewer --label IK-BA --metric variation_deg --strict
 [ "$code" = 4 ] || fail "--strict, undecided: exit code $code, expected 4"
 has "$(answer)" "With --strict this counts as a failure."
-run_it compare $base $fewer --label IK-BA --label K-ABC --metric position_error_cm --metric variation_deg --strict
+run_it compare --verbose $base $fewer --label IK-BA --label K-ABC --metric position_error_cm --metric variation_deg --strict
 [ "$code" = 3 ] || fail "--strict, worse in one and undecided in another: exit code $code, expected 3"
 has "$out" "undecided"
 has_no "$(answer)" "With --strict"
-succeeds compare $base $again --label IK-BA --metric solved --strict
+succeeds compare --verbose $base $again --label IK-BA --metric solved --strict
 # Times of two sessions are not comparable; with the default metrics that is no failure, where they are asked for it is.
-succeeds compare $base $again --label IK-BA --strict
+succeeds compare --verbose $base $again --label IK-BA --strict
 has "$(answer)" "not compared"
-run_it compare $base $again --label IK-BA --metric seconds --strict
+run_it compare --verbose $base $again --label IK-BA --metric seconds --strict
 [ "$code" = 4 ] || fail "--strict, times of two sessions: exit code $code, expected 4"
 make single --set runs=1
-succeeds compare single/store.sqlite single/store.sqlite --label BA --metric evaluations
-succeeds compare $base single/store.sqlite --label BA --metric position_error_cm
+succeeds compare --verbose single/store.sqlite single/store.sqlite --label BA --metric evaluations
+succeeds compare --verbose $base single/store.sqlite --label BA --metric position_error_cm
 has "$out" "fewer than"
 
 # Random targets: run by run the same.
 for folder in drawn drawn_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --no-report --out $folder
 done
-succeeds compare drawn/store.sqlite drawn_again/store.sqlite --metric evaluations
+succeeds compare --verbose drawn/store.sqlite drawn_again/store.sqlite --metric evaluations
 has "$out" "12 pairs of targets: one observation is the only solve of a target"
 for folder in chained chained_again; do
   succeeds run slim2023-time --set runs=6 --set path.points=2 --set start=previous --set stop.iterations=10 --no-report --out $folder
 done
-succeeds compare chained/store.sqlite chained_again/store.sqlite --metric evaluations
+succeeds compare --verbose chained/store.sqlite chained_again/store.sqlite --metric evaluations
 has "$out" "6 pairs of runs: one observation is the mean of a run over its 2 points"
 refused 'they have different start configurations' compare drawn/store.sqlite chained/store.sqlite
 
@@ -140,14 +140,14 @@ refused 'they have different start configurations' compare $base turned/store.sq
 # Look by look. Exit code 5 asks for more runs; what is decided stays so, however many runs come later.
 make other --set seed=2
 other=other/store.sqlite looks=(--metric position_error_cm --sequential --step 4)
-run_it compare $base $other "${looks[@]}" --max-runs 16 --strict
+run_it compare --verbose $base $other "${looks[@]}" --max-runs 16 --strict
 [ "$code" = 5 ] || fail "not decided after 8 of 16 runs: exit code $code, expected 5; it said: $out $err"
 has "$out" "Looks after every 4 of at most 16 runs: not decided after 8 runs."
 has "$out" "Next: ikbench run STUDY --set runs=12 --no-report for A and for B"
-succeeds compare $base $other "${looks[@]}" --max-runs 8
+succeeds compare --verbose $base $other "${looks[@]}" --max-runs 8
 has_no "$out" "Next: "
 has_no "$out" "Looks that are planned afterwards"
-run_it compare $base $other "${looks[@]}" --max-runs 8 --strict
+run_it compare --verbose $base $other "${looks[@]}" --max-runs 8 --strict
 [ "$code" = 4 ] || fail "not decided at the limit: exit code $code, expected 4"
 is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
 decided=$(grep -o 'decided after [0-9]* runs' <<<"$out")
@@ -162,10 +162,10 @@ make fewer --set stop.iterations=5
 
 # The same, and it adds the runs itself: of the six solvers, in one store, as many as it takes.
 own=(--run slim2023 --set path.points=3 --set stop.iterations=40 --set population=10 --sequential --step 4 --max-runs 12)
-succeeds compare BA IK-BA "${own[@]}" --metric evaluations --out looked
+succeeds compare --verbose BA IK-BA "${own[@]}" --metric evaluations --out looked
 [ "$(solves looked/store.sqlite)" = 72 ] || fail "after the first look there are $(solves looked/store.sqlite) solves"
 has "$out" "decided after 4 runs."
-run_it compare PSO DE "${own[@]}" --metric position_error_cm --margin 0 --out looked
+run_it compare --verbose PSO DE "${own[@]}" --metric position_error_cm --margin 0 --out looked
 [ "$(solves looked/store.sqlite)" -gt 72 ] || fail "no runs were added: $out"
 has_no "$err" "has a different study"
 refused '--run requires --sequential' compare BA IK-BA --run slim2023
@@ -180,7 +180,7 @@ refused 'runs add no targets' compare each/store.sqlite each_fewer/store.sqlite 
 
 # Files for other programs.
 for type in md csv json; do
-  succeeds compare $base $fewer --label MO-PSO --metric evaluations --metric solved -o new/comparison.$type
+  succeeds compare --verbose $base $fewer --label MO-PSO --metric evaluations --metric solved -o new/comparison.$type
   [ -s new/comparison.$type ] || fail "no comparison.$type"
 done
 has "$(<new/comparison.md)" '| MO-PSO | evaluations | better by more than 5 % |'
@@ -199,10 +199,10 @@ is_worse $base $fewer --label K-ABC --metric position_error_cm -o new/regression
 
 # The margin is that of A's study, where none is given.
 make wide --set analysis.margin_percent=30
-succeeds compare wide/store.sqlite $base --label BA --metric evaluations
+succeeds compare --verbose wide/store.sqlite $base --label BA --metric evaluations
 has "$out" "margin 30 %"
 make wide --set analysis.margin_percent=0 --set analysis.margin_cm=500
-succeeds compare wide/store.sqlite $fewer --label K-ABC --metric position_error_cm
+succeeds compare --verbose wide/store.sqlite $fewer --label K-ABC --metric position_error_cm
 has "$out" "margin 500 cm"
 answers "No regression beyond 500 cm"
 
@@ -211,7 +211,7 @@ for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power
   "analysis.margin_percent=0 analysis.significance=0.0001 analysis.power=0.999"; do
   read -r margin significance power <<<"$edge"
   make edge --set "$margin" --set "$significance" --set "$power"
-  succeeds compare edge/store.sqlite $fewer --label K-ABC --metric variation_deg
+  succeeds compare --verbose edge/store.sqlite $fewer --label K-ABC --metric variation_deg
   has "$out" "the probability of any difference is at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
   succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
@@ -222,7 +222,7 @@ done
 # Names are text.
 printf 'name = "a <i>b</i>"\nruns = 2\npopulation = 6\n[stop]\niterations = 5\n[path]\npoints = 2\n[[solvers]]\nsolver = "bat"\nlabel = "x | <b> 関節"\n' >hostile.toml
 succeeds run hostile.toml --no-report --out hostile
-succeeds compare hostile/store.sqlite hostile/store.sqlite --metric evaluations -o new/hostile.md
+succeeds compare --verbose hostile/store.sqlite hostile/store.sqlite --metric evaluations -o new/hostile.md
 has "$out" 'x | <b> 関節'
 has_no "$(<new/hostile.md)" '<'
 [ "$(grep -c '^|' new/hostile.md)" = 3 ] || fail "the table has other rows: $(<new/hostile.md)"

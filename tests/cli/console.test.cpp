@@ -7,10 +7,12 @@
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
 
+using ikbench::cli::aligned;
 using ikbench::cli::cancelled_exit_code;
 using ikbench::cli::CancelOnSignal;
 using ikbench::cli::ProgressText;
 using ikbench::cli::SignalWatch;
+using ikbench::cli::wrapped;
 using namespace std::chrono_literals;
 
 TEST_CASE("in a log a line tells the progress every thirty seconds, with rate and time left", "[console]") {
@@ -44,6 +46,32 @@ TEST_CASE("on a terminal the progress is a bar, ten times a second, that moves n
   CHECK(text.at(start + 99ms, {.done = 1, .total = 2}) == "");
   CHECK(text.at(start + 1s, {.done = 1, .total = 2}) ==
         "\r\x1b[Ka\\x1b[2J [###############...............] 1/2 solves, 1.0/s, 0:01 left");
+}
+
+TEST_CASE("a progress counts what it is told to", "[console]") {
+  const ProgressText::Clock::time_point start{};
+  ProgressText text("drawing", ProgressText::Medium::log, start, "figures");
+  CHECK(text.at(start + 30s, {.done = 15, .total = 30}) == "drawing: 15/30 figures, 0.5/s, 0:30 left\n");
+}
+
+TEST_CASE("lines break between words, and the further ones are indented", "[console]") {
+  CHECK(wrapped("one two three", 100) == "one two three");
+  CHECK(wrapped("one two three", 13) == "one two three");
+  CHECK(wrapped("one two three", 12) == "one two\n  three");
+  CHECK(wrapped("one two three four", 9) == "one two\n  three\n  four");
+  CHECK(wrapped("a\nb c", 3) == "a\nb c");
+  CHECK(wrapped("\u00e9\u00e9\u00e9 \u00e9\u00e9", 6) == "\u00e9\u00e9\u00e9 \u00e9\u00e9");  // characters, not bytes
+  CHECK(wrapped("/a/path/that/is/long is whole", 10) == "/a/path/that/is/long\n  is whole");
+  CHECK(wrapped("", 10).empty());
+  CHECK(wrapped("a\x1b[2J", 10) == "a\\x1b[2J");
+}
+
+TEST_CASE("rows that are too wide wrap the words of their widest columns", "[console]") {
+  CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 100) == "A  B\n1  one two\n");
+  CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 9) == "A  B\n1  one\n   two\n");
+  CHECK(aligned({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B      C\n1  one    x\n   two\n");
+  CHECK(aligned({{"A"}, {"longword"}}, 4) == "A\nlongword\n");
+  CHECK(aligned({}, 10).empty());
 }
 
 TEST_CASE("a signal that was answered is told at the end, and after the end one ends the program",

@@ -120,10 +120,10 @@ has "$out" "(128 were already stored)"
 succeeds report $store --no-figures
 
 # A comparison says how many solves have no answer; evaluations that nobody counted are no regression, also with --strict.
-succeeds compare good dies --store $store --metric evaluations --strict
+succeeds compare --verbose good dies --store $store --metric evaluations --strict
 has "$out" "1 not compared: nobody counted."
 has "$out" "Solves without an answer: none of A's 16; 1 of B's 16 (crashed 1)."
-run_it compare good declines --store $store --metric position_error_cm --metric evaluations
+run_it compare --verbose good declines --store $store --metric position_error_cm --metric evaluations
 has "$out" "Solves without an answer: none of A's 16; 16 of B's 16 (declined 16)."
 has "$out" "nobody counted"
 

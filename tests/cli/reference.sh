@@ -7,7 +7,7 @@ source "$(dirname "$0")/common.sh"
 references=$scripts/../../results/reference.inc
 studies=(slim2023 slim2023-context slim2023-limits slim2023-bounds slim2023-frequency slim2023-time slim2023-dobot)
 
-succeeds reproduce --jobs 4 --quick --no-figures --out whole
+succeeds reproduce --verbose --jobs 4 --quick --no-figures --out whole
 for study in "${studies[@]}"; do
   has "$out" "Fingerprint of $study: $(grep "\"$study\"" "$references" | cut -d'"' -f4), equal to the reference"
   numbers whole/store.sqlite "$study" |
@@ -21,7 +21,7 @@ for i in "${!sets[@]}"; do
   export IKBENCH_INSTRUCTION_SET=$set
   succeeds list instruction-sets
   has "$(tr -s ' ' <.out)" "$set yes"
-  succeeds reproduce --runs 2 --jobs $((${#sets[@]} - i)) --quick --no-figures --out "$set"
+  succeeds reproduce --verbose --runs 2 --jobs $((${#sets[@]} - i)) --quick --no-figures --out "$set"
   for study in "${studies[@]}"; do
     numbers "$set/store.sqlite" "$study" | cmp - "whole-$study.csv" || fail "$study with $set: other numbers"
   done
@@ -33,5 +33,5 @@ succeeds run beeson2015 --jobs 4 --no-report --out poses
 has "$("$program" fingerprint poses/store.sqlite)" "$(grep '"beeson2015"' "$references" | cut -d'"' -f4)"
 
 # Another seed has no reference.
-succeeds reproduce --seed 2 --runs 1 --quick --no-figures --out seed-2
+succeeds reproduce --verbose --seed 2 --runs 1 --quick --no-figures --out seed-2
 has "$out" "no reference for this seed and number of runs"

@@ -2,7 +2,7 @@
 # A report is made from the store alone: in another folder, by somebody who may only read it, with nothing solved.
 source "$(dirname "$0")/common.sh"
 
-succeeds run slim2023 "${small[@]}" --out made
+succeeds run --verbose slim2023 "${small[@]}" --out made
 has "$out" "36 solves in made/store.sqlite"
 [ "$(tail -n 1 .out)" = "Report: made/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 quiet
@@ -25,10 +25,10 @@ done
 mkdir copy
 cp made/store.sqlite copy/theirs.sqlite
 before=$(sha256sum <copy/theirs.sqlite)
-succeeds report copy/theirs.sqlite --no-figures
+succeeds report --verbose copy/theirs.sqlite --no-figures
 [ "$(sha256sum <copy/theirs.sqlite)" = "$before" ] || fail "report changed the store"
 cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
-succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
+succeeds report --verbose copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
 [ "$(ls copy | sort | tr '\n' ' ')" = "article.tex figures index.md report.html report.md solves.csv statistics.json tables theirs.sqlite verdict.md " ] || fail "copy/ has: $(ls copy)"
 
@@ -39,43 +39,43 @@ succeeds report copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -z "$(find copy -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ] || fail "--no-figures drew figures"
 refused 'points of one run depend on each other' report copy/theirs.sqlite --no-figures --unit point --out points
 [ ! -e points ] || fail "a refused report was written"
-succeeds report copy/theirs.sqlite --no-figures --unit point --quartiles 7 --force --out points
+succeeds report --verbose copy/theirs.sqlite --no-figures --unit point --quartiles 7 --force --out points
 has "$err" "warning: Points of one run depend on each other; used as observations because --force was given."
 has "$(<points/tables/analysis-plan.md)" "Set on the command line after the data were collected, not by the study"
 cmp -s points/tables/table-4.csv made/tables/table-4.csv && fail "--unit point gives the same ANOVA"
 
 # The study says how it is judged; a change after its solves were made is told, and costs no solve.
 has "$(<made/tables/analysis-plan.md)" "The methods were fixed in the study before its first solve"
-succeeds run slim2023 "${small[@]}" --no-report --out planned
-succeeds run slim2023 "${small[@]}" --no-figures --set analysis.significance=0.01 --out planned
+succeeds run --verbose slim2023 "${small[@]}" --no-report --out planned
+succeeds run --verbose slim2023 "${small[@]}" --no-figures --set analysis.significance=0.01 --out planned
 has "$out" "(36 were already stored)"
 has "$err" "warning: the analysis plan of slim2023 in planned has changed: significance 0.05 -> 0.01"
 has "$err" "warning: The analysis plan was changed after 36 of 36 solves were made: significance 0.05 -> 0.01."
 has "$(<planned/tables/analysis-plan.csv)" $'\nsignificance,0.01,'
 cmp planned/tables/table-4.csv made/tables/table-4.csv || fail "another plan gives another ANOVA"
 # A study whose observations are points needs --force wherever it is used.
-succeeds run slim2023 "${small[@]}" --no-report --set analysis.unit=point --force --out insisted
+succeeds run --verbose slim2023 "${small[@]}" --no-report --set analysis.unit=point --force --out insisted
 refused 'the plan of the study slim2023 has unit = "point"' report insisted/store.sqlite --no-figures
-succeeds report insisted/store.sqlite --no-figures --unit run
+succeeds report --verbose insisted/store.sqlite --no-figures --unit run
 cmp -s insisted/tables/table-4.csv points/tables/table-4.csv && fail "--unit run gives the ANOVA of points"
-succeeds report insisted/store.sqlite --no-figures --force
+succeeds report --verbose insisted/store.sqlite --no-figures --force
 has "$(<insisted/tables/table-4.md)" "One observation is one point."
 
 # A report of more runs than an earlier one had says that it is another look. The same look again changes no byte, and
 # forgets nothing.
 grown=(slim2023 "${small[@]}" --no-figures --out grown)
-succeeds run "${grown[@]}"
+succeeds run --verbose "${grown[@]}"
 has_no "$err" "look"
-succeeds run "${grown[@]}" --set runs=4
+succeeds run --verbose "${grown[@]}" --set runs=4
 has "$err" "warning: This is look 2 at this study: earlier ones were after 2 ("
 has "$err" "only if p is below 0.025"
 has "$(head -n 20 grown/report.md)" "This is look 2 at this study"
 before=$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)
-succeeds report grown/store.sqlite --no-figures
+succeeds report --verbose grown/store.sqlite --no-figures
 [ "$(cat grown/store.sqlite grown/report.md grown/statistics.json | sha256sum)" = "$before" ] || fail "the same look changed a byte"
 succeeds compare IK-BA DE --store grown/store.sqlite --metric evaluations
 has "$out" "This is look 2 at this study: earlier ones were after 2 ("
-succeeds run "${grown[@]}" --set runs=5 --no-report
+succeeds run --verbose "${grown[@]}" --set runs=5 --no-report
 run_it compare IK-BA DE --store grown/store.sqlite --metric evaluations
 has "$out" "look 3 at this study: earlier ones were after 2 ("
 # A solver more or less makes no new study of it, and a merged store keeps the looks.
@@ -84,19 +84,19 @@ run_it compare IK-BA PSO --store merged/store.sqlite --metric evaluations
 has "$out" "This is look 3 at this study"
 
 # Two studies in a store: the first, unless another is asked for.
-succeeds run slim2023-context "${small[@]}" --no-report --out made
+succeeds run --verbose slim2023-context "${small[@]}" --no-report --out made
 has "$out" "12 solves"
-succeeds report made/store.sqlite --no-figures --out first
+succeeds report --verbose made/store.sqlite --no-figures --out first
 has "$(<first/report.md)" "Report of the study slim2023"
-succeeds report made/store.sqlite --no-figures --study slim2023-context --out second
+succeeds report --verbose made/store.sqlite --no-figures --study slim2023-context --out second
 has "$(<second/report.md)" "slim2023-context"
 has "$(<second/tables/results.csv)" "DLS" # it has no paper, and so no Table 3
 [ ! -e second/tables/table-3.csv ] || fail "a study without a paper has a Table 3"
 
 # Targets that no configuration reaches are told at the top of the report, of a store made elsewhere too.
-succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
+succeeds run --verbose slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
 has "$err" "warning: point 1 is out of reach"
-succeeds report far/store.sqlite --no-figures
+succeeds report --verbose far/store.sqlite --no-figures
 has "$(head -n 20 far/report.md)" "3 of the 3 targets of a run cannot be reached. The farthest is point "
 has "$err" "warning: 3 of the 3 targets of a run cannot be reached"
 

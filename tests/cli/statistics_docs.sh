@@ -9,7 +9,7 @@ ln -s "$root/results" results # the commands are said from the root of the proje
 check_quotation() {
   local part
   while IFS= read -r part; do
-    grep -qF -e "$part" .out || fail "$page: $command does not print: $part"
+    has "$out" "$part"
   done < <(sed 's/ *\[\.\.\.\] */\n/g' <<<"$1" | sed '/^$/d')
   quoted=$((quoted + 1))
 }
@@ -33,7 +33,7 @@ check_page() {
     elif [[ $block == sh && $line == "ikbench stats "* ]]; then
       command=$line commands=$((commands + 1))
       eval "arguments=(${command#ikbench })"
-      succeeds "${arguments[@]}" --no-figures --out out
+      succeeds "${arguments[@]}" --verbose --no-figures --out out
     fi
   done < <(cat "$root/docs/$page"; echo)
 }

@@ -50,7 +50,7 @@ rows() {
 
 # pandas' to_csv: an index column, NaN, an empty cell.
 printf ',solver,error\n0,A,1.0\n1,A,1.2\n2,A,NaN\n3,A,1.1\n4,B,2.0\n5,B,2.5\n6,B,2.25\n7,B,\n' >pandas.csv
-succeeds stats pandas.csv --value error
+succeeds stats --verbose pandas.csv --value error
 quiet
 has "$out" "smaller is better; 2 groups (A and B) with 3 observations each"
 has "$out" "Values are missing: 1 of 4 values of A, 1 of 4 of B. "
@@ -63,7 +63,7 @@ has "$(<out/stats-pandas/report.md)" "ikbench stats pandas.csv --value error"
 
 # R's write.csv: everything quoted, row names, NA.
 printf '"","solver","error"\r\n"1","A",1.0\r\n"2","A",NA\r\n"3","A",1.5\r\n"4","B",2\r\n"5","B",2.5\r\n' >r.csv
-succeeds stats r.csv --value error --larger-is-better --no-figures --out r
+succeeds stats --verbose r.csv --value error --larger-is-better --no-figures --out r
 has "$out" "larger is better; 2 groups (A and B) with 2 observations each"
 has_outputs r error groups tests contrasts
 [ -z "$(find r -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ] || fail "--no-figures drew figures"
@@ -71,10 +71,10 @@ has_outputs r error groups tests contrasts
 
 # A column a group; the same with its rows as blocks.
 printf 'A,B,C\n1,2,3\n2,3,4\n1.5,2.5,3.25\n1.75,2,3.5\n' >wide.csv
-succeeds stats wide.csv --wide --no-figures --out wide
+succeeds stats --verbose wide.csv --wide --no-figures --out wide
 has "$out" "; 3 groups (A, B and C) with 4 observations each"
 has "$out" "Methods: Studentized bootstrap of the means decides"
-succeeds stats wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
+succeeds stats --verbose wide.csv --wide --rows-are-blocks --value AUC --larger-is-better --out blocks
 has "$out" "All groups share 4 blocks"
 has "$out" "Methods: Studentized bootstrap of the differences within blocks decides"
 grep -qF "robust,Friedman's test,F,,2,6,0.00462962962962962" blocks/tables/statistics-auc-tests.csv ||
@@ -85,13 +85,13 @@ has_figures blocks auc observations differences ranks
 
 # Blocks in a column.
 printf 'problem,solver,error\np1,A,1\np1,B,2\np2,A,2\np2,B,3\np3,A,1\np3,B,1.5\np4,A,1\n' >blocks.csv
-succeeds stats blocks.csv --value error --block problem --test friedman --no-figures --out blocked
+succeeds stats --verbose blocks.csv --value error --block problem --test friedman --no-figures --out blocked
 has "$out" "All groups share 3 blocks"
 has "$out" "Values are missing: 1 of 4 blocks of B; these blocks are left out for all groups. "
 
 # Geometric means, of runs too.
 printf 'solver,run,error\nA,1,1\nA,1,100\nA,2,10\nA,2,10\nB,1,2\nB,1,2\nB,2,2\nB,2,3\n' >decades.csv
-succeeds stats decades.csv --value error --run run --estimand typical --no-figures --out decades
+succeeds stats --verbose decades.csv --value error --run run --estimand typical --no-figures --out decades
 quiet
 has "$out" "Statistics: typical error"
 has "$(<decades/tables/statistics-typical-error-groups.csv)" "geometric mean"
@@ -112,14 +112,14 @@ refused "--estimand is typical; expected mean" stats --summaries "$published" --
   done
 } >crashes.csv
 refused "5 rows share seed 1 of A, and are not replicates; " stats crashes.csv --value error
-succeeds stats crashes.csv --value error --block problem --run seed --no-figures --out crashes
-[[ $(grep -m 1 '^- ' .out) == "- Flawed: Values are missing: 1 of 5 blocks of B; "* ]] ||
+succeeds stats --verbose crashes.csv --value error --block problem --run seed --no-figures --out crashes
+[[ $(sed -n 2p .out) == "Flawed: Values are missing: 1 of 5 blocks of B; "* ]] ||
   fail "the first lines do not warn of what B lacks: $out"
 has "$err" "warning: Values are missing: 1 of 5 blocks of B"
 has "$out" "with 4 observations each. One observation is the mean over the 3 runs of a block"
-succeeds stats crashes.csv --value error --block problem --run seed --force --no-figures --out crashes
+succeeds stats --verbose crashes.csv --value error --block problem --run seed --force --no-figures --out crashes
 has "$out" "One observation is the mean over the 2 to 3 runs of a block"
-has "$out" "- Flawed: Fewer values than the fullest have 1 of 5 blocks of B. "
+has "$out" "Flawed: Fewer values than the fullest have 1 of 5 blocks of B. "
 
 # Twenty runs of two rows each, of which B crashed on five altogether: they are not there.
 {
@@ -129,8 +129,8 @@ has "$out" "- Flawed: Fewer values than the fullest have 1 of 5 blocks of B. "
     [ $run -gt 15 ] || { echo "B,$run,$run" && echo "B,$run,$((run + 1))"; }
   done
 } >absent.csv
-succeeds stats absent.csv --value error --run run --no-figures --out absent
-[[ $(grep -m 1 '^- ' .out) == "- Flawed: Values are missing: 5 of 20 runs of B. A group that failed there looks better"* ]] ||
+succeeds stats --verbose absent.csv --value error --run run --no-figures --out absent
+[[ $(sed -n 2p .out) == "Flawed: Values are missing: 5 of 20 runs of B. A group that failed there looks better"* ]] ||
   fail "the first lines do not warn of runs that B lacks: $out"
 has "$err" "warning: Values are missing: 5 of 20 runs of B"
 { cat absent.csv && echo A,1,1; } >doubled.csv
@@ -139,7 +139,7 @@ refused "only 1 of 35 runs have 3 rows; a row may be duplicated, or rows may be 
 
 # Two columns that are one name for a file, one of them without a Latin letter.
 printf 'solver,a b,a-b,誤差,плечо\nA,1,2,3,1\nA,2,3,5,1.5\nB,2,2,8,2\nB,2.5,1,3,3\n' >names.csv
-succeeds stats names.csv --value 'a b' --value a-b --value 誤差 --value плечо --no-figures --out names
+succeeds stats --verbose names.csv --value 'a b' --value a-b --value 誤差 --value плечо --no-figures --out names
 has_outputs names a-b groups
 has_outputs names a-b-2 groups
 has_outputs names value groups
@@ -151,7 +151,7 @@ has "$(<names/tables/statistics-value-2-groups.md)" "плечо"
 has_outputs piped error groups
 
 # A margin in cm, of what is in cm.
-succeeds stats pandas.csv --value error --quantity 'error [cm]' --margin-cm 3 --no-figures --out cm
+succeeds stats --verbose pandas.csv --value error --quantity 'error [cm]' --margin-cm 3 --no-figures --out cm
 has "$out" "In short: A is better than B: mean 1.1 vs 2.25, by "
 has "$out" "less than 3 cm (p = "
 
@@ -160,16 +160,16 @@ printf 'solver,t\n' >cold.csv
 for i in 1 2 3 4 5 6 7 8 9 10; do printf 'A,-0.%d\nB,0.%d\nC,-0.%d1\n' $i $i $i; done >>cold.csv
 refused 't has negative values, and 5 % of a mean that may be 0 means nothing; expected --margin-absolute DIFFERENCE' stats cold.csv --value t
 refused '--margin excludes --margin-absolute' stats cold.csv --value t --margin-absolute 3 --margin 5%
-succeeds stats cold.csv --value t --margin-absolute 3 --no-figures --out cold
+succeeds stats --verbose cold.csv --value t --margin-absolute 3 --no-figures --out cold
 has "$out" "C and A are the same within 3 ("
 has "$out" "differences below 3 do not matter"
-succeeds stats cold.csv --value t --margin 0 --no-figures --out cold
+succeeds stats --verbose cold.csv --value t --margin 0 --no-figures --out cold
 printf 'name,mean,sd,n\nA,-1,2,9\nB,1,2,9\n' >cold.csv
 refused 'has negative values' stats --summaries cold.csv
 
 ### What was published: Table 3 of the paper.
 
-succeeds stats --summaries "$published" --out published
+succeeds stats --verbose --summaries "$published" --out published
 for name in position-error-cm variation-deg seconds; do
   has_outputs published $name groups tests contrasts
   has_figures published $name differences
@@ -189,7 +189,7 @@ grep -q '^IK-BA,PSO,PSO is better by ' published/tables/statistics-seconds-contr
 
 # Without a column of quantities.
 printf 'name,mean,sd,n\nA,1,0.1,20\nB,2,0.2,20\nC,7,,1\n' >summaries.csv
-succeeds stats --summaries summaries.csv --quantity 'position error [cm]' --no-figures --out summaries
+succeeds stats --verbose --summaries summaries.csv --quantity 'position error [cm]' --no-figures --out summaries
 has "$out" "Statistics: position error [cm]"
 has "$out" "C has a single value, so it has no spread"
 
@@ -212,7 +212,7 @@ has "$out" "with 3 observations each. One observation is the mean of a run over 
 has_no "$out$err" "Flawed"
 from_store --force --no-figures --out forced
 [ "$code" = 0 ] || fail "--force: $err"
-has "$out" "- Flawed: "
+has "$out" "Flawed: "
 has "$err" "warning: 3 rows share run 1 of IK-BA"
 for part in groups tests contrasts; do
   for type in md tex; do
@@ -296,7 +296,7 @@ column='err<b>or</b> $x$ `touch pwned`'
 mkdir -p deep/here
 (
   cd deep/here || exit 1
-  succeeds stats ../../hostile.csv --value "$column" --out report
+  succeeds stats --verbose ../../hostile.csv --value "$column" --out report
   quiet
   ! LC_ALL=C.UTF-8 grep -q $'\u202e' "$work/.out" || fail "a name turned the direction of writing"
   [ "$(ls -A)" = report ] || fail "something beside --out was written: $(ls -A)"
@@ -338,7 +338,7 @@ assert all(abs(float(row["mean"]) - (i + 7 / 3)) < 1e-12 for i, row in enumerate
 # Names of files and quantities, too.
 odd=$'odd $(touch pwned) <b>\e[2J.csv'
 cp pandas.csv "$odd"
-succeeds stats "$odd" --value error --no-figures --quantity $'two\nlines <b>'
+succeeds stats --verbose "$odd" --value error --no-figures --quantity $'two\nlines <b>'
 quiet
 has "$out" "Statistics: two lines <b>"
 folder=$(find out -mindepth 1 -maxdepth 1 -name 'stats-odd*')
@@ -353,7 +353,7 @@ degenerate() { # WORDS CSV...: a report that has the words, whose numbers are JS
   shift
   rows "$@" >degenerate.csv
   [[ $* != *-1* ]] || margin=0 # a negative value
-  succeeds stats degenerate.csv --value error --margin $margin --out degenerate
+  succeeds stats --verbose degenerate.csv --value error --margin $margin --out degenerate
   has_outputs degenerate error groups
   has "$out" "$words"
   has_no "$out" " nan"
@@ -385,16 +385,16 @@ degenerate "; 2 groups" A "-0 0 0" B "0 0 1"
 
 # One block that is complete: ranks, and no test of them.
 printf 'A,B,C\n1,2,3\n' >block.csv
-succeeds stats block.csv --wide --rows-are-blocks --out block
+succeeds stats --verbose block.csv --wide --rows-are-blocks --out block
 has "$out" "nothing can be judged, because no group has more than one observation"
 printf 'A,B,C\n1,2,3\n4,,5\n' >block.csv
-succeeds stats block.csv --wide --rows-are-blocks --no-figures --out block
+succeeds stats --verbose block.csv --wide --rows-are-blocks --no-figures --out block
 has "$out" "Values are missing: 1 of 2 blocks of B; these blocks are left out"
 has "$out" "not defined: one block; two or more are needed"
 
 # Two hundred groups: the pairs with the best alone.
 { echo solver,error && for i in {1..200}; do printf 'g%d,%d\ng%d,%d\ng%d,%d\n' $i $i $i $((i + 1)) $i $((i + 3)); done; } >many.csv
-succeeds stats many.csv --value error --no-figures --out many
+succeeds stats --verbose many.csv --value error --no-figures --out many
 has "$out" "g1 is better than "
 has_outputs many error groups tests contrasts
 [ "$(wc -l <many/tables/statistics-error-contrasts.csv)" = 200 ] || fail "not the 199 pairs with the best"

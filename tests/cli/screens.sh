@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# What a command says at its end fits on a screen of 30 lines of 100 columns and begins with the answer. --verbose says
+# all, --json says it as data. Colours are for a terminal alone.
+source "$(dirname "$0")/common.sh"
+long="a solver whose name is a good deal longer than what fits into the column of a table on a terminal"
+entries=()
+for solver in newton particle_swarm levenberg_marquardt random_search bat ik_bat differential_evolution k_artificial_bee_colony; do
+  entries+=('[[solvers]]' "solver = \"$solver\"")
+done
+study mine "${entries[@]}" '[[solvers]]' "label = \"$long\"" 'solver = "bat"'
+succeeds run mine.toml --no-report --out mine
+store=mine/store.sqlite
+cp $store other.sqlite
+
+# fits WORDS ARGUMENTS...: what it says is no more than a screen, with the warnings, and begins with the words.
+fits() {
+  local words=$1 lines
+  shift
+  run_it "$@"
+  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $*: exit code $code: $err"
+  lines=$({ cat .out && fold -s -w 98 .err; } | wc -l)
+  [ "$lines" -le 30 ] && [ "$(wc -L <.out)" -le 100 ] || fail "ikbench $*: $lines lines of $(wc -L <.out) columns: $out $err"
+  [[ $(flat "$out") == "$words"* ]] || fail "ikbench $*: expected '$words' first in: $out"
+  quiet
+}
+fits "Smallest mean error" report $store --no-figures --out reported
+[ "$(tail -n 1 .out)" = "Report: reported/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
+[[ $(flat "$out") =~ Not\ shown:\ .*\ --verbose\ shows\ all,\ and\ reported/report.md\ has\ it\. ]] ||
+  fail "it does not say what is left out, and where that is: $out"
+has_no "$out" "random_search  iterations"
+fits "No regression beyond 5 %" compare $store other.sqlite
+has "$out" "--verbose shows all, and -o FILE writes it."
+fits "" compare newton "$long" --store $store
+RANDOM=1
+printf 'solver,run,error,time,cost\n' >values.csv
+for solver in A B C D E F G "$long"; do
+  for run in 1 2 3 4 5 6; do printf '%s,%d,%d.%d,%d,%d\n' "$solver" $run $((RANDOM % 9)) $run $((RANDOM % 50 + 1)) $run; done
+done >>values.csv
+fits "Statistics: error" stats values.csv --value error --no-figures --out stats
+fits "Statistics: error" stats values.csv --value error --value time --value cost --no-figures --out stats
+[ "$(grep -c '^Statistics: ' .out)" = 3 ] || fail "not an answer for each of three quantities: $out"
+fits "" audit slim2023
+[[ $out =~ ^[0-9]+\ checks: ]] || fail "the count is not first: $out"
+fits "" multiverse slim2023 --small --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out small
+fits "" multiverse slim2023 --dimensions bounds --one-at-a-time --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out one
+fits "$store" merge merged $store
+fits "solver ik_bat" solve --solver ik_bat --position-cm 60 20 10
+fits "ur5e: " robot ur5e
+fits "mine" run mine.toml --shard 1/2 --out mine/shards/1-of-2
+fits "" status mine
+fits "" fingerprint $store
+fits "" submit mine.toml --tasks 2 --out submitted --help
+for kind in solvers robots studies paths columns metrics tests pieces instruction-sets; do # long, but not wide
+  succeeds list $kind
+  [ "$(wc -L <.out)" -le 100 ] || fail "list $kind: $(wc -L <.out) columns"
+done
+
+# All of it, in lines that break between words; and as data.
+succeeds report $store --verbose --no-figures --out reported
+has_no "$out" "Not shown"
+has "$out" "random_search"
+[ "$(wc -l <.out)" -gt 30 ] || fail "--verbose says no more"
+command -v python3 >/dev/null || exit 77
+# as_json EXPRESSION ARGUMENTS...: standard output is JSON, `of` which the expression holds.
+as_json() {
+  local expression=$1
+  shift
+  run_it "$@" --json
+  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $* --json: exit code $code: $err"
+  python3 -c "import json, sys; of = json.load(open('.out')); sys.exit(not ($expression))" || fail "ikbench $* --json: not $expression: $out"
+}
+as_json 'of["study"] == "mine" and len(of["pairs"]) == 45 and of["pairs"][0]["relation"] and of["results"][0]["algorithm"] == "DLS"' \
+  report $store --no-figures --out reported
+as_json 'of["report"] == "mine/report.html" and of["is_damaged"] is False and of["warnings"] is not None' run mine.toml --no-figures --out mine
+as_json 'all(row["B_is"] for row in of["rows"])' compare $store other.sqlite
+as_json 'of["quantities"][1]["quantity"] == "time" and len(of["quantities"][1]["pairs"]) == 28' \
+  stats values.csv --value error --value time --no-figures --out stats
+as_json 'of[0]["verdict"] and of[0]["why"]' audit slim2023
+as_json 'of[0]["holds_percent"] is not None' multiverse slim2023 --small --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out small
+as_json 'of["added"] == 0 and of["missing"] == {}' merge merged $store
+as_json 'of["status"] and len(of["answer_rad"]) == 7 and of["position_error_cm"] >= 0' solve --solver ik_bat --position-cm 60 20 10
+as_json 'of["joints"] == 6 and len(of["links"]) == 6 and of["tool_at"]["position_m"]' robot ur5e
+as_json 'of["divisions"][0]["done"] == [1] and of["divisions"][0]["not begun"] == [2]' status mine
+as_json 'of[0]["study"] == "mine" and len(of[0]["fingerprint"]) == 32' fingerprint $store
+as_json 'any(row["name"] == "ur5e" and row["joints"] == 6 for row in of)' list robots
+as_json 'of["options"][0]["option"]' list solvers ik_bat
+as_json 'of["runs"] == 20' list studies slim2023
+as_json 'all(line["passed"] in (True, False) and line["check"] for line in of)' check-solver -- cat
+
+# help COMMAND is COMMAND --help.
+succeeds help stats
+by_word=$out
+succeeds stats --help
+[ "$out" = "$by_word" ] || fail "help stats is not stats --help"
+succeeds help
+has "$out" "ikbench help COMMAND"
+refused 'unknown command "statz"' help statz
+
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77 # no `script`, or no terminal to be had
+# on_terminal SETTINGS ARGUMENTS...: what a terminal of 100 columns sees in the end.
+on_terminal() {
+  local settings=$1
+  shift
+  TERM=xterm script -qec "stty cols 100; $settings '$program' $*" /dev/null </dev/null | tr -d '\r' >shown
+}
+colours=$'\e\\[3[123]m'
+on_terminal "" audit slim2023
+grep -q "$colours" shown || fail "no colour on a terminal: $(<shown)"
+succeeds audit slim2023
+[ "$(sed $'s/\e\\[[0-9]*[mK]//g' shown)" = "$out" ] || fail "a terminal sees another text: $(<shown)"
+for settings in NO_COLOR=1 TERM=dumb; do
+  on_terminal $settings audit slim2023
+  ! grep -q "$colours" shown || fail "colours with $settings"
+done
+on_terminal "" audit slim2023 "| cat"
+! grep -q "$colours" shown || fail "colours in a pipe"
+on_terminal "stty cols 60;" audit slim2023
+[ "$(wc -L <shown)" -le 70 ] || fail "a terminal of 60 columns gets $(wc -L <shown)" # with the colours
+exit 0
