@@ -24,10 +24,18 @@ void add_report(CLI::App& app, Invocation&) {
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
       ->check(not_empty());
   add_report_options(*command, arguments->report);
+  command
+      ->add_option(
+          "--solvers", arguments->report.solvers,
+          "report on these solvers alone, by label: IK-BA,DE; fewer pairs are compared, and the report says so")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->footer(
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
-      "  ikbench report theirs.sqlite --out out/theirs --quartiles 7");
+      "  ikbench report theirs.sqlite --out out/theirs --quartiles 7\n"
+      "  ikbench report out/my/store.sqlite --out out/pair --solvers IK-BA,DE\n"
+      "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);

@@ -213,7 +213,17 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_flag("--force", arguments.forced, "allow points as observations; every table says so");
   command.add_flag("--no-figures", arguments.without_figures,
                    "write tables, but draw no figures; those that are there stay");
+  command
+      .add_option("--style", arguments.style,
+                  "TOML file with the look of figures: the keys of [figures] in a study (width_cm, height_cm, font, "
+                  "text_pt, palette, solvers, formats); keys that it lacks are as in the study")
+      ->check(not_empty());
   add_output_options(command, arguments.output);
+}
+
+FigureStyle styled(FigureStyle style, const ReportArguments& arguments) {
+  if (!arguments.style.empty()) read_style_file(arguments.style, style);
+  return style;
 }
 
 void refuse_reproduction(const std::filesystem::path& folder) {
@@ -257,13 +267,16 @@ void add_perturb_option(CLI::App& command, int& copies) {
 
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const OutputArguments& output = wanted.arguments.output;
-  const AnalysisPlan plan = plan_for(store.study(wanted.study), wanted.arguments);
+  const StudyEntry entry = store.study(wanted.study);
+  const AnalysisPlan plan = plan_for(entry, wanted.arguments);
   warn_of_memory(store.name());
   ReportProgress progress;
   const Report report = write_report(
       store, {.study = wanted.study,
               .folder = wanted.folder,
               .plan = plan,
+              .solvers = wanted.arguments.solvers,
+              .style = styled(figure_style_of(entry), wanted.arguments),
               .figures = {.render = !wanted.arguments.without_figures},
               .collections = analysis::collections(),
               .extra_tables = std::move(wanted.tables),
@@ -271,7 +284,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
               .repetitions = std::move(wanted.repetitions),
               .shares = std::move(wanted.shares),
               .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); },
-              .check = [&](const StudyEntry& entry) { return check_of(store, entry); }});
+              .check = [&](const StudyEntry& of) { return check_of(store, of); }});
   progress.end();
   if (output.is_json) {
     for (const std::string& warning : report.warnings) warn(warning);

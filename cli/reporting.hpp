@@ -15,6 +15,7 @@
 #include "analysis/report/table.hpp"
 #include "cli/screen.hpp"
 #include "experiments/runner.hpp"
+#include "results/figure_style.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -31,10 +32,14 @@ struct ReportArguments {
   double significance = 0;  // replaces the study's; 0: not given
   bool forced = false;      // points of a run may be observations
   bool without_figures = false;
+  std::string style = {};                 // a file; its keys replace those of the study's [figures]
+  std::vector<std::string> solvers = {};  // labels to report on alone; empty: all
   OutputArguments output = {};
 };
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
+// Reads the style file, if there is one. Call it before anything is solved.
+results::FigureStyle styled(results::FigureStyle style, const ReportArguments& arguments);
 // Throws std::invalid_argument if points are to be observations and --force is not given. Call it before anything is
 // solved.
 void refuse_points(const ReportArguments& arguments);

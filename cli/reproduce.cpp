@@ -278,6 +278,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, command, &invocation] {
     refuse_points(arguments->report);
+    static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Collection& collection = analysis::collection(arguments->paper);
     refuse_others(*command, collection);
     const std::string& first = collection.studies.front().name;

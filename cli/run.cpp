@@ -80,6 +80,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
+    static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Study study =
         load_study(arguments->study, arguments->overrides,
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);

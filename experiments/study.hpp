@@ -10,6 +10,7 @@
 #include "experiments/path.hpp"
 #include "numerics/units.hpp"
 #include "results/analysis_plan.hpp"
+#include "results/figure_style.hpp"
 #include "robots/robot.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/options.hpp"
@@ -60,6 +61,7 @@ struct SolverEntry {
   // A solver that a user of these libraries defines, named `solver`; null: a registered one. The running program's file
   // counts as its source, so any change of the program solves anew.
   std::shared_ptr<const solvers::SolverInfo> own = {};
+  std::string colour = {};  // in figures; empty: by its solver
 };
 
 // The solver of an entry that is no program.
@@ -101,6 +103,7 @@ struct Study {
   std::vector<SolverEntry> solvers;
   std::vector<LeftOut> left_out;
   results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
+  results::FigureStyle figures;    // the look of its figures, without the colours of its entries
 };
 
 // The study's arm; std::invalid_argument if there is none of that name.

@@ -54,7 +54,7 @@ void override_one(toml::table& study, const std::string& text) {
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
   }
-  const std::vector<std::string> tables{"analysis", "path", "stop", "urdf"};
+  const std::vector<std::string> tables{"analysis", "figures", "path", "stop", "urdf"};
   if (std::find(tables.begin(), tables.end(), owner) != tables.end()) {
     insert(subtable(study, owner), field, value);
     return;
@@ -68,7 +68,7 @@ void override_one(toml::table& study, const std::string& text) {
       const std::string label = (*entry)["label"].value_or(std::string());
       const std::string name = (*entry)["solver"].value_or(std::string());
       if (owner == label || owner == name) {
-        insert(field == "population" ? *entry : subtable(*entry, "options"), field, value);
+        insert(field == "population" || field == "colour" ? *entry : subtable(*entry, "options"), field, value);
         found = true;
       }
       for (const std::string& known : {label, name}) {

@@ -164,6 +164,9 @@ SolverEntry read_solver(TomlReader reader) {
   if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
     reader.fail("label", *reader.find("label"), "a label that is not empty, without spaces at its ends");
   reader.choice("if_missing", entry.if_missing, if_missing_choices, "");
+  reader.text("colour", entry.colour, "");
+  if (!entry.colour.empty() && !hex_colour(entry.colour))
+    reader.fail("colour", *reader.find("colour"), expected_colour());
   reader.find("population");
   reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");
   if (const toml::table* options = reader.subtable("options")) {
@@ -239,6 +242,19 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
   return plan;
 }
 
+FigureStyle read_figures(TomlReader reader, const Study& study) {
+  FigureStyle style;
+  read_style(reader, style);
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  for (const std::string& label : style.solvers) {
+    if (std::ranges::find(labels, label) == labels.end())
+      reader.fail("solvers", *reader.find("solvers"),
+                  fmt::format("labels of the study: \"{}\"", fmt::join(labels, "\", \"")));
+  }
+  return style;
+}
+
 UrdfChoice read_urdf(TomlReader reader, const Study& study) {
   if (!is_urdf_file(study.robot)) {
     throw std::invalid_argument(
@@ -290,6 +306,8 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
   if (const toml::table* analysis = reader.subtable("analysis")) {
     study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
   }
+  if (const toml::table* figures = reader.subtable("figures"))
+    study.figures = read_figures(reader.nested(*figures, "figures."), study);
   reader.refuse_unknown_keys();
 
   const auto at = [&](std::string_view key, std::string_view message) {

@@ -144,6 +144,13 @@ nlohmann::ordered_json json_of(AnalysisPlan plan) {
   return writer.out;
 }
 
+nlohmann::ordered_json json_of(FigureStyle style) {
+  JsonWriter writer;
+  list_fields(writer, style);
+  if (!style.colours.empty()) writer.out["colours"] = style.colours;
+  return writer.out;
+}
+
 // The study with its initial configuration in the units of files.
 Study as_in_files(Study study) {
   if (study.initial.size() == 0) return study;
@@ -157,6 +164,11 @@ nlohmann::ordered_json definition(const Study& study) {
   JsonWriter writer, stop, path;
   list_fields(writer, fields);
   writer.out["analysis"] = json_of(study.analysis);
+  FigureStyle style = study.figures;
+  for (const SolverEntry& entry : study.solvers) {
+    if (!entry.colour.empty()) style.colours.emplace(entry.label, entry.colour);
+  }
+  if (style != FigureStyle()) writer.out["figures"] = json_of(style);
   list_fields(stop, fields.stop);
   writer.out["stop"] = stop.out;
   if (is_urdf_file(study.robot)) {
@@ -220,7 +232,8 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/repeats" || pointer == "/deadline_ms" || pointer.starts_with("/analysis/");
+                         pointer == "/repeats" || pointer == "/deadline_ms" || pointer.starts_with("/analysis/") ||
+                         pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);
     std::replace(key.begin(), key.end(), '/', '.');
@@ -265,6 +278,11 @@ std::string to_toml(const Study& study) {
   list_fields(writer, fields);
   writer.out += "\n[analysis]  # how the results are judged; it does not affect the solves\n";
   list_fields(writer, fields.analysis);
+  writer.out += "\n[figures]  # their look; it affects neither the solves nor how they are judged\n";
+  list_fields(writer, fields.figures);
+  if (fields.figures.solvers.empty())
+    writer.out += fmt::format("# solvers = [{}]  # {}\n",
+                              study.solvers.empty() ? "" : toml_string(study.solvers.front().label), meaning_of_shown);
   if (is_urdf_file(study.robot)) {
     writer.out += "\n[urdf]\n";
     list_fields(writer, fields.urdf);
@@ -287,6 +305,11 @@ std::string to_toml(const Study& study) {
     }
     if (entry.population > 0)
       writer.line("population", fmt::format("{}", entry.population), "overrides the population of the study");
+    if (!entry.colour.empty()) {
+      writer.line("colour", toml_string(entry.colour), meaning_of_colour);
+    } else if (&entry == &study.solvers.front()) {
+      writer.out += fmt::format("# colour = \"blue\"  # {}\n", meaning_of_colour);
+    }
     if (entry.if_missing == IfMissing::leave_out)
       writer.line("if_missing", "'leave_out'",
                   "where it was not built the study goes on without it; refuse: it does not");

@@ -95,7 +95,7 @@ Axis axis_of(char letter, std::span<const double> values, const NameWithUnit& qu
   const double largest = drawable.empty() ? 1.0 : std::ranges::max(drawable);
   const double smallest = drawable.empty() ? 0.0 : std::ranges::min(drawable);
   const double smallest_positive = positive.empty() ? largest : std::ranges::min(positive);
-  const auto [unit, factor] = drawn_unit(quantity.unit, largest);
+  const auto [unit, factor] = drawn_unit(quantity.unit, std::max(largest, -smallest));
   const bool is_spread = smallest >= 0 && largest > spread_for_logarithmic * smallest_positive;
   axis.quantity = text_of({quantity.name, unit});
   axis.logarithmic = !positive.empty() && (scale == Scale::logarithmic || (scale == Scale::by_spread && is_spread));
@@ -153,8 +153,9 @@ Axis row_axis(std::span<const double> values, const NameWithUnit& quantity, Scal
   return axis_of('x', values, quantity, scale, 0);
 }
 
-Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
-  Axis axis{.logarithmic = true, .low = 1, .high = 10, .quantity = quantity};
+Axis ratio_axis(double smallest, double largest, const NameWithUnit& quantity) {
+  const auto [unit, factor] = drawn_unit(quantity.unit, largest);
+  Axis axis{.logarithmic = true, .low = 1, .high = 10, .quantity = text_of({quantity.name, unit})};
   std::vector<std::string> ticks;
   if (smallest > 0 && largest >= smallest && std::isfinite(largest)) {
     const auto drawable = [](double x) { return std::clamp(x, 1 / largest_drawable, largest_drawable); };
@@ -162,7 +163,7 @@ Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
     axis.low = drawable(drawable(smallest) / room);
     axis.high = drawable(drawable(largest) * room);
     const bool has_many_decades = axis.high / 1e3 > axis.low;
-    for (const double tick : ratio_ticks(axis.low, axis.high)) {
+    for (const double tick : ratio_ticks(factor * axis.low, factor * axis.high)) {
       const std::string label = tick == 1          ? "1"
                                 : has_many_decades ? fmt::format("10^{{{:.0f}}}", std::log10(tick))
                                                    : fmt::format("{:.4g}", tick);
@@ -171,10 +172,10 @@ Axis ratio_axis(double smallest, double largest, const std::string& quantity) {
   }
   axis.settings = fmt::format(
       "set logscale x\nset xrange [{0}:{1}]\n{2}set xlabel {3} noenhanced\n"
-      "shown_x(x) = x < {0} ? {0} : (x > {1} ? {1} : x)\n",
-      text_of(axis.low), text_of(axis.high),
+      "shown_x(x) = x * {4} < {0} ? {0} : (x * {4} > {1} ? {1} : x * {4})\nshown(x) = x * {4}\n",
+      text_of(factor * axis.low), text_of(factor * axis.high),
       ticks.empty() ? "unset xtics\n" : fmt::format("set xtics enhanced ({})\n", fmt::join(ticks, ", ")),
-      axis_title(quantity, most_beside_x));
+      axis_title(axis.quantity, most_beside_x), text_of(factor));
   return axis;
 }
 

@@ -33,8 +33,8 @@ struct Axis {
 Axis value_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale, double least = 0);
 // The x axis: linear around the values, or logarithmic with whole decades.
 Axis row_axis(std::span<const double> values, const inference::NameWithUnit& quantity, Scale scale);
-// A logarithmic x axis of ratios or costs, with round ticks: 0.5, 1, 2. Its function shown_x() draws values outside at
-// its ends. No ticks unless both are positive numbers.
-Axis ratio_axis(double smallest, double largest, const std::string& quantity);
+// A logarithmic x axis of ratios or costs, with round ticks: 0.5, 1, 2. Its functions shown() and shown_x() give the
+// drawn place of a value; shown_x() draws values outside at the ends. No ticks unless both are positive numbers.
+Axis ratio_axis(double smallest, double largest, const inference::NameWithUnit& quantity);
 
 }  // namespace ikbench::figures

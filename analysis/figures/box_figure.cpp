@@ -10,7 +10,6 @@
 #include <span>
 #include <utility>
 
-#include "analysis/figures/dark.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
@@ -74,10 +73,10 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
   const std::size_t n = std::min(observations.groups.size(), most_drawn);
   const std::span<const Group> groups(observations.groups.data(), n);
   std::vector<std::string> labels;
-  std::vector<std::size_t> colours;
+  std::vector<int> styles;
   std::vector<double> all;
   for (const Group& group : groups) {
-    colours.push_back(group.place.value_or(labels.size()) % series_colours.size() + 1);
+    styles.push_back(group.style.value_or(static_cast<int>(labels.size()) + 1));
     labels.push_back(group.name);
     all.insert(all.end(), group.values.begin(), group.values.end());
   }
@@ -86,7 +85,7 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
   add_rows(figure, labels, 0.6);
   const Axis axis = row_axis(all, {split_unit(observations.quantity).name, observations.unit}, Scale::by_spread);
   figure.settings += axis.settings;
-  figure.settings += fmt::format("colour(row) = word(colours, int(word('{}', row)))\n", fmt::join(colours, " "));
+  figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
   figure.data = "# row, lower whisker, q1, median, q3, upper whisker, observations, of those not finite\n";
   std::string blocks;
   bool thinned = false, undrawn = false;
@@ -143,12 +142,13 @@ Figure box_figure(const Observations& observations, QuantileType quartiles, cons
   return figure;
 }
 
-Figure box_figure(const StudyResults& study, Metric metric, const std::string& name, const std::vector<Mark>& marks) {
+Figure box_figure(const StudyResults& all, Metric metric, const std::string& name, const std::vector<Mark>& marks) {
+  const StudyResults study = drawn_part(all);
   const NameWithUnit quantity = with_unit(metric);
   Observations observations{.name = name, .quantity = text_of(quantity), .unit = quantity.unit};
   for (const Sample& sample : samples(study, metric)) {
     observations.groups.push_back(
-        {.name = sample.solver, .values = sample.values, .place = place_of(study, sample.solver)});
+        {.name = sample.solver, .values = sample.values, .style = style_of(study, sample.solver)});
   }
   observations.replicate = study.plan.unit == Unit::point ? "a point"
                            : is_of_run(metric)            ? "that of a run"

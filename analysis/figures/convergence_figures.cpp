@@ -42,8 +42,18 @@ std::string bands(const StudyResults& study, const Clusters& clusters) {
 }
 
 std::string without_trace(const StudyResults& study) {
-  const auto missing = std::ranges::count_if(study.solves, [](const Solve& solve) { return !has_trace(solve); });
+  const auto missing = std::ranges::count_if(
+      study.solves, [](const Solve& solve) { return !has_trace(solve) && !has_improvements(solve); });
   return missing == 0 ? "" : fmt::format(" {} solves without a trace are left out.", missing);
+}
+
+// Explains where the steps of a curve are.
+std::string steps(const StudyResults& study) {
+  const auto is_exact = [](const Solve& solve) { return has_improvements(solve) || trace_cm(solve).empty(); };
+  if (std::ranges::all_of(study.solves, is_exact)) return " The best error falls at the evaluation that improved it.";
+  if (std::ranges::none_of(study.solves, has_improvements)) return " Iteration i of n counts as i/n of a solve's cost.";
+  return " The best error falls at the evaluation that improved it; where that is not stored, iteration i of n counts as "
+         "i/n of a solve's cost.";
 }
 
 std::optional<Figure> convergence_figure(const StudyResults& study, const Clusters&, Metric) {
@@ -71,16 +81,15 @@ std::optional<Figure> convergence_figure(const StudyResults& study, const Cluste
   const Axis axis = value_axis(all, {error, "cm"}, Scale::logarithmic);
   Figure figure{.name = "statistics-convergence"};
   figure.caption = fmt::format(
-      "Best {} [cm] against evaluations, over all solves: median{}.{} Iteration i of n counts as i/n of a "
-      "solve's evaluations. A solve that has stopped keeps its last error, and a curve ends with the longest solve. An "
+      "Best {} [cm] against evaluations, over all solves: median{}.{}{} A solve that has stopped keeps its last error, and a curve ends with the longest solve. An "
       "answer that is not finite, refused or worse than claimed ranks last; if half of the solves have no error, there "
       "is no line.{}{}",
       error, has_bands ? ", and the quartiles as a band" : " (the quartiles are in the data file)",
       study.facts.pose ? " It is what the solvers reduce: the root mean square distance of three points of the tool."
                        : "",
-      dependence(study), without_trace(study));
+      steps(study), dependence(study), without_trace(study));
   figure.caption = with_notes(figure.caption, study, Metric::position_error_cm, axis);
-  figure.settings = axis.settings + ratio_axis(positions.front(), positions.back(), "evaluations").settings;
+  figure.settings = ratio_axis(positions.front(), positions.back(), {"evaluations", ""}).settings + axis.settings;
   figure.data = fmt::format("# evaluations; 50, 25 and 75 % quantiles over the solves of the best {} [cm]\n", error);
   add_legend(figure, add_curves(figure, study, curves));
   return figure;
@@ -105,7 +114,7 @@ Curve stairs(const std::vector<Share>& shares, const Axis& axis) {
 
 // Adds a curve of shares for each solver; empty if there is nothing to show.
 void draw_shares(Figure& figure, const StudyResults& study, const std::vector<std::vector<Share>>& shares,
-                 const std::string& label, const std::string& share_of) {
+                 const NameWithUnit& label, const std::string& share_of) {
   double smallest = censored, largest = 0;
   for (const auto& curve : shares) {
     for (const Share& share : curve) {
@@ -118,7 +127,7 @@ void draw_shares(Figure& figure, const StudyResults& study, const std::vector<st
   for (const auto& curve : shares) curves.push_back(stairs(curve, axis));
   figure.settings =
       axis.settings + fmt::format("set ylabel '{}'\nset yrange [-0.02:1.02]\nset ytics 0.2\nshown(y) = y\n", share_of);
-  figure.data = fmt::format("# {}; {}, and its interval: corners of the stairs\n", label, share_of);
+  figure.data = fmt::format("# {}; {}, and its interval: corners of the stairs\n", text_of(label), share_of);
   add_legend(figure, add_curves(figure, study, curves));
 }
 
@@ -141,20 +150,22 @@ std::vector<std::vector<Share>> shares_of(const std::vector<Solves>& by_solver, 
 
 Figure runtime_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
   const std::vector<double> targets = target_errors_cm(study);
-  const auto costs_of = [&](const Solve& solve) { return costs_to_targets(study, solve, targets, cost); };
+  const auto costs_of = [&](const Solve& solve) {
+    return costs_to_targets(study, solve, targets, cost, course_of(study, solve));
+  };
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   Figure figure{.name = fmt::format("statistics-ecdf-{}", name_of(cost))};
   figure.caption = fmt::format(
       "Share of pairs of a solve and a target error that were reached within this {} (after COCO). The targets are {} "
-      "errors, evenly spaced on a logarithmic scale from {} cm to {} cm, {}. Iteration i of n counts as i/n of a "
-      "solve's {}. Beyond its longest solve, a curve stays level.{}{}",
+      "errors, evenly spaced on a logarithmic scale from {} cm to {} cm, {}.{} Beyond its longest "
+      "solve, a curve stays level.{}{}",
       cost == Metric::seconds ? "time" : "number of evaluations", targets.size(), rounded_number(targets.front(), 3),
       rounded_number(targets.back(), 3),
       has_tolerance ? "the tolerance of the study"
                     : "the decade below the smallest error of any solve, at least 1e-8 cm",
-      info_of(cost).slug, bands(study, clusters), without_trace(study));
+      steps(study), bands(study, clusters), without_trace(study));
   if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
-  draw_shares(figure, study, shares_of(traced_by_solver(study), clusters, costs_of), quantity(cost),
+  draw_shares(figure, study, shares_of(traced_by_solver(study), clusters, costs_of), with_unit(cost),
               "share of solves and targets");
   return figure;
 }
@@ -169,7 +180,7 @@ Figure error_figure(const StudyResults& study, const Clusters& clusters) {
                     bands(study, clusters)};
   const auto has_zero = [](const auto& curve) { return !curve.empty() && curve.front().at == 0; };
   if (std::ranges::any_of(shares, has_zero)) figure.caption += " Errors of zero are drawn at the left edge.";
-  draw_shares(figure, study, shares, quantity(Metric::position_error_cm), "share of solves");
+  draw_shares(figure, study, shares, with_unit(Metric::position_error_cm), "share of solves");
   return figure;
 }
 
@@ -222,7 +233,7 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
   if (profile.left_out > 0) {
     figure.caption += fmt::format(" {} problems that not every solver was given are left out.", profile.left_out);
   }
-  draw_shares(figure, study, shares, fmt::format("{} / smallest of all solvers", cost ? name : words),
+  draw_shares(figure, study, shares, {fmt::format("{} / smallest of all solvers", cost ? name : words), ""},
               "share of problems");
   return figure;
 }
@@ -230,8 +241,13 @@ std::optional<Figure> profile_figure(const StudyResults& study, const Clusters& 
 // Success against time or budget.
 Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric cost) {
   const std::vector<Solves> by_solver = solves_by_solver(study);
+  const std::vector<double> tolerance{tolerance_cm(study)};
+  const auto is_within_earlier = [&](const Solve& solve) { return has_improvements(solve) && !study.facts.pose; };
   const auto cost_of = [&](const Solve& solve) {
-    return std::vector{is_ok(solve) ? total_cost(study, solve, cost) : censored};
+    const double whole = is_ok(solve) ? total_cost(study, solve, cost) : censored;
+    if (!is_ok(solve) || !is_within_earlier(solve)) return std::vector{whole};
+    return std::vector{
+        std::min(whole, costs_to_targets(study, solve, tolerance, cost, course_of(study, solve)).front())};
   };
   auto shares = shares_of(by_solver, clusters, cost_of);
   for (std::size_t i = 0; i < by_solver.size(); ++i) {
@@ -242,8 +258,10 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric
       fmt::format("Share of solves that are ok after this {}: {}. The other solves count as never solved.{}",
                   cost == Metric::seconds ? "time" : "number of evaluations",
                   within_words(study, Metric::position_error_cm), bands(study, clusters));
+  if (std::ranges::any_of(study.solves, is_within_earlier))
+    figure.caption += " A solve counts from the evaluation at which its best error came within the tolerance.";
   if (cost == Metric::seconds) figure.caption += " " + speed_note(study);
-  draw_shares(figure, study, shares, quantity(cost), "share of solves that are ok");
+  draw_shares(figure, study, shares, with_unit(cost), "share of solves that are ok");
   return figure;
 }
 
@@ -251,7 +269,7 @@ Figure solved_figure(const StudyResults& study, const Clusters& clusters, Metric
 
 std::vector<Figure> convergence_figures(const StudyResults& measured) {
   if (measured.solves.empty()) return {};
-  const StudyResults study = at_median_speed(measured);
+  const StudyResults study = drawn_part(at_median_speed(measured));
   const Clusters clusters(study);
   std::vector<Figure> figures;
   const auto add = [&](std::optional<Figure> figure) {
@@ -269,7 +287,8 @@ std::vector<Figure> convergence_figures(const StudyResults& measured) {
     add_of(Metric::evaluations, draw);
     if (times_are_comparable(study)) add_of(Metric::seconds, draw);
   };
-  if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !trace_cm(solve).empty(); })) {
+  const auto has_course = [](const Solve& solve) { return has_improvements(solve) || !trace_cm(solve).empty(); };
+  if (std::ranges::any_of(study.solves, has_course)) {
     add_of(Metric::evaluations, convergence_figure);
     if (!study.facts.pose) add_of_both(runtime_figure);  // traces of poses have another error than the tolerance
   }

@@ -7,17 +7,19 @@
 
 namespace ikbench::figures {
 
-// The colours in the order of the series. Each has a contrast of at least 3 on its ground and on that of the page. Any
-// two on a ground are at least 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and
-// Fernandes 2009), which is more than in Okabe and Ito's palette (2008). Markers distinguish the curves without colour.
-constexpr std::array<std::string_view, 7> series_colours{"#1E8CF8", "#8D1804", "#00705B", "#661990",
-                                                         "#9C8602", "#F1458D", "#000000"};
+// The named colours (results/figure_style.hpp) on a dark ground, as far apart there. Markers distinguish the curves
+// without colour.
 constexpr std::array<std::string_view, 7> dark_series_colours{"#2786FF", "#D36332", "#96C595", "#EFB9FF",
                                                               "#EFD511", "#FD009B", "#F2F2F2"};
 constexpr std::string_view light_ground = "#FFFFFF", dark_ground = "#1E2125";
 
-// Adds a style sheet for dark screens to a picture of gnuplot: series get their dark colours, and greys go from the
-// dark ground to white. Other texts stay as they are.
+// A lighter or darker colour that stands out from the ground.
+std::string shade_of(std::string_view colour, std::string_view ground);
+// The colour on a dark screen: of a named colour or its shade the one made for it, of a grey one between ground and
+// white, of another a lighter one if it needs to be. Empty if it stays, or if the text is no colour.
+std::string dark_colour(std::string_view colour);
+
+// Adds a style sheet for dark screens to a picture of gnuplot. Other texts stay as they are.
 std::string with_dark_colours(const std::string& svg);
 
 }  // namespace ikbench::figures

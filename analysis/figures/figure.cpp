@@ -11,13 +11,16 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "analysis/figures/dark.hpp"
 #include "analysis/figures/process.hpp"
+#include "analysis/figures/solver_styles.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/number.hpp"
@@ -34,19 +37,24 @@ constexpr EmbeddedFile style_file[]{
 #include "style.inc"
 };
 
-struct PictureType {
-  std::string_view name, end;  // the end of a whole file
-};
-constexpr std::array<PictureType, 3> picture_types{
-    {{"svg", "</svg>"}, {"pdf", "%%EOF"}, {"png", "IEND\xAE\x42\x60\x82"}}};
+// The end of a whole file, by type.
+constexpr std::array<std::string_view, 3> ends_of_pictures{"</svg>", "%%EOF", "IEND\xAE\x42\x60\x82"};
+
+bool is_own_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored));
+}
+
+std::filesystem::path picture_of(const Figure& figure, Picture type) {
+  return fmt::format("{}.{}", figure.name, name_of(type));
+}
 
 // Removes pictures of an earlier report; a link or a device in their place is not ours to remove.
-void remove_pictures(const std::string& name, const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const PictureType& type : picture_types) {
-    const std::filesystem::path file = folder / fmt::format("{}.{}", name, type.name);
-    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored)))
-      std::filesystem::remove(file, ignored);
+void remove_pictures(const Figure& figure, const std::filesystem::path& folder, const std::vector<Picture>& but_not) {
+  for (const Picture type : {Picture::svg, Picture::pdf, Picture::png}) {
+    const std::filesystem::path file = folder / picture_of(figure, type);
+    std::error_code ignored;
+    if (std::ranges::count(but_not, type) == 0 && is_own_file(file)) std::filesystem::remove(file, ignored);
   }
 }
 
@@ -70,15 +78,17 @@ void name_similar_fonts(std::string& svg) {
 
 // Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
 // could not, std::runtime_error if a disk is full.
-void draw(const Figure& figure, const std::filesystem::path& workshop, const std::string& gnuplot) {
+void draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
+  const std::string& gnuplot = options.gnuplot;
   // -d gives the same look whatever ~/.gnuplot says.
   const ProcessResult result = run_process({gnuplot, "-d", figure.name + ".gp"}, workshop);
   if (!result.succeeded) {
     throw std::invalid_argument(result.output.empty() ? fmt::format("{} failed without a message", gnuplot)
                                                       : result.output);
   }
-  for (const auto& [type, end] : picture_types) {
-    const std::string file = fmt::format("{}.{}", figure.name, type);
+  for (const Picture type : options.style.formats) {
+    const std::string_view end = ends_of_pictures[static_cast<std::size_t>(type)];
+    const std::string file = picture_of(figure, type);
     std::optional<std::string> picture = read_file(workshop / file);
     if (!picture) throw std::invalid_argument(fmt::format("{} drew no {}: {}", gnuplot, file, result.output));
     const std::filesystem::path place = workshop.parent_path() / file;
@@ -86,21 +96,24 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const std
       // gnuplot does not say that a disk is full
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
-    if (type == "pdf") blank_date(*picture);
-    if (type == "svg") name_similar_fonts(*picture);
+    if (type == Picture::pdf) blank_date(*picture);
+    if (type == Picture::svg) name_similar_fonts(*picture);
     write_file(place, *picture);
   }
 }
 
 // The complete script of a figure.
-std::string script_of(const Figure& figure) {
+std::string script_of(const Figure& figure, const std::vector<Picture>& formats) {
   std::string script = fmt::format(
-      "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nload 'style.gp'\n\n{3}\n",
-      figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.settings);
+      "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
+      "legend_cm = {4}\nload 'style.gp'\n\n{5}\n",
+      figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.legend_cm),
+      figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
-  for (const PictureType& type : picture_types) {
-    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", type.name, figure.name,
-                          can_repeat && type.name != "svg" ? "replot" : figure.plot);
+  for (const Picture type : formats) {
+    const bool is_repeated = can_repeat && type != formats.front();
+    script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", name_of(type), figure.name,
+                          is_repeated ? "replot" : figure.plot);
   }
   return script + "unset output\n";
 }
@@ -114,8 +127,7 @@ std::string first_line(std::string_view script) {
 
 // The script in the file if the user has edited it. Ignores links, which may lead anywhere.
 std::optional<std::string> edited_script(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, ignored))) return std::nullopt;
+  if (!is_own_file(file)) return std::nullopt;
   std::optional<std::string> text = read_file(file);
   if (!text || text->empty()) return std::nullopt;
   const std::string_view rest = std::string_view(*text).substr(std::min(text->find('\n'), text->size() - 1) + 1);
@@ -128,18 +140,24 @@ struct Source {
 };
 
 // The files that a report writes beside its pictures, or the user's edited scripts.
-std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                               const FigureStyle& look) {
   std::vector<Source> sources;
   const auto add_script = [&](const std::string& file, const std::string& script) {
     const std::optional<std::string> edited = edited_script(folder / file);
     sources.push_back({file, edited.value_or(first_line(script) + script), edited.has_value()});
   };
   std::string style(style_file->text);
-  constexpr std::string_view place = "COLOURS";
-  style.replace(style.find(place), place.size(), fmt::format("{}", fmt::join(series_colours, " ")));
+  const std::pair<std::string_view, std::string> values[]{
+      {"TEXT_PT", text_of(look.text_pt)},
+      {"FONT", look.font},
+      {"WIDTH_CM", text_of(look.width_cm)},
+      {"HEIGHT_CM", text_of(look.height_cm)},
+      {"COLOURS", fmt::format("{}", fmt::join(colours_and_shades(look), " "))}};
+  for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
   add_script(std::string(style_file->name), style);
   for (const Figure& figure : figures) {
-    add_script(figure.name + ".gp", script_of(figure));
+    add_script(figure.name + ".gp", script_of(figure, look.formats));
     sources.push_back({.file = figure.name + ".dat", .text = figure.data});
   }
   return sources;
@@ -149,9 +167,11 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::fi
 
 WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                              const RenderOptions& options) {
-  const std::vector<Source> sources = sources_of(figures, folder);
+  const std::vector<Source> sources = sources_of(figures, folder, options.style);
   WrittenFigures written;
+  std::set<std::string> changed;  // files
   for (const Source& source : sources) {
+    if (!options.render && read_file(folder / source.file) != source.text) changed.insert(source.file);
     if (source.is_edited) {
       written.edited_scripts.push_back(source.file);
     } else {
@@ -159,7 +179,14 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
     }
   }
   std::vector<FigureOutcome>& outcomes = written.outcomes;
-  for (const Figure& figure : figures) outcomes.push_back({.name = figure.name});
+  for (const Figure& figure : figures) {
+    const auto is_there = [&](Picture type) { return is_own_file(folder / picture_of(figure, type)); };
+    const bool is_same = !changed.contains(std::string(style_file->name)) && !changed.contains(figure.name + ".gp") &&
+                         !changed.contains(figure.name + ".dat");
+    outcomes.push_back(
+        {.name = figure.name,
+         .rendered = !options.render && is_same && std::ranges::all_of(options.style.formats, is_there)});
+  }
   if (!options.render) return written;
 
   const TemporaryFolder workshop(folder);
@@ -171,7 +198,7 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
-        draw(figures[i], workshop.path(), options.gnuplot);
+        draw(figures[i], workshop.path(), options);
         outcomes[i].rendered = true;
       } catch (const std::invalid_argument& error) {
         outcomes[i].error = error.what();
@@ -179,7 +206,7 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
         failures[i] = std::current_exception();
         next = figures.size();
       }
-      if (!outcomes[i].rendered) remove_pictures(figures[i].name, folder);
+      remove_pictures(figures[i], folder, outcomes[i].rendered ? options.style.formats : std::vector<Picture>());
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));

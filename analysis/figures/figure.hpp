@@ -2,11 +2,14 @@
 // with `gnuplot NAME.gp`. Every figure of the program uses this module.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "results/figure_style.hpp"
 
 namespace ikbench::figures {
 
@@ -28,18 +31,21 @@ struct Figure {
       {};  // the one plot or splot command, or those from "set multiplot" on; reads the file `data`, which is NAME.dat
   std::string data = {};  // the numbers as drawn; comment lines start with '#'
   std::vector<HoverTexts> hover_texts = {};
+  std::size_t legend = 0;  // its entries; style.gp adds the room for them
+  double legend_cm = 0;    // the width of one
 };
 
 struct RenderOptions {
-  bool render = true;               // false: writes only scripts and data, and pictures stay
+  bool render = true;               // false: writes only scripts and data, and all pictures stay
   std::string gnuplot = "gnuplot";  // the program, sought on the PATH
   int jobs = 2;                     // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
+  results::FigureStyle style = {};
 };
 
 struct FigureOutcome {
   std::string name;
-  bool rendered = false;
+  bool rendered = false;   // its pictures show its data: they were drawn, or are those of an earlier report
   std::string error = {};  // gnuplot's message, if drawing failed
 };
 
@@ -48,9 +54,9 @@ struct WrittenFigures {
   std::vector<std::string> edited_scripts;  // edited by the user
 };
 
-// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png. Keeps scripts that the
-// user has edited, and draws with them. Removes old pictures that could not be drawn again. Throws
-// std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
+// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says.
+// Keeps scripts that the user has edited, and draws with them. Removes old pictures that could not be drawn again.
+// Throws std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
 WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                              const RenderOptions& options);
 

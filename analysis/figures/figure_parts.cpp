@@ -89,11 +89,9 @@ void add_legend(Figure& figure, const std::vector<std::string>& labels) {
   for (const std::string& label : labels) longest = std::max(longest, character_count(shortened(label, longest_label)));
   if (labels.size() > 8) figure.width_cm = two_columns_cm;
   // The largest width that gnuplot 5.4 reserves for an entry in an SVG: if it does not fit, it makes only one column.
-  const double column_cm = 1.3 + 0.2 * static_cast<double>(longest);
-  const auto columns = std::max<std::size_t>(1, static_cast<std::size_t>(figure.width_cm / column_cm));
-  const std::size_t rows = (labels.size() + columns - 1) / columns;
-  figure.settings += fmt::format("set key maxcols columns({})\n", text_of(column_cm));
-  figure.height_cm += 0.3 + 0.36 * static_cast<double>(rows);
+  figure.legend = labels.size();
+  figure.legend_cm = 1.3 + 0.2 * static_cast<double>(longest);
+  figure.settings += "set key maxcols columns(legend_cm)\n";
 }
 
 std::string point_axis(int points) {
@@ -122,7 +120,8 @@ std::vector<std::string> add_curves(Figure& figure, const StudyResults& study, c
   std::vector<std::string> lines, labels;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
-    const std::size_t place = place_of(study, study.solvers[i]), style = place + 1;
+    const std::size_t place = place_of(study, study.solvers[i]);
+    const int style = style_of(study, study.solvers[i]);
     labels.push_back(shortened(study.solvers[i], longest_label) + (curve.count == 0 ? " (nothing to show)" : ""));
     figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(study.solvers[i]),
                                curve.count == 0 ? "NaN NaN NaN NaN\n" : curve.rows);

@@ -6,16 +6,17 @@
 #include <array>
 #include <cmath>
 
-#include "analysis/figures/dark.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
+#include "results/figure_style.hpp"
 
 namespace ikbench::figures {
 
 using namespace numerics;
+using namespace results;
 using namespace statistics;
 using namespace inference;
 
@@ -45,18 +46,31 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
 }
 
 constexpr double largest_size = 1.6, smallest_size = 0.4;
+// The axes, and what is around them.
+constexpr double axes_width_cm = 6.7, axes_height_cm = 5.2, left_cm = 1.5, right_cm = 0.3, below_cm = 1.05,
+                 above_cm = 0.3;
 
-// Lines of variation, error and size. The area is in proportion to the time, but never too small to see.
-std::string disc_lines(const std::vector<OverviewMark>& marks, bool has_times) {
+struct Disc {
+  double variation_deg, error_cm, size;
+};
+
+// The area of a disc is in proportion to the time, but never too small to see.
+std::vector<Disc> discs_of(const std::vector<OverviewMark>& marks, bool has_times) {
   double slowest = 0;
   for (const OverviewMark& mark : marks) slowest = std::max(slowest, mark.seconds);
-  std::string lines;
+  std::vector<Disc> discs;
   for (const OverviewMark& mark : marks) {
     const double size = has_times && slowest > 0 && mark.seconds >= 0
                             ? std::max(smallest_size, largest_size * std::sqrt(mark.seconds / slowest))
                             : largest_size / 2;
-    lines += data_line({mark.variation_deg, mark.error_cm, size});
+    discs.push_back({mark.variation_deg, mark.error_cm, size});
   }
+  return discs;
+}
+
+std::string lines_of(const std::vector<Disc>& discs) {
+  std::string lines;
+  for (const Disc& disc : discs) lines += data_line({disc.variation_deg, disc.error_cm, disc.size});
   return lines;
 }
 
@@ -69,9 +83,67 @@ std::string words_of_sizes(const std::vector<OverviewMark>& marks, bool has_time
                 : "Size of a dot: median time.";
 }
 
+// Places in the picture [cm], from the lower left corner of the axes.
+struct LabelBox {
+  double left, bottom, right, top;
+};
+
+bool overlap(const LabelBox& a, const LabelBox& b) {
+  return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
+}
+
+struct Spot {
+  double x, y, radius;
+};
+
+struct PlacedLabel {
+  double x, y;            // its left end and its middle
+  bool has_line = false;  // from the disc, where it is not beside it
+};
+
+// A place for the label of each of the first discs, beside it or near it: no label is on another, on a disc or outside.
+// Empty if there is no room.
+std::vector<PlacedLabel> placed(const std::vector<std::string>& labels, const std::vector<Spot>& spots, double width,
+                                double height) {
+  constexpr double half_height = 0.15, gap = 0.08, pi = 3.14159265358979;
+  std::vector<LabelBox> taken;
+  for (const Spot& spot : spots) {
+    taken.push_back({spot.x - spot.radius, spot.y - spot.radius, spot.x + spot.radius, spot.y + spot.radius});
+  }
+  std::vector<PlacedLabel> places;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Spot& spot = spots[i];
+    const double length = label_cm(labels[i]);
+    const auto try_at = [&](double angle, double distance) {
+      const double from = spot.radius + gap + distance;
+      const double x = spot.x + from * std::cos(angle) +
+                       (std::cos(angle) < -0.3  ? -length
+                        : std::cos(angle) < 0.3 ? -length / 2
+                                                : 0);
+      const double y = spot.y + (from + (std::abs(std::sin(angle)) > 0.9 ? half_height : 0)) * std::sin(angle);
+      const LabelBox box{x, y - half_height, x + length, y + half_height};
+      const bool is_inside = box.left >= 0 && box.bottom >= 0 && box.right <= width && box.top <= height;
+      if (!is_inside || std::ranges::any_of(taken, [&](const LabelBox& other) { return overlap(box, other); }))
+        return false;
+      taken.push_back(box);
+      places.push_back({x, y, distance > 0.3});
+      return true;
+    };
+    bool is_placed = false;
+    for (double distance = 0; distance < 3 && !is_placed; distance += 0.3) {
+      for (const int eighth : {0, 4, 2, 6, 1, 7, 3, 5}) {
+        if ((is_placed = try_at(eighth * pi / 4, distance))) break;
+      }
+    }
+    if (!is_placed) return {};
+  }
+  return places;
+}
+
 }  // namespace
 
-Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark>& printed) {
+Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>& printed) {
+  const StudyResults study = drawn_part(all);
   const std::vector<OverviewMark> ours = means_of(study), rings = beside(ours, printed);
   const bool has_times = times_are_comparable(study), has_rings = !printed.empty();
   Figure figure{.name = "overview", .caption = words_of_sizes(ours, has_times), .height_cm = 6.6};
@@ -86,41 +158,91 @@ Figure overview_figure(const StudyResults& study, const std::vector<OverviewMark
   const Axis axis =
       value_axis(errors, {fmt::format("mean {}", info_of(Metric::position_error_cm).name), "cm"}, Scale::logarithmic);
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
+  const double far = 1.12 * widest;
   figure.settings =
       axis.settings + fmt::format("set xlabel {}\nset xrange [0:{}]\n",
-                                  gnuplot_string("mean " + quantity(Metric::variation_deg)), text_of(1.12 * widest));
-  figure.data =
-      fmt::format("# a line a solver: angles variation, position error, size\n{}", disc_lines(ours, has_times));
+                                  gnuplot_string("mean " + quantity(Metric::variation_deg)), text_of(far));
+  const std::vector<Disc> discs = discs_of(ours, has_times), printed_discs = discs_of(rings, has_times);
+  figure.data = "# a line a solver: angles variation, position error, size\n" + lines_of(discs);
   std::vector<std::string> clauses{"NaN"}, labels;
   if (has_rings) {
     figure.caption += " Rings: the paper's numbers.";
-    figure.data += "\n\n# as printed\n" + disc_lines(rings, has_times) + "\n\n# from ours to the printed\n";
+    figure.data += "\n\n# as printed\n" + lines_of(printed_discs) + "\n\n# from ours to the printed\n";
     for (std::size_t i = 0; i < ours.size(); ++i) {
       figure.data += data_line({ours[i].variation_deg, ours[i].error_cm, rings[i].variation_deg, rings[i].error_cm});
     }
     clauses.emplace_back(
         "data index 2 using 1:(shown($2)):($3-$1):(shown($4)-shown($2)) with vectors nohead lw 0.7 lc rgb '#808080'");
-    labels.emplace_back("as printed");
-    clauses.emplace_back("keyentry with points pt 6 ps 0.8 lc rgb '#666666' title 'as printed'");
   }
-  constexpr std::array shapes{7, 5, 9, 11, 13};  // filled; colours repeat after seven, shapes after five times seven
+
+  // Labels beside the discs, or a legend where there is no room for them.
+  const double logarithm = std::log10(axis.high / axis.low);
+  const auto spot_of = [&](const Disc& disc) {
+    const double up = axis.logarithmic ? std::log10(std::max(disc.error_cm, axis.low) / axis.low) / logarithm
+                                       : (disc.error_cm - axis.low) / (axis.high - axis.low);
+    return Spot{axes_width_cm * disc.variation_deg / far, axes_height_cm * up, 0.06 + 0.12 * disc.size};
+  };
+  std::vector<std::string> shown;
+  std::vector<Spot> spots;
+  std::vector<std::size_t> solvers;  // that have a disc
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const int shape = shapes[i / series_colours.size() % shapes.size()];
     labels.push_back(shortened(ours[i].solver, longest_label));
+    if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
+    solvers.push_back(i);
+    shown.push_back(labels.back());
+    spots.push_back(spot_of(discs[i]));
+  }
+  for (const Disc& ring : printed_discs) {
+    if (std::isfinite(ring.error_cm) && std::isfinite(ring.variation_deg)) spots.push_back(spot_of(ring));
+  }
+  const std::vector<PlacedLabel> places = placed(shown, spots, axes_width_cm, axes_height_cm);
+  const bool has_labels = places.size() == ours.size();
+
+  constexpr std::array shapes{7, 5, 9, 11, 13};  // filled
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const int style = style_of(study, ours[i].solver);
+    const int shape = shapes[static_cast<std::size_t>(style - 1) / named_colours.size() % shapes.size()];
     const auto points = [&](int index, int type) {
       return fmt::format("data index {0} every ::{1}::{1} using 1:(shown($2)):3 with points ls {2} pt {3} ps variable",
-                         index, i, i + 1, type);
+                         index, i, style, type);
     };
+    const std::string title = gnuplot_string(labels[i]);
     if (has_rings) clauses.push_back(points(1, shape - 1) + " lw 1.2");
-    clauses.push_back(fmt::format("{} title {}", points(0, shape), gnuplot_string(labels.back())));
+    clauses.push_back(fmt::format("{} title {}", points(0, shape), title));
+    if (has_labels) {
+      const PlacedLabel& place = places[i];
+      const auto x = [&](double cm) { return text_of(cm / axes_width_cm * far); };
+      const auto y = [&](double cm) {
+        const double up = cm / axes_height_cm;
+        return text_of(axis.logarithmic ? axis.low * std::pow(10, up * logarithm)
+                                        : axis.low + up * (axis.high - axis.low));
+      };
+      clauses.push_back(
+          fmt::format("'+' every ::::0 using ({}):({}):({}) with labels left noenhanced font names title {}",
+                      x(place.x), y(place.y), title, title));
+      if (place.has_line) {
+        const double end = std::clamp(spots[i].x, place.x, place.x + label_cm(shown[i]));
+        figure.settings += fmt::format("set arrow from {}, {} to {}, {} nohead back lw 0.5 lc rgb '#808080'\n",
+                                       x(spots[i].x), y(spots[i].y), x(end), y(place.y));
+      }
+    }
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
-    figure.hover_texts.push_back({.series = labels.back(),
+    figure.hover_texts.push_back({.series = labels[i],
                                   .words = {fmt::format("error {}, variation {}, time {}",
                                                         value_words(Metric::position_error_cm, ours[i].error_cm),
                                                         value_words(Metric::variation_deg, ours[i].variation_deg),
                                                         value_words(Metric::seconds, ours[i].seconds))}});
   }
-  add_legend(figure, labels);
+  if (has_labels) {
+    figure.width_cm = axes_width_cm + left_cm + right_cm;
+    figure.height_cm = axes_height_cm + below_cm + above_cm;
+    figure.settings += fmt::format(
+        "set key off\nset lmargin at screen margin({})\nset rmargin at screen 1 - margin({})\n"
+        "set bmargin at screen up({})\nset tmargin at screen 1 - up({})\n",
+        text_of(left_cm), text_of(right_cm), text_of(below_cm), text_of(above_cm));
+  } else {
+    add_legend(figure, labels);
+  }
   figure.plot = plot_command(clauses);
   return figure;
 }

@@ -16,6 +16,26 @@ using namespace numerics;
 using namespace statistics;
 using namespace inference;
 
+namespace {
+
+// Above the rows: who is better on each side of the line, by name if that is the same in all rows.
+std::string side_labels(const std::vector<DifferenceRow>& rows, const DifferencesWords& words) {
+  constexpr double room_cm = 1.6;  // for a name
+  const auto common = [&](std::string DifferenceRow::*side, const std::string& other) {
+    const std::string& name = rows.front().*side;
+    const bool is_same = std::ranges::all_of(rows, [&](const DifferenceRow& row) { return row.*side == name; });
+    return is_same && label_cm(name) <= room_cm ? name : other;
+  };
+  std::string left = common(&DifferenceRow::first, "first"), right = common(&DifferenceRow::second, "second");
+  if (words.larger_is_better) std::swap(left, right);
+  return fmt::format(
+      "set label {} at graph 0, graph 1 left offset 0, 0.7 noenhanced font names\n"
+      "set label {} at graph 1, graph 1 right offset 0, 0.7 noenhanced font names\nset tmargin 1.6\n",
+      gnuplot_string(fmt::format("← {} better", left)), gnuplot_string(fmt::format("{} better →", right)));
+}
+
+}  // namespace
+
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words) {
   const double of_equals = words.are_ratios ? 1 : 0;
   const auto is_known = [&](const DifferenceRow& row) {  // a logarithmic axis shows no zero
@@ -25,16 +45,19 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   std::vector<std::string> labels;
   std::vector<double> all{of_equals};
   for (const DifferenceRow& row : rows) {
-    labels.push_back(row.label);
+    labels.push_back(fmt::format("{} {} {}", row_label(row.first, longest_label), words.are_ratios ? "/" : "-",
+                                 row_label(row.second, longest_label)));
     if (is_known(row)) all.insert(all.end(), {row.low, row.difference, row.high});
   }
   Figure figure{.name = words.name};
   add_rows(figure, labels, 0.42);
   const auto [smallest, largest] = std::ranges::minmax(all);
-  const Axis axis = words.are_ratios ? ratio_axis(smallest, largest, words.quantity)
-                                     : row_axis(all, {words.quantity, ""}, Scale::linear);
+  const Axis axis =
+      words.are_ratios ? ratio_axis(smallest, largest, words.quantity) : row_axis(all, words.quantity, Scale::linear);
   figure.settings += axis.settings;
   if (!rows.empty()) {
+    figure.height_cm += 0.3;
+    figure.settings += side_labels(rows, words);
     figure.settings += fmt::format(
         "set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 lc rgb '#888888' dt 2\n", of_equals);
   }
@@ -42,15 +65,16 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   const std::string_view equals = words.are_ratios ? "1" : "zero";
   figure.caption = fmt::format(
       "{}: simultaneous {} intervals ({}). Blue with a filled dot: the interval excludes {}. Grey with a ring: it "
-      "does not.",
-      capitalised(words.quantity.empty() ? "difference" : words.quantity), rounded_number(100 * words.level, 6) + " %",
-      words.method, equals);
+      "does not. Left of {}, {}.",
+      capitalised(axis.quantity.empty() ? "difference" : axis.quantity), rounded_number(100 * words.level, 6) + " %",
+      words.method, equals, equals,
+      words.larger_is_better ? "the second of a row is better" : "the first of a row is better");
   figure.data = fmt::format("# row, {}, low, high, whether the interval excludes {}; -1: not known, not drawn\n",
                             words.are_ratios ? "ratio" : "difference", equals);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const DifferenceRow& row = rows[i];
     const int excludes = !is_known(row) ? -1 : row.low > of_equals || row.high < of_equals ? 1 : 0;
-    figure.data += fmt::format("# {}\n{} {} {} {} {}\n", one_line(row.label), i + 1, data_number(row.difference),
+    figure.data += fmt::format("# {}\n{} {} {} {} {}\n", one_line(labels[i]), i + 1, data_number(row.difference),
                                data_number(row.low), data_number(row.high), excludes);
     if (excludes >= 0) continue;
     figure.settings +=
@@ -62,9 +86,10 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   std::vector<std::string> clauses{"NaN"};
   for (const auto& [excludes, style] : {std::pair{0, "pt 6 lc rgb '#888888'"}, {1, "pt 7 lc rgb word(colours, 1)"}}) {
     clauses.push_back(
-        fmt::format("data using ($5=={} ? $3 : NaN):1:($4-$3):(0) with vectors nohead lw 1.4 {}", excludes, style));
-    clauses.push_back(
-        fmt::format("data using ($5=={} && $3==$3 ? $2 : NaN):1 with points ps 0.55 lw 1.2 {}", excludes, style));
+        fmt::format("data using ($5=={} ? shown($3) : NaN):1:(shown($4)-shown($3)):(0) with vectors nohead lw 1.4 {}",
+                    excludes, style));
+    clauses.push_back(fmt::format("data using ($5=={} && $3==$3 ? shown($2) : NaN):1 with points ps 0.55 lw 1.2 {}",
+                                  excludes, style));
   }
   figure.plot = plot_command(clauses);
   return figure;

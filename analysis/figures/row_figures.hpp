@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::figures {
 
 struct DifferenceRow {
-  std::string label;                            // "BA - IK-BA"; of ratios "BA / IK-BA"
+  std::string first, second;                    // drawn as "BA - IK-BA"; of ratios "BA / IK-BA"
   double difference = statistics::not_defined;  // all in the unit of the quantity; or a ratio
   double low = statistics::not_defined;
   double high = statistics::not_defined;
@@ -18,14 +19,15 @@ struct DifferenceRow {
 
 struct DifferencesWords {
   std::string name;
-  std::string quantity;  // "difference of means: position error [cm]"
-  double level = 0.95;   // of all intervals together
-  std::string method;    // "Games-Howell"
+  inference::NameWithUnit quantity;  // "difference: position error" in "cm"
+  double level = 0.95;               // of all intervals together
+  std::string method;                // "Games-Howell"
   bool are_ratios = false;
+  bool larger_is_better = false;
 };
 
-// A forest plot: intervals of differences; those that exclude zero (ratios: 1) are coloured. The caption names what the
-// picture does not show.
+// A forest plot: intervals of differences; those that exclude zero (ratios: 1) are coloured. Words above say which side
+// is better for which. The caption names what the picture does not show.
 Figure differences_figure(const std::vector<DifferenceRow>& rows, const DifferencesWords& words);
 
 struct RateSeries {

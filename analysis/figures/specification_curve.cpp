@@ -19,10 +19,10 @@ using namespace inference;
 namespace {
 
 constexpr double curve_rows = 13;  // height of the curve, in rows of the choices below it
-constexpr double row_height_cm = 0.34;
+constexpr double row_height_cm = 0.37;
 constexpr std::size_t longest_choice = 60;
 constexpr double farthest = 2;          // an interval reaches so many decades beyond all estimates; the rest is cut
-constexpr double label_width = 0.0066;  // of a letter, relative to the figure's; gnuplot guesses twice that for SVG
+constexpr double label_width = 0.0075;  // of a letter, relative to the figure's; gnuplot guesses twice that for SVG
 
 // The axis that places log10 ratios above the rows.
 struct CurveAxis {
@@ -45,13 +45,14 @@ CurveAxis curve_axis(const SpecificationCurve& curve) {
   return axis;
 }
 
-// Whole decades, as ratios.
+// Whole decades, as ratios: all as powers if one of them is far from 1.
 std::vector<std::string> curve_ticks(const CurveAxis& axis) {
   std::vector<std::string> ticks;
   const int step = axis.high - axis.low > 8 ? 2 : 1;
   for (int decade = -20; decade <= 20; ++decade) {
     if (decade % step != 0 || decade < axis.low || decade > axis.high) continue;
-    const std::string label = std::abs(decade) < 3 ? text_of(std::pow(10, decade)) : fmt::format("10^{{{}}}", decade);
+    const bool is_near = axis.low > -3 && axis.high < 3;
+    const std::string label = is_near ? text_of(std::pow(10, decade)) : fmt::format("10^{{{}}}", decade);
     ticks.push_back(fmt::format("'{}' {}", label, text_of(axis.at(decade))));
   }
   return ticks;
@@ -79,7 +80,7 @@ Figure specification_curve(const SpecificationCurve& curve) {
   std::string lines;
   for (const SpecificationCurve::Group& group : curve.groups) {
     place -= 0.45;
-    lines += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 100\n",
+    lines += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 1000\n",
                          text_of(place - 0.27));
     for (const std::string& row : group.rows) {
       places.push_back(place -= 1);
@@ -95,12 +96,12 @@ Figure specification_curve(const SpecificationCurve& curve) {
   figure.settings = fmt::format(
       "set key at screen 0.03, 0.9 left top vertical maxcols 1\nset lmargin at screen margin({})\nset rmargin at screen 0.97\n"
       "set xrange [0:100]\nset yrange [{}:{}]\n"
-      "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced ({}) font names\nset grid noytics noxtics\n"
-      "set label {} at graph 0.01, first {} left font names\n{}",
+      "set xlabel 'interpretations, sorted [%]'\nset ytics enhanced ({})\nset grid noytics noxtics\n"
+      "set label {} at graph 0.01, first {} left\n{}",
       text_of(two_columns_cm * (0.03 + label_width * static_cast<double>(longest))), text_of(place - 0.6),
       text_of(curve_rows + 0.6), fmt::join(ticks, ", "), gnuplot_string(curve.quantity), text_of(curve_rows - 0.2),
       lines);
-  figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 101 lw 0.8\n",
+  figure.settings += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 1001 lw 0.8\n",
                                  text_of(axis.at(0)));
   figure.data =
       "# share of interpretations before it [%], log10 of the ratio, its interval, their places in the picture; side of "

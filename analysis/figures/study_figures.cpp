@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure_parts.hpp"
@@ -29,7 +30,8 @@ using namespace results;
 using namespace statistics;
 using namespace inference;
 
-Figure path_figure(const StudyResults& study, const std::string& name, View view) {
+Figure path_figure(const StudyResults& all, const std::string& name, View view) {
+  const StudyResults study = drawn_part(all);
   const std::string solver = solver_of(study, study.solves.front());
   const bool is_path = !study.facts.draws_targets;
   Figure figure{.name = name,
@@ -100,8 +102,9 @@ Figure path_figure(const StudyResults& study, const std::string& name, View view
   return figure;
 }
 
-Figure curves_figure(const StudyResults& study, Metric metric, const std::string& name,
+Figure curves_figure(const StudyResults& measured, Metric metric, const std::string& name,
                      const std::map<int, std::vector<double>>& printed) {
+  const StudyResults study = drawn_part(measured);
   const bool is_path = !study.facts.draws_targets;
   const bool has_bands = is_path && study.runs > 1 && study.solvers.size() <= most_bands;
   Figure figure{.name = name};
@@ -114,7 +117,7 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
     for (const std::vector<double>& values : values_by_point(study, solver, metric)) {
       const std::vector<double> ranked = ranked_values(values);
       const auto quartile = [&](double p) { return quantile(ranked, p, quantile_type(study.plan.quartiles)); };
-      const Estimate average{average_of(metric)(values), quartile(0.25), quartile(0.75)};
+      const Estimate average{quartile(0.5), quartile(0.25), quartile(0.75)};
       curve.add(static_cast<double>(curve.count + 1), average);
       all.push_back(average.value);
       if (has_bands) all.insert(all.end(), {average.low, average.high});
@@ -135,12 +138,12 @@ Figure curves_figure(const StudyResults& study, Metric metric, const std::string
       value_axis(all, with_unit(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread,
                  info_of(metric).rounding);
   figure.caption = with_notes(
-      fmt::format("{}: {} over the runs at each point.{}{}", capitalised(axis.quantity), average_name(metric),
+      fmt::format("{}: {} at each point.{}{}", capitalised(axis.quantity),
+                  study.runs > 1 ? "median over the runs" : "that of the run",
                   has_bands ? " Bands: the middle half of the runs." : "", printed.empty() ? "" : " Grey: as printed."),
       study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
-  figure.data =
-      fmt::format("# point; {}: {} over the runs, and their quartiles\n", quantity(metric), average_name(metric));
+  figure.data = fmt::format("# point; {}: median over the runs, and their quartiles\n", quantity(metric));
   std::vector<std::string> labels = add_curves(figure, study, curves, clauses, is_path ? "linespoints" : "points");
   if (!printed.empty()) {
     labels.emplace_back("as printed");
@@ -163,14 +166,32 @@ std::vector<JointLimits> limits_deg(const StudyFacts& facts, std::size_t joints)
   return limits;
 }
 
+// For each joint, a later one whose curve hides its own in every panel; 0 if there is none. Both from 1. `rows`: the
+// values of all joints at each point of each panel.
+std::vector<std::size_t> hiding_joints(const std::vector<std::vector<double>>& rows, std::size_t joints) {
+  constexpr double hidden = 1;  // of the axis' degrees
+  std::vector<std::size_t> later(joints);
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    for (std::size_t other = joint + 1; other < joints && later[joint] == 0; ++other) {
+      const bool is_same = std::ranges::all_of(rows, [&](const std::vector<double>& row) {
+        return std::max(joint, other) < row.size() && std::abs(row[joint] - row[other]) <= hidden;
+      });
+      if (is_same) later[joint] = other + 1;
+    }
+  }
+  return later;
+}
+
 // A panel for each solver: angles [deg], or positions [cm] of joints that slide.
-std::optional<Figure> joints_figure(const StudyResults& study, const std::string& name) {
+std::optional<Figure> joints_figure(const StudyResults& all, const std::string& name) {
+  const StudyResults study = drawn_part(all);
   constexpr std::size_t most_panels = 12;
   const bool has_slides = !study.facts.slides.empty();
   Figure figure{.name = name, .width_cm = two_columns_cm};
   std::vector<std::string> solvers;
   std::size_t joints = 0;
   double range = 180;
+  std::vector<std::vector<double>> drawn;
   for (const std::string& solver : study.solvers) {
     const auto solves = first_run(study, solver);
     auto angles = joint_angles_deg(solves);
@@ -183,6 +204,7 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
         if (study.facts.slides.contains(joint)) values[joint] *= degree / centimetre;
         if (std::isfinite(values[joint])) range = std::max(range, std::abs(values[joint]));
       }
+      drawn.push_back(values);
     }
     figure.data += fmt::format(
         "{}# {}, run {}: point, then the angle of each joint [deg], or its position [cm] where it slides\n{}",
@@ -217,16 +239,20 @@ std::optional<Figure> joints_figure(const StudyResults& study, const std::string
   if (panels < solvers.size()) {
     figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", panels, solvers.size());
   }
+  const std::vector<std::size_t> later = hiding_joints(drawn, joints);
   std::vector<std::string> clauses;
   for (std::size_t joint = 1; joint <= joints; ++joint) {
-    clauses.push_back(fmt::format("data index panel using 1:(${}) with {} ls {} ps 0.3 title 'joint {}{}'", joint + 1,
-                                  study.facts.draws_targets ? "points" : "linespoints", joint, joint,
+    const bool is_hidden = later[joint - 1] > 0;
+    clauses.push_back(fmt::format("data index panel using 1:(${}) with {} ls {} {} title 'joint {}{}'", joint + 1,
+                                  study.facts.draws_targets ? "points" : "linespoints", joint,
+                                  is_hidden ? "lw 3 ps 0.8" : "ps 0.3", joint,
                                   study.facts.slides.contains(joint - 1) ? " [cm]" : ""));
+    if (is_hidden) figure.caption += fmt::format(" Joint {} (wide) moves as joint {} does.", joint, later[joint - 1]);
   }
-  figure.plot =
-      fmt::format("set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, {}, {} spacing 0.03, {}\nset key\n", rows,
-                  columns, text_of((1.9 + more_legend_cm) / figure.height_cm), text_of(1 - 0.6 / figure.height_cm),
-                  text_of(1.2 / figure.height_cm));
+  figure.plot = fmt::format(
+      "set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, up({}), 1 - up(0.6) spacing 0.03, up(1.2)\n"
+      "set key\n",
+      rows, columns, text_of(1.9 + more_legend_cm));
   for (std::size_t i = 0; i < panels; ++i) {
     const bool is_inner = i % columns > 0;  // the first of its row has the axis of all
     figure.plot += fmt::format(

@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 // Visits the fields of a plan, and takes those that JSON has. Refuses others than the program writes.
 class JsonReader {
  public:
-  explicit JsonReader(const Json& object) : object_(object) {}
+  JsonReader(const Json& object, std::string_view what) : object_(object), what_(what) {}
 
   void text(const char* key, std::string& field, std::string_view) {
     take(key, [&](const Json& value) {
@@ -53,6 +53,12 @@ class JsonReader {
       return value.is_array() && !field.empty() && field.size() == value.size();
     });
   }
+  void texts(const char* key, std::vector<std::string>& field, std::string_view) {
+    take(key, [&](const Json& value) {
+      field = value.get<std::vector<std::string>>();
+      return true;
+    });
+  }
   void whole(const char* key, int& field, std::pair<int, int> range, std::string_view meaning) {
     double value = field;
     number(key, value, 1, range, meaning);
@@ -76,10 +82,11 @@ class JsonReader {
       if (read(*found)) return;
     } catch (const Json::exception&) {  // another type
     }
-    throw std::invalid_argument(fmt::format("the analysis plan of a study is damaged: {} {}", key, found->dump()));
+    throw std::invalid_argument(fmt::format("{} of a study is damaged: {} {}", what_, key, found->dump()));
   }
 
   const Json& object_;
+  std::string_view what_;
 };
 
 class Lister {
@@ -117,7 +124,7 @@ class Lister {
 std::optional<AnalysisPlan> plan_in(const Json& json) {
   if (!json.is_object()) return std::nullopt;
   AnalysisPlan plan;
-  JsonReader reader(json);
+  JsonReader reader(json, "the analysis plan");
   list_fields(reader, plan);
   return plan;
 }
@@ -165,6 +172,25 @@ AnalysisPlan plan_of(const StudyEntry& entry) {
   AnalysisPlan plan = plan_in(plan_json(entry)).value_or(AnalysisPlan{});
   if (std::ranges::find(entry.series, plan.control, &Series::label) == entry.series.end()) plan.control.clear();
   return plan;
+}
+
+FigureStyle figure_style_of(const StudyEntry& entry) {
+  const Json definition = numerics::parsed_json(entry.definition);
+  FigureStyle style;
+  if (!definition.is_object() || !definition.contains("figures") || !definition["figures"].is_object()) return style;
+  constexpr std::string_view what = "the look of figures";
+  const Json& figures = definition["figures"];
+  JsonReader reader(figures, what);
+  list_fields(reader, style);
+  const Json& colours = figures.contains("colours") ? figures["colours"] : Json::object();
+  for (const auto& [label, colour] : colours.items()) {
+    if (colour.is_string()) style.colours.emplace(label, colour.get<std::string>());
+  }
+  if (const auto mistake = mistake_in(style)) {
+    throw std::invalid_argument(
+        fmt::format("{} of a study is damaged: {}; expected {}", what, mistake->first, mistake->second));
+  }
+  return style;
 }
 
 std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& after) {

@@ -10,6 +10,7 @@
 #include "analysis/inference/doubt.hpp"
 #include "analysis/inference/study.hpp"
 #include "results/analysis_plan.hpp"
+#include "results/figure_style.hpp"
 #include "results/looks.hpp"
 #include "results/store.hpp"
 
@@ -17,6 +18,10 @@ namespace ikbench::inference {
 
 // Returns the plan in the study's definition. Ignores a control that is no label of the study.
 results::AnalysisPlan plan_of(const results::StudyEntry& entry);
+
+// Returns the look of figures in the study's definition. Throws std::invalid_argument if it has a value that no study
+// file may have.
+results::FigureStyle figure_style_of(const results::StudyEntry& entry);
 
 // The field, its value as text, and its meaning.
 std::vector<std::array<std::string, 3>> values_of(results::AnalysisPlan plan);

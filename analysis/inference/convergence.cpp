@@ -30,22 +30,15 @@ bool is_verified(const Solve& solve) {
   return !stays(solve.status) && solve.status != Status::claimed_but_wrong && solve.status != Status::not_finite;
 }
 
-double cost_of_iterations(const StudyResults& study, const Solve& solve, std::size_t iterations, Metric cost) {
-  const std::vector<double>& trace = trace_cm(solve);
-  const double share = trace.empty() ? 1 : static_cast<double>(iterations) / static_cast<double>(trace.size());
-  return total_cost(study, solve, cost) * share;
-}
-
 // The best error when so many evaluations were made.
-double error_at(const StudyResults& study, const Solve& solve, double evaluations) {
+double error_at(const StudyResults& study, const Solve& solve, std::span<const Step> course, double evaluations) {
   const double total = total_cost(study, solve, Metric::evaluations);
   if (!is_verified(solve)) return censored;
-  const std::vector<double>& trace = trace_cm(solve);
-  if (trace.empty()) return evaluations < total ? censored : final_error_cm(solve);
-  const double all = static_cast<double>(trace.size());
-  constexpr double fuzz = 1e-9;  // i n / n is not always i
-  const double done = evaluations < total ? std::floor(all * evaluations / total + fuzz) : all;
-  return done < 1 ? censored : or_censored(trace[static_cast<std::size_t>(done) - 1]);
+  if (course.empty()) return evaluations < total ? censored : final_error_cm(solve);
+  constexpr double fuzz = 1 + 1e-9;  // i n / n is not always i
+  const double made = evaluations < total ? evaluations * fuzz : censored;
+  const auto next = std::ranges::upper_bound(course, made, {}, &Step::evaluations);
+  return next == course.begin() ? censored : or_censored((next - 1)->error_cm);
 }
 
 double ratio_of(double cost, double smallest) {
@@ -102,13 +95,34 @@ const std::vector<double>& trace_cm(const Solve& solve) {
   return solve.extras == nullptr ? none : solve.extras->trace_cm;
 }
 
+bool has_improvements(const Solve& solve) { return solve.extras != nullptr && !solve.extras->improved_at.empty(); }
+
+std::vector<Step> iterations_of(const StudyResults& study, const Solve& solve) {
+  const std::vector<double>& trace = trace_cm(solve);
+  const double total = total_cost(study, solve, Metric::evaluations), all = static_cast<double>(trace.size());
+  std::vector<Step> steps;
+  for (const double error : trace) steps.push_back({total * (static_cast<double>(steps.size() + 1) / all), error});
+  return steps;
+}
+
+std::vector<Step> course_of(const StudyResults& study, const Solve& solve) {
+  if (!has_improvements(solve)) return iterations_of(study, solve);
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < solve.extras->improved_at.size(); ++i) {
+    steps.push_back({solve.extras->improved_at[i], solve.extras->improved_to_cm[i]});
+  }
+  return steps;
+}
+
 bool has_trace(const Solve& solve) { return !trace_cm(solve).empty() || solve.iterations == 0; }
 
 std::vector<Solves> traced_by_solver(const StudyResults& study) {
   std::vector<Solves> result = solves_by_solver(study);
   for (Solves& solves : result) {
-    std::erase_if(solves,
-                  [&](const Solve* solve) { return study.facts.pose ? trace_cm(*solve).empty() : !has_trace(*solve); });
+    std::erase_if(solves, [&](const Solve* solve) {
+      const bool is_known = study.facts.pose ? !trace_cm(*solve).empty() : has_trace(*solve);
+      return !is_known && !has_improvements(*solve);
+    });
   }
   return result;
 }
@@ -121,28 +135,33 @@ double tolerance_deg(const StudyResults& study) {
 }
 
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
-                                     Metric cost) {
+                                     Metric cost, std::span<const Step> course) {
   std::vector<double> costs(targets_cm.size(), censored);
   if (!is_verified(solve)) return costs;
+  const double whole = total_cost(study, solve, cost), evaluations = total_cost(study, solve, Metric::evaluations);
   std::size_t next = 0;
-  const auto passes = [&](double error_cm, std::size_t iterations) {
-    for (; next < targets_cm.size() && error_cm <= targets_cm[next]; ++next) {
-      costs[next] = cost_of_iterations(study, solve, iterations, cost);
-    }
+  const auto passes = [&](double error_cm, double at) {
+    for (; next < targets_cm.size() && error_cm <= targets_cm[next]; ++next) costs[next] = at;
   };
-  const std::vector<double>& trace = trace_cm(solve);
-  if (trace.empty()) passes(final_error_cm(solve), 0);
-  for (std::size_t i = 0; i < trace.size() && next < targets_cm.size(); ++i) passes(trace[i], i + 1);
+  if (course.empty()) passes(final_error_cm(solve), whole);
+  for (const Step& step : course) {
+    const bool is_counted = cost == Metric::evaluations;
+    passes(step.error_cm, is_counted        ? step.evaluations
+                          : evaluations > 0 ? whole * step.evaluations / evaluations
+                                            : whole);
+  }
   return costs;
 }
 
 std::vector<Estimate> error_bands(const StudyResults& study, const Solves& traces,
                                   std::span<const double> evaluations) {
+  std::vector<std::vector<Step>> courses;
+  for (const Solve* solve : traces) courses.push_back(course_of(study, *solve));
   std::vector<Estimate> bands;
   std::vector<double> errors;
   for (const double position : evaluations) {
     errors.clear();
-    for (const Solve* solve : traces) errors.push_back(error_at(study, *solve, position));
+    for (std::size_t i = 0; i < traces.size(); ++i) errors.push_back(error_at(study, *traces[i], courses[i], position));
     const std::vector<double> ranked = ranked_values(errors);
     const auto at = [&](double p) { return or_censored(quantile(ranked, p, QuantileType::type_5)); };
     bands.push_back({.value = at(0.5), .low = at(0.25), .high = at(0.75)});
@@ -156,7 +175,8 @@ std::vector<double> evaluations_axis(const StudyResults& study, const std::vecto
     for (const Solve* solve : solves) {
       const double total = total_cost(study, *solve, Metric::evaluations);
       if (!(total > 0)) continue;
-      first = std::min(first, cost_of_iterations(study, *solve, 1, Metric::evaluations));
+      const std::vector<Step> course = course_of(study, *solve);
+      first = std::min(first, course.empty() ? total : course.front().evaluations);
       last = std::max(last, total);
     }
   }

@@ -1,6 +1,6 @@
 // Describes how the error of solves falls with their cost: quantiles over solves, costs to reach an error after COCO
 // (Hansen et al. 2021, doi 10.1080/10556788.2020.1808977), performance profiles after Dolan and Moré (2002, doi
-// 10.1007/s101070100263). Iteration i of n stands for i/n of what the whole solve cost.
+// 10.1007/s101070100263). Where a solve has no improvements stored, iteration i of n stands for i/n of what it cost.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,19 @@ bool is_chained(const StudyResults& study);
 
 // Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
 bool has_trace(const Solve& solve);
-const std::vector<double>& trace_cm(const Solve& solve);          // empty where it has none
-std::vector<Solves> traced_by_solver(const StudyResults& study);  // those alone, and of poses those with a trace
+const std::vector<double>& trace_cm(const Solve& solve);  // empty where it has none
+// Those whose course is known, and of poses those with a course or a trace.
+std::vector<Solves> traced_by_solver(const StudyResults& study);
+
+// The best error of a solve after so many evaluations.
+struct Step {
+  double evaluations, error_cm;
+};
+// Every evaluation at which the best error became smaller, as stored; without these the end of every iteration.
+std::vector<Step> course_of(const StudyResults& study, const Solve& solve);
+// The end of every iteration: the course that decides.
+std::vector<Step> iterations_of(const StudyResults& study, const Solve& solve);
+bool has_improvements(const Solve& solve);
 
 // The error as the verifier has it [cm]; censored where it is not finite.
 double final_error_cm(const Solve& solve);
@@ -42,13 +53,13 @@ double tolerance_deg(const StudyResults& study);
 // Returns the cost of the solve when its best error first was at or below each target; targets descend. A solve whose
 // answer is not finite, refused or not as good as claimed reaches none, because its trace is only the solver's word.
 std::vector<double> costs_to_targets(const StudyResults& study, const Solve& solve, std::span<const double> targets_cm,
-                                     Metric cost);
+                                     Metric cost, std::span<const Step> course);
 
 // Returns at each number of evaluations the median and the 25 and 75 % quantiles (Hyndman and Fan's type 5) of the best
 // error [cm], censored if too few solves have an answer yet. A solve that has ended keeps its last error.
 std::vector<statistics::Estimate> error_bands(const StudyResults& study, const Solves& traces,
                                               std::span<const double> evaluations);
-// Log-spaced, from the cheapest first iteration to the dearest solve; empty without traces.
+// Log-spaced, from the earliest first step to the dearest solve; empty without courses.
 std::vector<double> evaluations_axis(const StudyResults& study, const std::vector<Solves>& traces);
 
 // 51 log-spaced errors [cm], descending: from 10 (or ten times a larger tolerance) down to the tolerance of the study,

@@ -80,7 +80,8 @@ ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& s
     if (has_tolerance) {
       costs.push_back(is_ok(*solve) ? total_cost(study, *solve, Metric::evaluations) : censored);
     } else if (has_trace(*solve) && !study.facts.pose) {
-      costs = costs_to_targets(study, *solve, target_errors_cm(study), Metric::evaluations);
+      costs =
+          costs_to_targets(study, *solve, target_errors_cm(study), Metric::evaluations, iterations_of(study, *solve));
     }
     for (const double cost : costs) {
       result.values.push_back(cost);

@@ -118,7 +118,7 @@ void fill_blocks(Observations& result, const StudyResults& study, Blocks kind, c
   for (const Block& block : blocks) result.blocks.push_back(block.name);
   for (const std::string& solver : study.solvers) {
     const std::span<const Solve> solves = solves_of(study, solver);
-    Group group{.name = solver, .place = place_of(study, solver)};
+    Group group{.name = solver, .style = style_of(study, solver)};
     for (const Block& block : blocks) {
       std::vector<const Solve*> run;
       for (const Place& place : block.places) run.push_back(solve_at(solves, place));
@@ -198,7 +198,7 @@ void fill_samples(Observations& result, const StudyResults& study, const Quantit
     result.groups.push_back({.name = sample.solver,
                              .values = std::move(sample.values),
                              .copies = copies,
-                             .place = place_of(study, sample.solver)});
+                             .style = style_of(study, sample.solver)});
   }
   if (!repeating.empty()) {
     result.notes.push_back(fmt::format(

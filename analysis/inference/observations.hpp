@@ -26,8 +26,8 @@ struct Group {
   // Number of runs that all gave this one value, because the solver repeats its answers; 0 if values vary. Such a value
   // is known exactly.
   int copies = 0;
-  std::size_t bits = 0;  // groups with one number have the same bits in every solve; 0 if no other group has
-  std::optional<std::size_t> place = {};  // a solver's among all of its study, for its colour; else that of the group
+  std::size_t bits = 0;           // groups with one number have the same bits in every solve; 0 if no other group has
+  std::optional<int> style = {};  // a solver's line style in figures; else by its place
 };
 
 // Returns whether no chance is in the difference of two groups: both are known, or they have the same bits.

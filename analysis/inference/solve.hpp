@@ -17,6 +17,7 @@ namespace ikbench::inference {
 // Data that few solves have.
 struct RareData {
   std::vector<double> trace_cm = {};
+  std::vector<double> improved_at = {}, improved_to_cm = {};
   double variation_m = 0;
   double instructions = std::numeric_limits<double>::quiet_NaN();
 };

@@ -234,8 +234,14 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .is_disturbed = is_disturbed(record),
               .is_repeated = is_repeated,
               .is_following = is_following};
-  if (!record.trace_cm.empty() || record.variation_m != 0 || !std::isnan(record.instructions)) {
-    data_.extras.push_back({record.trace_cm, record.variation_m, record.instructions});
+  const bool has_course = record.improved_at.size() == record.improved_to_cm.size() && !record.improved_at.empty();
+  if (!record.trace_cm.empty() || has_course || record.variation_m != 0 || !std::isnan(record.instructions)) {
+    RareData& extras = data_.extras.emplace_back(
+        RareData{.trace_cm = record.trace_cm, .variation_m = record.variation_m, .instructions = record.instructions});
+    if (has_course) {
+      extras.improved_at = record.improved_at;
+      extras.improved_to_cm = record.improved_to_cm;
+    }
     solve.extras = &data_.extras.back();
   }
   answers_.push_back(record.answer_rad);

@@ -68,6 +68,11 @@ std::size_t place_of(const StudyResults& study, std::string_view solver) {
   return static_cast<std::size_t>(std::ranges::find(all, solver) - all.begin());
 }
 
+int style_of(const StudyResults& study, std::string_view solver) {
+  const auto found = study.line_styles.find(std::string(solver));
+  return found != study.line_styles.end() ? found->second : static_cast<int>(place_of(study, solver)) + 1;
+}
+
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver) {
   const std::size_t number = place_of(study, solver);
   // Not equal_range, which clang++ 14 cannot compile with this library.
@@ -230,6 +235,16 @@ StudyResults of_solvers(StudyResults study, const std::function<bool(std::string
   std::erase_if(study.external, std::not_fn(is_kept));
   if (!is_kept(study.plan.control)) study.plan.control.clear();
   return study;
+}
+
+StudyResults drawn_part(const StudyResults& study) {
+  std::vector<std::string> drawn = study.drawn_solvers;
+  std::erase_if(drawn, [&](const std::string& solver) { return std::ranges::count(study.solvers, solver) == 0; });
+  if (drawn.empty()) return study;
+  StudyResults part =
+      of_solvers(study, [&](std::string_view solver) { return std::ranges::find(drawn, solver) != drawn.end(); });
+  part.solvers = std::move(drawn);
+  return part;
 }
 
 std::vector<std::string> status_notes(const StudyResults& study) {

@@ -19,6 +19,7 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
+#include "results/figure_style.hpp"
 #include "results/record.hpp"
 
 namespace ikbench::inference {
@@ -36,12 +37,16 @@ struct StudyResults {
   SolveList solves = {};
   std::shared_ptr<const SolveData> solve_data = std::make_shared<const SolveData>();
   std::vector<double> seconds_per_evaluation = {};  // one per solver; replace measured ones (times.hpp)
+  std::map<std::string, int> line_styles = {};      // of its solvers in figures; empty: by their places
+  std::vector<std::string> drawn_solvers = {};      // the choice and order of figures; empty: all
 };
 
 // The label of its solver.
 const std::string& solver_of(const StudyResults& study, const Solve& solve);
-// Its place among all solvers of the study, from 0, also where some are left out: figures give it one colour by it.
+// Its place among all solvers of the study, from 0, also where some are left out.
 std::size_t place_of(const StudyResults& study, std::string_view solver);
+// The line style that it has in all figures, from 1.
+int style_of(const StudyResults& study, std::string_view solver);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
 // Returns whether the solver's solves were imported from a file.
@@ -115,6 +120,9 @@ std::vector<results::Status> shown_statuses(const StudyResults& study);
 
 // Returns the study with only the solvers that `is_kept` accepts.
 StudyResults of_solvers(StudyResults study, const std::function<bool(std::string_view)>& is_kept);
+
+// Returns the study with the solvers that figures show, in their order.
+StudyResults drawn_part(const StudyResults& study);
 
 // Sentences on statuses and missing solves, for notes of tables and figures.
 std::vector<std::string> status_notes(const StudyResults& study);

@@ -38,24 +38,35 @@ std::string figure_name(const Evidence& evidence, std::string_view part) {
 // Most contrasts that fit into a figure.
 constexpr std::size_t most_rows = 45;
 
-void add_differences(const Evidence& evidence, std::vector<Figure>& figures) {
+// Solvers that figures show, in their order; empty: all.
+using Drawn = std::vector<std::string>;
+
+bool is_drawn(const Drawn& drawn, const std::string& solver) {
+  return drawn.empty() || std::ranges::find(drawn, solver) != drawn.end();
+}
+
+void add_differences(const Evidence& evidence, const Drawn& drawn, std::vector<Figure>& figures) {
   std::vector<DifferenceRow> rows;
   const bool of_logarithms = evidence.scale == ValueScale::log10;
-  const auto name_of = [&](std::size_t group) { return row_label(evidence.groups[group].name, longest_label); };
   for (const Finding& contrast : evidence.contrasts) {
-    rows.push_back(
-        {.label = fmt::format("{} {} {}", name_of(contrast.first), of_logarithms ? "/" : "-", name_of(contrast.second)),
-         .difference = contrast.estimate.value,
-         .low = contrast.estimate.low,
-         .high = contrast.estimate.high});
+    const std::string &first = evidence.groups[contrast.first].name, &second = evidence.groups[contrast.second].name;
+    if (!is_drawn(drawn, first) || !is_drawn(drawn, second)) continue;
+    rows.push_back({.first = first,
+                    .second = second,
+                    .difference = contrast.estimate.value,
+                    .low = contrast.estimate.low,
+                    .high = contrast.estimate.high});
   }
   if (rows.empty() || rows.size() > most_rows) return;
+  NameWithUnit quantity = split_unit(evidence.quantity);
+  quantity.name = (of_logarithms ? "ratio: " : "difference: ") + quantity.name;
+  if (of_logarithms) quantity.unit.clear();
   figures.push_back(differences_figure(rows, {.name = figure_name(evidence, "differences"),
-                                              .quantity = of_logarithms ? "ratio: " + split_unit(evidence.quantity).name
-                                                                        : "difference: " + evidence.quantity,
+                                              .quantity = quantity,
                                               .level = 1 - evidence.plan.significance,
                                               .method = std::string(evidence.method->interval),
-                                              .are_ratios = of_logarithms}));
+                                              .are_ratios = of_logarithms,
+                                              .larger_is_better = evidence.better == Better::larger}));
 }
 
 void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
@@ -80,7 +91,7 @@ bool is_worth_drawing(const Evidence& evidence) {
          }) > 1;
 }
 
-Assessment assessment_of(const Evidence& evidence) {
+Assessment assessment_of(const Evidence& evidence, const Drawn& drawn = {}) {
   Assessment result{.name = evidence.name,
                     .quantity = evidence.quantity,
                     .unit = evidence.unit,
@@ -91,7 +102,7 @@ Assessment assessment_of(const Evidence& evidence) {
                     .tables = tables_of(evidence),
                     .json = json_of(evidence)};
   if (!is_worth_drawing(evidence)) return result;
-  add_differences(evidence, result.figures);
+  add_differences(evidence, drawn, result.figures);
   add_ranks(evidence, result.figures);
   if (evidence.flaws.empty()) return result;
   for (Figure& figure : result.figures) figure.caption += fmt::format(" Flawed: {}", words_of(evidence.flaws));
@@ -107,12 +118,22 @@ Observations in_unit(Observations observations) {
   return observations;
 }
 
-Assessment with_observations(const Evidence& evidence, const Observations& observations) {
+// The groups that are drawn, in the order of the figures.
+Observations drawn_part(Observations observations, const Drawn& drawn) {
+  if (drawn.empty()) return observations;
+  const auto place = [&](const Group& group) { return std::ranges::find(drawn, group.name) - drawn.begin(); };
+  std::erase_if(observations.groups, [&](const Group& group) { return !is_drawn(drawn, group.name); });
+  std::ranges::stable_sort(observations.groups, {}, place);
+  return observations;
+}
+
+Assessment with_observations(const Evidence& evidence, const Observations& observations, const Drawn& drawn = {}) {
   const Evidence found = with_bootstrap(evidence, observations);
-  Assessment result = assessment_of(found);
+  Assessment result = assessment_of(found, drawn);
   if (is_worth_drawing(found) && !found.of_outcomes) {
-    result.figures.insert(result.figures.begin(), box_figure(in_unit(observations), quantile_type(found.plan.quartiles),
-                                                             figure_name(found, "observations")));
+    result.figures.insert(result.figures.begin(),
+                          box_figure(drawn_part(in_unit(observations), drawn), quantile_type(found.plan.quartiles),
+                                     figure_name(found, "observations")));
   }
   return result;
 }
@@ -262,7 +283,8 @@ Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
 }
 
 Assessment assess(const JudgedStudy& study, Metric metric, Estimand estimand) {
-  return with_observations(study.evidence(metric, estimand), observations(study, metric, estimand));
+  return with_observations(study.evidence(metric, estimand), observations(study, metric, estimand),
+                           study.drawn_solvers);
 }
 
 namespace {

@@ -59,7 +59,14 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<Fig
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
   std::vector<Piece> pieces(tables.begin(), tables.end());
-  for (std::size_t i = 0; i < figures.size(); ++i) pieces.emplace_back(ReportFigure{figures[i], outcomes[i].rendered});
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    ReportFigure piece{.figure = std::move(figures[i])};
+    if (options.style.width_cm > 0) piece.figure.width_cm = options.style.width_cm;
+    if (outcomes[i].rendered) {
+      for (const Picture type : options.style.formats) piece.types.push_back(name_of(type));
+    }
+    pieces.emplace_back(std::move(piece));
+  }
   arrange(std::move(pieces), content);
 
   Report report{.page = folder / "report.html",

@@ -104,10 +104,12 @@ figures::Figure rates_figure(const std::vector<RatesOfArm>& arms, const RatesPla
   std::vector<std::string> rows;
   for (const RatesOfArm& arm : arms) rows.push_back(arm.arm);
   std::vector<figures::RateSeries> series;
-  int colour = 0;
   for (std::size_t i = 0; i < arms.front().rates.size(); ++i) {
     if (!is_here(arms, i)) continue;
-    figures::RateSeries here{.name = arms.front().rates[i].solver, .colour = ++colour, .shares = {}}, printed = here;
+    figures::RateSeries here{.name = arms.front().rates[i].solver,
+                             .colour = inference::style_of(*arms.front().study, arms.front().rates[i].solver),
+                             .shares = {}},
+        printed = here;
     printed.name += ", printed";
     printed.is_ring = true;
     for (const RatesOfArm& arm : arms) {

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <span>
+#include <stdexcept>
+#include <utility>
 
 #include "analysis/figures/convergence_figures.hpp"
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/solver_styles.hpp"
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
@@ -29,11 +33,13 @@
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/report/words.hpp"
+#include "numerics/names.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::report {
 
+using namespace numerics;
 using namespace results;
 using namespace statistics;
 using namespace inference;
@@ -57,10 +63,50 @@ bool is_companion(const std::string& name, const StudyResults& study, const Coll
   });
 }
 
+// Leaves a study only the chosen solvers, or all if none are chosen. Returns the labels of the others.
+std::vector<std::string> leave_out_others(StudyEntry& entry, const std::vector<std::string>& chosen) {
+  std::vector<std::string> others;
+  for (const Series& series : entry.series) {
+    if (!chosen.empty() && std::ranges::count(chosen, series.label) == 0) others.push_back(series.label);
+  }
+  std::erase_if(entry.series, [&](const Series& series) { return std::ranges::count(others, series.label) > 0; });
+  return others;
+}
+
+// Refuses labels that are no solvers of the study, and a choice without its control.
+void check_chosen(const StudyEntry& entry, const ReportRequest& request, const FigureStyle& style) {
+  std::vector<std::string> labels;
+  for (const Series& series : entry.series) labels.push_back(series.label);
+  for (const std::vector<std::string>* chosen : {&request.solvers, &style.solvers}) {
+    for (const std::string& solver : *chosen) {
+      if (std::ranges::count(labels, solver) == 0)
+        throw std::invalid_argument(unknown_name("solver of the study", solver, labels));
+    }
+  }
+  const std::string& control = request.plan ? request.plan->control : plan_of(entry).control;
+  if (!control.empty() && !request.solvers.empty() && std::ranges::count(request.solvers, control) == 0) {
+    throw std::invalid_argument(
+        fmt::format("the plan compares with {}; expected it among the chosen solvers", control));
+  }
+}
+
+// Gives every solver of the store one look in all figures, the study's first, and adds its colours to the style.
+std::map<std::string, int> looks_of(const StudyEntry& entry, const std::vector<StudyEntry>& others,
+                                    FigureStyle& style) {
+  std::vector<NamedSolver> solvers;
+  for (const Series& series : entry.series) solvers.push_back({series.label, series.algorithm});
+  for (const StudyEntry& other : others) {
+    for (const Series& series : other.series) solvers.push_back({series.label, series.algorithm});
+  }
+  return line_styles(solvers, style);
+}
+
 // Reads each solve of a store once, and collects what is wrong with them.
 class CheckedStore {
  public:
-  CheckedStore(const Store& store, const ReportRequest& request) : store_(store), request_(request) {}
+  CheckedStore(const Store& store, const ReportRequest& request, std::map<std::string, int> looks,
+               std::vector<std::string> drawn)
+      : store_(store), request_(request), looks_(std::move(looks)), drawn_(std::move(drawn)) {}
 
   StudyResults study(const StudyEntry& entry) {
     return read(entry, [](const SolveRecord&) {});
@@ -97,11 +143,16 @@ class CheckedStore {
     if (check.unknown) unknown_.push_back(check.unknown());
     std::erase(unknown_, "");
     sessions_ = store_.sessions();  // a session may have begun meanwhile
-    return maker.finish(sessions_);
+    StudyResults study = maker.finish(sessions_);
+    study.line_styles = looks_;
+    study.drawn_solvers = drawn_;
+    return study;
   }
 
   const Store& store_;
   const ReportRequest& request_;
+  std::map<std::string, int> looks_;
+  std::vector<std::string> drawn_;
   std::vector<Session> sessions_ = {};
   std::vector<std::string> damages_, unknown_;
 };
@@ -120,12 +171,13 @@ struct Others {
   PerturbedCopies perturbed = {};
 };
 
-Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const JudgedStudy& study,
-                 const Collection& collection) {
+Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const JudgedStudy& study,
+                 const Collection& collection, const std::vector<std::string>& chosen) {
   Others result{.same_targets_given = {study}, .same_limits_too = {study}};
   result.judged.reserve(entries.size());  // the lists refer to its elements
-  for (const StudyEntry& entry : entries) {
-    if (entry.name == study.name) continue;
+  for (StudyEntry& entry : entries) {
+    leave_out_others(entry, chosen);
+    if (entry.name == study.name || entry.series.empty()) continue;
     StudyResults other = store.study(entry);
     if (other.facts.perturbed > 0) {
       result.perturbed.push_back(std::move(other));
@@ -229,6 +281,15 @@ Doubts missing_doubts(const StudyResults& study) {
   return doubts;
 }
 
+Doubts left_out_doubts(const std::vector<std::string>& left_out, const StudyEntry& whole) {
+  if (left_out.empty()) return {};
+  const auto all = static_cast<double>(whole.series.size());
+  return {{.kind = DoubtKind::solvers_left_out,
+           .who = left_out,
+           .count = all - static_cast<double>(left_out.size()),
+           .of = all}};
+}
+
 // Adds the companions' doubts. A kind that exists already only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
@@ -246,6 +307,13 @@ Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
 Doubts blocks_doubts(const StudyResults& study) {
   if (!needs_blocks(study.plan.test) || why_not_blocked(study).empty()) return {};
   return Doubts{{.kind = DoubtKind::other_test, .what = study.plan.test}} + why_not_blocked(study);
+}
+
+std::vector<ColouredSolver> coloured(const StudyResults& study, const FigureStyle& style) {
+  std::vector<ColouredSolver> solvers;
+  for (const std::string& solver : study.solvers)
+    solvers.push_back({solver, colour_of(style_of(study, solver), style)});
+  return solvers;
 }
 
 Doubts said(const std::vector<std::string>& sentences) {
@@ -290,11 +358,18 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
 }
 
 Report write_report(const Store& store, const ReportRequest& request) {
-  const StudyEntry entry = store.study(request.study);
-  CheckedStore checked(store, request);
+  const StudyEntry whole = store.study(request.study);
+  const std::vector<StudyEntry> entries = store.studies();
+  RenderOptions figure_options = request.figures;
+  FigureStyle& style = figure_options.style = request.style.value_or(figure_style_of(whole));
+  check_chosen(whole, request, style);
+  StudyEntry entry = whole;
+  const std::vector<std::string> left_out = leave_out_others(entry, request.solvers);
+  CheckedStore checked(store, request, looks_of(whole, entries, style), style.solvers);
   const std::vector<Session>& sessions = checked.sessions();
   StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
+  if (!stored.facts.published.empty()) std::ranges::copy(left_out, std::back_inserter(stored.facts.missing_solvers));
   const AnalysisPlan planned = stored.plan;
   const std::vector<Look> looks = looks_at(entry.name, store.name());
   const int runs = store.runs_begun(entry);
@@ -302,7 +377,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
-  const Others others = others_of(checked, store.studies(), study, collection);
+  const Others others = others_of(checked, entries, study, collection, request.solvers);
   const Reported reported{.study = study,
                           .companions = others.companions,
                           .repetitions = request.repetitions,
@@ -310,7 +385,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const PerturbedCopies copies = copies_of(study, reported);
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
+                            plan_table(entry, planned, plan_notes(whole, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
@@ -327,7 +402,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .title = study.facts.title.empty() ? study.name : study.facts.title,
                         .studied = studied(study, paper),
                         .set_up = set_up_sentences(study, paper, sessions),
-                        .solvers = study.solvers,
+                        .solvers = coloured(study, style),
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .audited = paper.audit ? audit_answer(paper.audit()) : "",
                         .summary = summary(reported, paper),
@@ -340,9 +415,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   content.warnings =
       said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-      missing_doubts(study) +
+      missing_doubts(study) + left_out_doubts(left_out, whole) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(entry, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
+      plan_changes(whole, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
       fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
@@ -370,11 +445,12 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   content.assessments = assessments_of(study, paper, request);
   content.motion = moving_arm(entry, study);
-  RenderOptions options = request.figures;
   if (request.progress) {
-    options.progress = [&](std::int64_t done, std::int64_t all) { request.progress(ReportStep::drawing, done, all); };
+    figure_options.progress = [&](std::int64_t done, std::int64_t all) {
+      request.progress(ReportStep::drawing, done, all);
+    };
   }
-  Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, options);
+  Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));

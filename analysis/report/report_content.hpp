@@ -19,7 +19,7 @@ namespace ikbench::report {
 
 struct ReportFigure {
   figures::Figure figure;
-  bool drawn = false;  // false: only its script and data exist
+  std::vector<std::string_view> types = {};  // of its pictures, "svg"; none: only its script and data exist
 };
 std::string title_of(std::string name);  // figure-9-a is Figure 9 a
 
@@ -50,6 +50,10 @@ struct ReportPlan {
   std::vector<SectionPlan> further = {};
 };
 
+struct ColouredSolver {
+  std::string label, colour;  // "#1E8CF8"
+};
+
 struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // the words before its name
@@ -57,7 +61,7 @@ struct ReportContent {
   std::vector<Sentence> answer = {};      // its first sentences; may be empty
   std::vector<std::string> studied = {};  // sentences: whose paper, what was run, what was not
   std::vector<std::string> set_up = {};   // sentences of an article's section; none: it gets no article
-  std::vector<std::string> solvers = {};  // in the order of their colours
+  std::vector<ColouredSolver> solvers = {};
   std::vector<Claim> claims;
   std::string audited = {};  // a sentence on what is wrong with the paper's printed numbers; may be empty
   std::vector<std::string> summary;

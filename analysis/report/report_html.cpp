@@ -157,6 +157,18 @@ Json topics_json(const std::vector<Sentence>& sentences) {
   return list;
 }
 
+bool has(const ReportFigure& piece, std::string_view type) { return std::ranges::count(piece.types, type) > 0; }
+
+Json pictures_json(const ReportFigure& piece) {
+  Json pictures = Json::array();
+  for (const std::string_view type : piece.types) {
+    std::string title(type);
+    std::ranges::transform(title, title.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+    pictures.push_back({{"type", type}, {"title", title}, {"name", piece.figure.name}});
+  }
+  return pictures;
+}
+
 // The tables and figures of a page. Together the pictures stay below a limit; those beyond it are links.
 class Pieces {
  public:
@@ -172,7 +184,8 @@ class Pieces {
   // The figure's SVG in base64, with colours for a dark background too; null if it is not drawn, or too large. As an
   // image source it runs no script, and its ids cannot clash.
   Json picture(const ReportFigure& piece) {
-    const auto file = piece.drawn ? read_file(figures_ / (piece.figure.name + ".svg")) : std::optional<std::string>();
+    const auto file =
+        has(piece, "svg") ? read_file(figures_ / (piece.figure.name + ".svg")) : std::optional<std::string>();
     if (!file || file->size() > largest_svg) return {};
     std::string svg = base64(with_dark_colours(*file));
     if (sum_ + svg.size() > largest_sum) return {};
@@ -191,7 +204,7 @@ class Pieces {
     const std::string id =
         id_of(figure.name) + (first != nullptr && std::holds_alternative<Table>(*first) ? "-figure" : "");
     const Json svg = picture(piece);
-    const bool is_left_out = piece.drawn && svg.is_null();
+    const bool is_left_out = has(piece, "svg") && svg.is_null();
     left_out_ += is_left_out ? 1 : 0;
     Json series = Json::array();
     for (const HoverTexts& of : figure.hover_texts)
@@ -201,7 +214,8 @@ class Pieces {
             {"name", figure.name},
             {"caption", figure.caption},
             {"wide", figure.width_cm > 12},
-            {"drawn", piece.drawn},
+            {"drawn", !piece.types.empty()},
+            {"pictures", pictures_json(piece)},
             {"svg", svg},
             {"left_out", is_left_out}};
   }
@@ -271,20 +285,22 @@ Json sections_json(const ReportContent& content, Pieces& pieces) {
   return sections;
 }
 
-Json solvers_json(const std::vector<std::string>& solvers) {
+Json solvers_json(const std::vector<ColouredSolver>& solvers) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < solvers.size(); ++i) {
-    list.push_back({{"name", solvers[i]}, {"colour", fmt::format("s{}", i % series_colours.size())}});
+  for (const ColouredSolver& solver : solvers) {  // those of one colour have one class
+    const auto first = std::ranges::find(solvers, solver.colour, &ColouredSolver::colour);
+    list.push_back({{"name", solver.label}, {"colour", fmt::format("s{}", first - solvers.begin())}});
   }
   return list;
 }
 
 // The figures' colours of the solvers.
-std::string series_css() {
+std::string series_css(const std::vector<ColouredSolver>& solvers) {
   std::string css, dark;
-  for (std::size_t i = 0; i < series_colours.size(); ++i) {
-    css += fmt::format(".s{} {{ --series: {}; }}\n", i, series_colours[i]);
-    dark += fmt::format(".s{} {{ --series: {}; }}\n", i, dark_series_colours[i]);
+  for (std::size_t i = 0; i < solvers.size(); ++i) {
+    const std::string on_dark = dark_colour(solvers[i].colour);
+    css += fmt::format(".s{} {{ --series: {}; }}\n", i, solvers[i].colour);
+    dark += fmt::format(".s{} {{ --series: {}; }}\n", i, on_dark.empty() ? solvers[i].colour : on_dark);
   }
   return css + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
 }
@@ -309,7 +325,7 @@ Json header_json(const ReportContent& content, Pieces& pieces) {
           {"answers", answers_of(content)},
           {"summary", content.summary},
           {"verdicts", verdicts_json(content)},
-          {"glance", figure && figure->drawn ? pieces.json(*glance) : Json()},
+          {"glance", figure && !figure->types.empty() ? pieces.json(*glance) : Json()},
           {"several", content.warnings.empty() ? "" : warnings_line(content.warnings)},
           {"warnings", list_of(content.warnings)},
           {"command", content.command},
@@ -350,7 +366,7 @@ std::string to_html(const ReportContent& content, const std::filesystem::path& f
     scripts += ' ' + source(*library) + ' ' + source(moving_arm_js);
   }
   page.set("told", kainjow::mustache::data(json_in_page(pieces.told())));
-  const std::string style = series_css() + std::string(report_css);
+  const std::string style = series_css(content.solvers) + std::string(report_css);
   page.set("style", kainjow::mustache::data(style));
   page.set("script", kainjow::mustache::data(std::string(report_js)));
   page.set("policy", kainjow::mustache::data(

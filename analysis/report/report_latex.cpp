@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "analysis/inference/text.hpp"
 #include "analysis/report/report_content.hpp"
 
@@ -39,7 +41,8 @@ std::string items(const std::vector<std::string>& sentences) {
 std::string latex(const Table& table) { return fmt::format("\\input{{tables/{}.tex}}\n", table.name); }
 
 std::string latex(const ReportFigure& piece) {
-  if (!piece.drawn) return fmt::format("% figures/{}.pdf is not drawn\n", piece.figure.name);
+  if (std::ranges::count(piece.types, "pdf") == 0)
+    return fmt::format("% figures/{}.pdf is not drawn\n", piece.figure.name);
   return fmt::format(
       "\\begin{{figure}}\n\\centering\n\\includegraphics[width=\\linewidth,height=0.4\\textheight,keepaspectratio]"
       "{{figures/{}.pdf}}\n\\caption{{{}}}\n\\end{{figure}}\n",

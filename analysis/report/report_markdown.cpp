@@ -21,17 +21,28 @@ std::string bullets(const std::vector<std::string>& sentences) {
   return text + '\n';
 }
 
+// The file of a picture, of the wanted type if there is one.
+std::string shown_picture(const ReportFigure& piece, std::string_view wanted) {
+  const bool has_wanted = std::ranges::count(piece.types, wanted) > 0;
+  return fmt::format("{}.{}", piece.figure.name, has_wanted ? wanted : piece.types.front());
+}
+
 std::string markdown(const ReportFigure& piece) {
   const Figure& figure = piece.figure;
   const std::string caption = markdown_text(figure.caption);
   const auto link = [&](std::string_view type) { return fmt::format("[{0}](figures/{1}.{0})", type, figure.name); };
   const std::string title = fmt::format("**{}**\n\n", markdown_text(title_of(figure.name)));
-  if (!piece.drawn) {
+  if (piece.types.empty()) {
     return title +
            fmt::format("{} Not drawn. Gnuplot can draw it from {} and {}.\n\n", caption, link("gp"), link("dat"));
   }
-  return title + fmt::format("![{0}](figures/{1}.png)\n\n{0} ({2}, {3}; {4}, {5})\n\n", caption, figure.name,
-                             link("svg"), link("pdf"), link("gp"), link("dat"));
+  const std::string picture = shown_picture(piece, "png");
+  std::vector<std::string> others;
+  for (const std::string_view type : piece.types) {
+    if (!picture.ends_with(type)) others.push_back(link(type));
+  }
+  return title + fmt::format("![{0}](figures/{1})\n\n{0} ({2}{3}{4}, {5})\n\n", caption, picture,
+                             fmt::join(others, ", "), others.empty() ? "" : "; ", link("gp"), link("dat"));
 }
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
@@ -130,10 +141,11 @@ std::string verdict_markdown(const ReportContent& content) {
         text += markdown(without_notes);
         continue;
       }
-      const auto& [figure, is_drawn] = std::get<ReportFigure>(piece);
-      if (!is_drawn) continue;
-      text += fmt::format("![{0}](figures/{1}.svg)\n\n**{2}.** {3}\n\n", markdown_text(title_of(figure.name)),
-                          figure.name, markdown_text(title_of(figure.name)), markdown_text(figure.caption));
+      const auto& drawn = std::get<ReportFigure>(piece);
+      if (drawn.types.empty()) continue;
+      const std::string title = markdown_text(title_of(drawn.figure.name));
+      text += fmt::format("![{0}](figures/{1})\n\n**{0}.** {2}\n\n", title, shown_picture(drawn, "svg"),
+                          markdown_text(drawn.figure.caption));
     }
   }
   return text;

@@ -71,6 +71,7 @@
   // Solvers that are off: their rows, columns and curves go.
   const switches = all('#solvers input');
   const off = new Set();
+  const isShared = new Set(switches.map(one => one.closest('label').className)).size < switches.length;
   // What belongs to a curve and has no name (a band, a printed ring) has its colour, while no two solvers share one.
   const colourOf = group => {
     const drawn = group.querySelector('[color^="rgb"], [fill^="rgb"], path[stroke^="rgb"]');
@@ -78,7 +79,7 @@
   };
   function hiddenOf(series) {
     const named = series.filter(({ name }) => off.has(name));
-    const colours = switches.length > 7 ? [] : named.map(({ group }) => colourOf(group));
+    const colours = isShared ? [] : named.map(({ group }) => colourOf(group));
     const others = series.filter(({ name, group }) => !/^[^'"]*$/.test(name) || name === group.id)
       .filter(({ group }) => colours.includes(colourOf(group)));
     return [...named, ...others].map(({ group }) => group);

@@ -1,17 +1,18 @@
 // The colours of series on the grounds of paper and of a dark screen, and a picture that has both.
 #include "analysis/figures/dark.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "analysis/figures/figure.hpp"
-#include "tests/analysis/folder.hpp"
+#include "results/figure_style.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::figures;
+using namespace ikbench::results;
 
 namespace {
 
@@ -29,24 +30,6 @@ double contrast(std::string_view a, std::string_view b) {
   const double one = luminance(a), other = luminance(b);
   return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
 }
-
-}  // namespace
-
-TEST_CASE("every series has a contrast of at least 3 on its ground", "[figure]") {
-  CHECK(contrast("#FFFFFF", "#000000") == Approx(21));
-  CHECK(contrast("#777777", "#FFFFFF") == Approx(4.48).margin(0.005));  // WebAIM's contrast checker
-  CHECK(contrast("#E69F00", light_ground) < 3);                         // what was too pale
-  for (const std::string_view colour : series_colours) {
-    CAPTURE(colour);
-    CHECK(contrast(colour, light_ground) >= 3);
-  }
-  for (const std::string_view colour : dark_series_colours) {
-    CAPTURE(colour);
-    CHECK(contrast(colour, dark_ground) >= 3);
-  }
-}
-
-namespace {
 
 // CIE 1976 L*a*b* of an sRGB colour, white D65.
 std::array<double, 3> lab(std::string_view colour) {
@@ -66,12 +49,31 @@ double distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+TEST_CASE("every series has a contrast of at least 3 on its ground", "[figure]") {
+  CHECK(contrast("#FFFFFF", "#000000") == Approx(21));
+  CHECK(contrast("#777777", "#FFFFFF") == Approx(4.48).margin(0.005));  // WebAIM's contrast checker
+  CHECK(contrast("#E69F00", light_ground) < 3);                         // what was too pale
+  for (const auto& [name, colour] : named_colours) {
+    CAPTURE(colour);
+    CHECK(contrast(colour, light_ground) >= 3);
+    CHECK(contrast(shade_of(colour, light_ground), light_ground) >= 3);
+    CHECK(contrast(dark_colour(colour), dark_ground) >= 3);
+    CHECK(contrast(dark_colour(shade_of(colour, light_ground)), dark_ground) >= 3);
+    CHECK(distance(colour, shade_of(colour, light_ground)) > 18);
+    CHECK(distance(dark_colour(colour), dark_colour(shade_of(colour, light_ground))) > 18);
+  }
+  CHECK(contrast(dark_colour("#10203F"), dark_ground) >= 3);  // a colour of a study
+  CHECK(dark_colour("#FFEE00").empty());                      // stands out as it is
+}
+
 TEST_CASE("any two series are farther apart than two blues were that readers took for one", "[figure]") {
   CHECK(lab("#FF0000")[0] == Approx(53.24).margin(0.01));  // Lindbloom's calculator: 53.24, 80.09, 67.20
   CHECK(lab("#FF0000")[1] == Approx(80.09).margin(0.01));
   CHECK(lab("#FF0000")[2] == Approx(67.20).margin(0.01));
   CHECK(distance("#0E65B8", "#3793CD") == Approx(25.8).margin(0.01));
-  for (const auto& colours : {series_colours, dark_series_colours}) {
+  std::array<std::string_view, 7> light{};
+  std::ranges::transform(named_colours, light.begin(), [](const auto& named) { return named.second; });
+  for (const auto& colours : {light, dark_series_colours}) {
     for (std::size_t i = 0; i < colours.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         CAPTURE(colours[i], colours[j]);
@@ -79,14 +81,6 @@ TEST_CASE("any two series are farther apart than two blues were that readers too
       }
     }
   }
-}
-
-TEST_CASE("the style of the figures has the colours of the series", "[figure]") {
-  std::string colours;
-  for (const std::string_view colour : series_colours) colours += (colours.empty() ? "" : " ") + std::string(colour);
-  const ScratchFolder folder;
-  write_figures({}, folder.path, {.render = false});
-  CHECK(contains(text_of_file(folder.path / "style.gp"), "colours = \"" + colours + '"'));
 }
 
 TEST_CASE("a picture has the dark colours beside its own, and nothing that its labels say", "[figure]") {

@@ -185,7 +185,7 @@ TEST_CASE("a solver keeps its colour where another one is left out", "[figure]")
   const StudyResults all = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 9, .points = 1}));
   const StudyResults alone = of_solvers(all, [](std::string_view solver) { return solver == "B"; });
   CHECK(contains(box_figure(alone, Metric::position_error_cm, "boxes").settings,
-                 "colour(row) = word(colours, int(word('2', row)))"));
+                 "colour(row) = colour_of(int(word('2', row)))"));
 }
 
 TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, and no stale picture", "[figure]") {

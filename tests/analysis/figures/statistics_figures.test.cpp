@@ -130,13 +130,13 @@ TEST_CASE("observations that are no replicates say so under their picture", "[fi
 }
 
 TEST_CASE("intervals are marked where they exclude zero, and in words where there are none", "[figure]") {
-  const Figure figure = differences_figure({{"above", 1, 0.5, 1.5},
-                                            {"below", -1, -1.5, -0.5},
-                                            {"around", 0.1, -1, 1},
-                                            {"touching", 1, 0, 2},
-                                            {"nothing"},
-                                            {"unbounded", 1, -HUGE_VAL, 2}},
-                                           {"differences", "difference [cm]", 0.95, "Games-Howell"});
+  const Figure figure = differences_figure({{"above", "x", 1, 0.5, 1.5},
+                                            {"below", "x", -1, -1.5, -0.5},
+                                            {"around", "x", 0.1, -1, 1},
+                                            {"touching", "x", 1, 0, 2},
+                                            {"nothing", "x"},
+                                            {"unbounded", "x", 1, -HUGE_VAL, 2}},
+                                           {"differences", {"difference", "cm"}, 0.95, "Games-Howell"});
   CHECK(lines_below(figure.data, "# row") ==
         Texts{"1 1 0.5 1.5 1", "2 -1 -1.5 -0.5 1", "3 0.1 -1 1 0", "4 1 0 2 0", "5 NaN NaN NaN -1", "6 1 NaN 2 -1"});
   CHECK(contains(figure.settings, "'not defined' at 0, first 5"));
@@ -144,10 +144,26 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
   CHECK(contains(figure.caption, "simultaneous 95 % intervals (Games-Howell)"));
 }
 
+TEST_CASE("differences say who is better on which side, and small times are in ms", "[figure]") {
+  const std::vector<DifferenceRow> rows{{"IK-BA", "DE", -0.002, -0.003, -0.001},
+                                        {"IK-BA", "PSO", 0.001, -0.001, 0.002}};
+  DifferencesWords words{.name = "differences", .quantity = {"difference: time", "s"}, .method = "bootstrap"};
+  const Figure smaller = differences_figure(rows, words);
+  CHECK(contains(smaller.settings, "'← IK-BA better' at graph 0,"));
+  CHECK(contains(smaller.settings, "'second better →' at graph 1,"));  // of each row, another
+  CHECK(contains(smaller.settings, "'difference: time [ms]'"));
+  CHECK(contains(smaller.caption, "Left of zero, the first of a row is better."));
+  check_drawn(smaller);
+  words.larger_is_better = true;
+  const Figure larger = differences_figure({rows.front()}, words);
+  CHECK(contains(larger.settings, "'← DE better' at graph 0,"));
+  CHECK(contains(larger.settings, "'IK-BA better →' at graph 1,"));
+}
+
 TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
   const auto drawn = [](double factor) {
-    return differences_figure({{"A / B", 2, 1.5, 2 * factor}, {"B / C", 0.9, 0.5, 1.2}, {"C / D", 1, 0, 2}},
-                              {"differences", "ratio: time", 0.95, "bootstrap", true});
+    return differences_figure({{"A", "B", 2, 1.5, 2 * factor}, {"B", "C", 0.9, 0.5, 1.2}, {"C", "D", 1, 0, 2}},
+                              {"differences", {"ratio: time", ""}, 0.95, "bootstrap", true});
   };
   const Figure figure = drawn(1.25), wide = drawn(1e4);
   CHECK(lines_below(figure.data, "# row") == Texts{"1 2 1.5 2.5 1", "2 0.9 0.5 1.2 0", "3 1 0 2 -1"});
@@ -159,8 +175,8 @@ TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
   CHECK(contains(wide.settings, "'1' 1, '10^{1}' 10, '10^{2}' 100"));
   check_drawn(figure);
   check_drawn(wide);
-  check_drawn(differences_figure({{"A / B", 1e-200, 1e-300, 1e300}, {"B / C", 1e-310, 1e-320, 1}},
-                                 {"differences", "ratio: time", 0.95, "bootstrap", true}));
+  check_drawn(differences_figure({{"A", "B", 1e-200, 1e-300, 1e300}, {"B", "C", 1e-310, 1e-320, 1}},
+                                 {"differences", {"ratio: time", ""}, 0.95, "bootstrap", true}));
 }
 
 TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
@@ -208,9 +224,10 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
   }
   check_drawn(observed({}));
   check_drawn(differences_figure({}, {.name = "differences"}));
-  check_drawn(differences_figure({{"nothing"}, {"huge", 1e308, -1e308, 1e308}}, {.name = "differences"}));
-  check_drawn(differences_figure({{hostile_names[5], 1e-12, -1e-12, 3e-12}},
-                                 {.name = "differences", .quantity = hostile_names[4], .method = hostile_names[1]}));
+  check_drawn(differences_figure({{"nothing", ""}, {"huge", "", 1e308, -1e308, 1e308}}, {.name = "differences"}));
+  check_drawn(
+      differences_figure({{hostile_names[5], hostile_names[2], 1e-12, -1e-12, 3e-12}},
+                         {.name = "differences", .quantity = {hostile_names[4], "s"}, .method = hostile_names[1]}));
   for (const std::size_t n : {0u, 1u, 2u, 8u}) {
     const Texts labels(hostile_names.begin(), hostile_names.begin() + static_cast<long>(n));
     const Values ranks(n, (static_cast<double>(n) + 1) / 2);

@@ -98,9 +98,26 @@ TEST_CASE("an error is reached when the first iteration that has it is done", "[
   const StudyResults study = traced_study({record_with_trace({8, 3, 3, 0.5}, 400)});
   const Solve& solve = study.solves.front();
   const std::vector<double> targets{10, 8, 5, 1, 0.5, 0.1};
-  CHECK(costs_to_targets(study, solve, targets, Metric::evaluations) ==
+  CHECK(costs_to_targets(study, solve, targets, Metric::evaluations, course_of(study, solve)) ==
         std::vector<double>{100, 100, 200, 400, 400, censored});
-  CHECK(costs_to_targets(study, solve, targets, Metric::seconds)[2] == Approx(200e-6));
+  CHECK(costs_to_targets(study, solve, targets, Metric::seconds, course_of(study, solve))[2] == Approx(200e-6));
+}
+
+TEST_CASE("a solve of one iteration has the course of its stored improvements", "[convergence]") {
+  SolveRecord record = record_with_trace({0.5}, 60);  // as of a library
+  record.improved_at = {1, 4, 6, 60};
+  record.improved_to_cm = {9, 3, 0.7, 0.5};
+  const StudyResults study = traced_study({record});
+  const Solve& solve = study.solves.front();
+  const std::vector<double> targets{10, 5, 1, 0.5, 0.1};
+  CHECK(costs_to_targets(study, solve, targets, Metric::evaluations, course_of(study, solve)) ==
+        std::vector<double>{1, 4, 6, 60, censored});
+  CHECK(costs_to_targets(study, solve, targets, Metric::seconds, course_of(study, solve))[2] ==
+        Approx(0.1 * solve.seconds));
+  CHECK(costs_to_targets(study, solve, targets, Metric::evaluations, iterations_of(study, solve)) ==  // what decides
+        std::vector<double>{60, 60, 60, 60, censored});
+  CHECK(evaluations_axis(study, {{&solve}}).front() == 1);
+  CHECK(error_bands(study, {&solve}, std::vector<double>{5}).front().value == 3);
 }
 
 TEST_CASE("a solve that ended before its first iteration has reached its error with all it cost", "[convergence]") {
@@ -108,8 +125,8 @@ TEST_CASE("a solve that ended before its first iteration has reached its error w
   Solve& solve = study.solves.to_change().front();
   solve.position_error_cm = 0.2;
   CHECK(has_trace(solve));
-  CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Metric::evaluations) ==
-        std::vector<double>{50, 50, censored});
+  CHECK(costs_to_targets(study, solve, std::vector<double>{1, 0.2, 0.1}, Metric::evaluations,
+                         course_of(study, solve)) == std::vector<double>{50, 50, censored});
   solve.iterations = 7;  // went on, and nobody wrote down how
   CHECK(!has_trace(solve));
 }
@@ -120,12 +137,16 @@ TEST_CASE("a trace whose answer the verifier does not confirm reaches nothing", 
   for (const Status status : {Status::claimed_but_wrong, Status::refused, Status::not_finite, Status::crashed,
                               Status::timed_out, Status::broke_protocol, Status::declined}) {
     solve.status = status;
-    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations).front() == censored);
+    CHECK(
+        costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations, course_of(study, solve)).front() ==
+        censored);
     CHECK(error_bands(study, {&solve}, std::vector<double>{300}).front().value == censored);
   }
   for (const Status status : {Status::ok, Status::tolerance_missed, Status::limit_violated}) {
     solve.status = status;
-    CHECK(costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations).front() == 100);
+    CHECK(
+        costs_to_targets(study, solve, std::vector<double>{10}, Metric::evaluations, course_of(study, solve)).front() ==
+        100);
   }
 }
 
@@ -166,7 +187,9 @@ TEST_CASE("every iteration counts as done at its own number of evaluations, what
     const Solve& solve = study.solves.front();
     for (int i = 1; i <= n; ++i) {
       const double target = trace[static_cast<std::size_t>(i) - 1];
-      const double cost = costs_to_targets(study, solve, std::vector<double>{target}, Metric::evaluations).front();
+      const double cost =
+          costs_to_targets(study, solve, std::vector<double>{target}, Metric::evaluations, course_of(study, solve))
+              .front();
       CHECK(error_bands(study, {&solve}, std::vector<double>{cost}).front().value == target);
     }
   }
@@ -436,14 +459,14 @@ TEST_CASE("figures of convergence are drawn of few, odd and hostile data too", "
 }
 
 TEST_CASE("an axis of costs is wider than its values, and has round ticks", "[convergence]") {
-  const Axis wide = ratio_axis(44, 22000, "");
+  const Axis wide = ratio_axis(44, 22000, {});
   CHECK(wide.low < 44);
   CHECK(wide.high > 22000);
   CHECK(contains(wide.settings, "set logscale x"));
   CHECK(contains(wide.settings, "set xtics enhanced ('50' 50, '100' 100, '200' 200"));
-  CHECK(contains(ratio_axis(3e-12, 0.02, "").settings, "('10^{-12}' 1e-12, '10^{-10}' 1e-10"));
-  CHECK(contains(ratio_axis(1000, 1100, "").settings, "('1000' 1000, '1050' 1050, '1100' 1100)"));
-  CHECK(contains(ratio_axis(censored, 0, "").settings, "unset xtics"));  // nobody solves anything
+  CHECK(contains(ratio_axis(3e-12, 0.02, {}).settings, "('10^{-12}' 1e-12, '10^{-10}' 1e-10"));
+  CHECK(contains(ratio_axis(1000, 1100, {}).settings, "('1000' 1000, '1050' 1050, '1100' 1100)"));
+  CHECK(contains(ratio_axis(censored, 0, {}).settings, "unset xtics"));  // nobody solves anything
 }
 
 TEST_CASE("a convergence curve ends with the longest solve of its solver, whatever others spend", "[convergence]") {

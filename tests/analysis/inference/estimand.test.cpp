@@ -276,7 +276,7 @@ TEST_CASE("a solver that solves nothing leads in no cost of a study with a toler
   CHECK(contains(leader_words(study, Metric::variation_deg, Estimand::mean),
                  "A (295 deg) is better than liar (910 deg)"));
   const StudyResults other = of_solvers(study, [](std::string_view solver) { return solver == "liar"; });
-  CHECK(observations(other, Metric::variation_deg).groups[0].place == 1);       // as in the whole study
+  CHECK(observations(other, Metric::variation_deg).groups[0].style == 2);       // as in the whole study
   CHECK(observations(other, Metric::variation_deg).groups[0].values[0] == 10);  // no solve cost anything
   CHECK(contains(leader_words(study, Metric::evaluations, Estimand::mean),
                  "Fewest evaluations (failures: 10 times the limit): A ("));

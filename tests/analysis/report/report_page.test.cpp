@@ -34,7 +34,7 @@ TEST_CASE("a figure is an image within the page, whose bytes are those of its fi
   std::filesystem::create_directory(folder.path / "figures");
   std::ofstream(folder.path / "figures" / "figure-6.svg") << svg;
   ReportContent content;
-  arrange({ReportFigure{{"figure-6", "of <b> and \" onload=\"alert(3)"}, true}}, content);
+  arrange({ReportFigure{{"figure-6", "of <b> and \" onload=\"alert(3)"}, {"svg"}}}, content);
   const std::string page = to_html(content, folder.path);
   CHECK(contains(page,
                  "src=\"data:image/svg+xml;base64,PHN2ZyBvbmxvYWQ9J2FsZXJ0KDEpJz48c2NyaXB0PmFsZXJ0KDIpPC9zY3JpcHQ+PHRl"
@@ -49,7 +49,9 @@ TEST_CASE("a figure that was not drawn has no card beside the verdict", "[report
   for (const bool is_drawn : {false, true}) {
     ReportContent content;
     content.plan.results = {{"Results", "", {"overview"}}};
-    arrange({ReportFigure{{"overview", "of all"}, is_drawn}}, content);
+    ReportFigure figure{{"overview", "of all"}};
+    if (is_drawn) figure.types = {"pdf"};
+    arrange({figure}, content);
     CHECK(contains(to_html(content, folder.path), "<figure id=") == is_drawn);
   }
 }
@@ -197,7 +199,7 @@ TEST_CASE("a page says why it has no moving arm, and a picture too large for it 
   ReportContent content{.study = "{{{x}}}", .title = "<i>&"};
   content.motion = "{}";
   content.plan.results = {{"Results", "", {"figure-6"}}};
-  arrange({ReportFigure{{"figure-6", "caption"}, true}}, content);
+  arrange({ReportFigure{{"figure-6", "caption"}, {"svg"}}}, content);
   const std::string page = to_html(content, folder.path);
   CHECK(contains(page, "libjs-three") == !drawing_library());
   CHECK(contains(page, "<a href=\"figures/figure-6.svg\">figures/figure-6.svg</a>"));

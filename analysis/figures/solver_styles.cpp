@@ -1,0 +1,97 @@
+#include "analysis/figures/solver_styles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "analysis/figures/dark.hpp"
+
+namespace ikbench::figures {
+
+using namespace results;
+
+namespace {
+
+// Places in the palette. In most studies of up to seven solvers all places are different.
+constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
+                                                                {"bat", 1},
+                                                                {"differential_evolution", 2},
+                                                                {"particle_swarm", 3},
+                                                                {"k_artificial_bee_colony", 4},
+                                                                {"multi_objective_swarm", 5},
+                                                                {"random_search", 6},
+                                                                {"damped_least_squares", 5},
+                                                                {"newton", 1},
+                                                                {"levenberg_marquardt", 4},
+                                                                {"halley", 2},
+                                                                {"robotics_toolbox", 4},
+                                                                {"closed_form", 6},
+                                                                {"kdl_lma", 3},
+                                                                {"kdl_newton", 6},
+                                                                {"ceres_tiny", 0},
+                                                                {"nlopt", 2},
+                                                                {"pagmo", 4}};
+
+std::optional<std::size_t> own_place(std::string_view algorithm, std::size_t colours) {
+  for (const auto& [name, place] : own_places) {
+    if (name == algorithm) return place % colours;
+  }
+  return std::nullopt;
+}
+
+// The place of a colour, which is added if the palette lacks it.
+std::size_t place_in(std::vector<std::string>& palette, const std::string& colour) {
+  const auto is_same = [&](const std::string& other) { return hex_colour(other) == hex_colour(colour); };
+  const auto found = std::ranges::find_if(palette, is_same);
+  const auto place = static_cast<std::size_t>(found - palette.begin());
+  if (found == palette.end()) palette.push_back(colour);
+  return place;
+}
+
+}  // namespace
+
+std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
+  const std::size_t own_colours = style.palette.size();
+  std::map<std::string, std::size_t> places;
+  for (const NamedSolver& solver : solvers) {
+    const auto given = style.colours.find(solver.label);
+    if (given != style.colours.end()) {
+      places.emplace(solver.label, place_in(style.palette, given->second));
+    } else if (const auto own = own_place(solver.algorithm, own_colours)) {
+      places.emplace(solver.label, *own);
+    }
+  }
+  std::vector<std::size_t> users(style.palette.size());
+  for (const auto& [label, place] : places) ++users[place];
+  for (const NamedSolver& solver : solvers) {
+    if (places.contains(solver.label)) continue;
+    const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
+    places.emplace(solver.label, static_cast<std::size_t>(rarest - users.begin()));
+    ++*rarest;
+  }
+  std::map<std::string, int> styles;
+  std::ranges::fill(users, 0);
+  for (const NamedSolver& solver : solvers) {
+    if (styles.contains(solver.label)) continue;
+    const std::size_t place = places.at(solver.label);
+    styles.emplace(solver.label, static_cast<int>(1 + place + style.palette.size() * users[place]++));
+  }
+  return styles;
+}
+
+std::vector<std::string> colours_and_shades(const FigureStyle& style) {
+  std::vector<std::string> colours;
+  for (const std::string& colour : style.palette) colours.push_back(hex_colour(colour).value());
+  for (std::size_t i = 0; i < style.palette.size(); ++i) colours.push_back(shade_of(colours[i], light_ground));
+  return colours;
+}
+
+std::string colour_of(int line_style, const FigureStyle& style) {
+  const std::size_t all = style.palette.size(), i = static_cast<std::size_t>(line_style - 1);
+  return colours_and_shades(style)[i % all + i / all % 2 * all];
+}
+
+}  // namespace ikbench::figures

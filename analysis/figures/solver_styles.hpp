@@ -1,0 +1,28 @@
+// Which line style of style.gp a solver has: its colour in every figure, and a line type that tells it from others of
+// that colour.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "results/figure_style.hpp"
+
+namespace ikbench::figures {
+
+struct NamedSolver {
+  std::string label, algorithm;
+};
+
+// The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
+// built in, its own of the palette; the others get colours of the palette that no solver of the report has, while
+// there are any. Solvers of one colour, such as two variants of one algorithm, have different shades and line types.
+// Colours of style.colours that the palette lacks are added to it.
+std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
+
+// The palette, then a shade of each of its colours, both as "#RRGGBB": what style.gp calls `colours`.
+std::vector<std::string> colours_and_shades(const results::FigureStyle& style);
+// The colour of a line style.
+std::string colour_of(int line_style, const results::FigureStyle& style);
+
+}  // namespace ikbench::figures

@@ -1,0 +1,75 @@
+#include "results/figure_style.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace ikbench::results {
+
+using namespace numerics;
+
+namespace {
+
+constexpr std::size_t most_colours = 20, longest_font = 60;
+
+bool is_font(std::string_view font) {
+  const auto is_allowed = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == ' ' || c == '-'); };
+  return !font.empty() && font.size() <= longest_font && font.front() != ' ' && std::ranges::all_of(font, is_allowed);
+}
+
+}  // namespace
+
+std::optional<std::string> hex_colour(std::string_view colour) {
+  const auto named = std::ranges::find(named_colours, colour, &std::pair<std::string_view, std::string_view>::first);
+  if (named != named_colours.end()) return std::string(named->second);
+  if (colour.size() != 7 || colour.front() != '#') return std::nullopt;
+  std::string hex = "#";
+  for (const char c : colour.substr(1)) {
+    if (std::isxdigit(static_cast<unsigned char>(c)) == 0) return std::nullopt;
+    hex += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return hex;
+}
+
+std::string expected_colour() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, hex] : named_colours) names.push_back(name);
+  return fmt::format("a colour such as \"#1E8CF8\", or one of {}", fmt::join(names, ", "));
+}
+
+std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style) {
+  const auto is_colour = [](const std::string& colour) { return hex_colour(colour).has_value(); };
+  const auto is_size = [](double cm, double least) { return cm == 0 || cm >= least; };
+  const std::set<std::string> shown(style.solvers.begin(), style.solvers.end());
+  if (!is_size(style.width_cm, 4)) return {{"width_cm", "0, or from 4 to 60"}};
+  if (!is_size(style.height_cm, 3)) return {{"height_cm", "0, or from 3 to 60"}};
+  if (!is_font(style.font)) return {{"font", fmt::format("at most {} letters, digits, blanks and -", longest_font)}};
+  if (style.palette.empty() || style.palette.size() > most_colours || !std::ranges::all_of(style.palette, is_colour))
+    return {{"palette", fmt::format("1 to {} times {}", most_colours, expected_colour())}};
+  if (shown.size() < style.solvers.size()) return {{"solvers", "each label once"}};
+  for (const auto& [label, colour] : style.colours) {
+    if (!is_colour(colour)) return {{"colour", expected_colour()}};
+  }
+  return std::nullopt;
+}
+
+void read_style(TomlReader reader, FigureStyle& style) {
+  list_fields(reader, style);
+  reader.refuse_unknown_keys();
+  if (const auto mistake = mistake_in(style)) {
+    const toml::node* const node = reader.find(mistake->first);
+    if (node == nullptr) throw std::invalid_argument(fmt::format("{}: expected {}", mistake->first, mistake->second));
+    reader.fail(mistake->first, *node, mistake->second);
+  }
+}
+
+void read_style_file(const std::filesystem::path& file, FigureStyle& style) {
+  constexpr std::uintmax_t largest = 100'000;
+  const toml::table table = parse_toml(text_of_file(file, largest), file.string());
+  read_style(TomlReader(table, file.string(), ""), style);
+}
+
+}  // namespace ikbench::results
