@@ -32,7 +32,7 @@ std::optional<Rgb> rgb_of(const std::string& text) {
   return std::nullopt;
 }
 
-std::string text_of(const Rgb& rgb) { return fmt::format("#{:02X}{:02X}{:02X}", rgb[0], rgb[1], rgb[2]); }
+std::string hex_of(const Rgb& rgb) { return fmt::format("#{:02X}{:02X}{:02X}", rgb[0], rgb[1], rgb[2]); }
 
 Rgb mixed(const Rgb& one, const Rgb& other, double share_of_other) {
   Rgb result{};
@@ -65,7 +65,7 @@ std::string shade_of(std::string_view colour, std::string_view ground) {
   const Rgb own = *rgb_of(std::string(colour)), behind = *rgb_of(std::string(ground));
   const bool is_dark = luminance(own) < 0.13;
   const Rgb wanted = mixed(own, is_dark ? white : black, share), other = mixed(own, is_dark ? black : white, share);
-  return text_of(contrast(wanted, behind) >= least_contrast ? wanted : other);
+  return hex_of(contrast(wanted, behind) >= least_contrast ? wanted : other);
 }
 
 std::string dark_colour(std::string_view colour) {
@@ -77,10 +77,10 @@ std::string dark_colour(std::string_view colour) {
     if (rgb_of(shade_of(light, light_ground)) == rgb) return shade_of(dark, dark_ground);
   }
   const Rgb ground = *rgb_of(std::string(dark_ground)), white = *rgb_of(std::string(dark_series_colours.back()));
-  if ((*rgb)[0] == (*rgb)[1] && (*rgb)[1] == (*rgb)[2]) return text_of(mixed(white, ground, (*rgb)[0] / 255.0));
+  if ((*rgb)[0] == (*rgb)[1] && (*rgb)[1] == (*rgb)[2]) return hex_of(mixed(white, ground, (*rgb)[0] / 255.0));
   Rgb lighter = *rgb;
   while (contrast(lighter, ground) < least_contrast) lighter = mixed(lighter, white, 0.1);
-  return lighter == *rgb ? "" : text_of(lighter);
+  return lighter == *rgb ? "" : hex_of(lighter);
 }
 
 std::string with_dark_colours(const std::string& svg) {

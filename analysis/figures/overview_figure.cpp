@@ -47,8 +47,8 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
 
 constexpr double largest_size = 1.6, smallest_size = 0.4;
 // The axes, and what is around them.
-constexpr double axes_width_cm = 6.7, axes_height_cm = 5.2, left_cm = 1.5, right_cm = 0.3, below_cm = 1.05,
-                 above_cm = 0.3;
+constexpr double axes_width_cm = 6.7, axes_height_cm = 5.2, left_cm = 1.5, right_cm = 0.3, bottom_cm = 1.05,
+                 top_cm = 0.3;
 
 struct Disc {
   double variation_deg, error_cm, size;
@@ -235,11 +235,11 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
   }
   if (has_labels) {
     figure.width_cm = axes_width_cm + left_cm + right_cm;
-    figure.height_cm = axes_height_cm + below_cm + above_cm;
+    figure.height_cm = axes_height_cm + bottom_cm + top_cm;
     figure.settings += fmt::format(
         "set key off\nset lmargin at screen margin({})\nset rmargin at screen 1 - margin({})\n"
         "set bmargin at screen up({})\nset tmargin at screen 1 - up({})\n",
-        text_of(left_cm), text_of(right_cm), text_of(below_cm), text_of(above_cm));
+        text_of(left_cm), text_of(right_cm), text_of(bottom_cm), text_of(top_cm));
   } else {
     add_legend(figure, labels);
   }
