@@ -296,6 +296,17 @@ TEST_CASE("how a study is judged decides no series", "[series]") {
   }
 }
 
+TEST_CASE("how figures look decides no series", "[series]") {
+  const std::string key = key_of(small_study());
+  for (const FigureStyle& style :
+       {FigureStyle{.width_cm = 9}, FigureStyle{.height_cm = 9}, FigureStyle{.font = "Arial"},
+        FigureStyle{.text_pt = 9}, FigureStyle{.palette = {"red"}}, FigureStyle{.solvers = {"DE"}},
+        FigureStyle{.formats = {Picture::svg}}}) {
+    CHECK(key_of(changed([&](Study& study) { study.figures = style; })) == key);
+  }
+  CHECK(key_of(changed([](Study& study) { study.solvers.front().colour = "red"; })) == key);
+}
+
 TEST_CASE("name, title, printed tables, runs, repeats and the other solvers decide no series", "[series]") {
   const std::string key = key_of(small_study());
   CHECK(key == key_of(changed([](Study& study) { study.name = "another"; })));

@@ -94,6 +94,8 @@ TEST_CASE("every built-in study comes back from its file with the same series", 
     again.left_out = study.left_out;
     CHECK(keys_of(again) == keys_of(study));
     CHECK(again.name == study.name);
+    CHECK(again.figures == study.figures);
+    CHECK(again.solvers[1].colour == "#123456");
     CHECK(again.title == study.title);
     CHECK(again.published == study.published);
     CHECK(again.runs == study.runs);
@@ -147,6 +149,14 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
                     .power = 0.95,
                     .quartiles = 9,
                     .unit = Unit::point};
+  study.figures = {.width_cm = 12.5,
+                   .height_cm = 7,
+                   .font = "DejaVu Sans",
+                   .text_pt = 9.5,
+                   .palette = {"black", "#ABCDEF"},
+                   .solvers = {"плечо", study.solvers[0].label},
+                   .formats = {Picture::pdf}};
+  study.solvers[1].colour = "#123456";
   const Study again = parse_study(to_toml(study), "my.toml", {}, PointsAsObservations::forced);
   CHECK(to_toml(again) == to_toml(study));
   CHECK(to_json(again) == to_json(study));
@@ -544,6 +554,16 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
          {table + "test = \"friedman\"\n" + solver_entry, "my.toml:2:8: ", {"another test", "chained along a path"}},
          {table + "unit = \"day\"\n" + solver_entry, "my.toml:2:8: ", {"\"run\", \"point\""}}});
   CHECK(read("start = \"initial\"\n" + table + "test = \"friedman\"\n" + solver_entry).analysis.test == "friedman");
+}
+
+TEST_CASE("what figures cannot be is told with its place and what they can be", "[study][mistakes]") {
+  check({{"[figures]\nfont = \"x'; !y\"\n" + solver_entry, "my.toml:2:8: figures.font", {"letters, digits"}},
+         {"[figures]\ntext_pt = 300\n" + solver_entry, "my.toml:2:11: figures.text_pt", {"from 4 to 24"}},
+         {"[figures]\nsolvers = [\"DE\"]\n" + solver_entry, "my.toml:2:11: figures.solvers", {"\"ik_bat\""}},
+         {"[figures]\ncolor = 1\n" + solver_entry, "my.toml:2:", {"color"}},
+         {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"blue, red"}}});
+  CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=red"}).figures.text_pt == 10);
+  CHECK(read(solver_entry, {"ik_bat.colour=red"}).solvers[0].colour == "red");
 }
 
 TEST_CASE("points are no observations, unless somebody insists", "[study][mistakes][analysis]") {

@@ -169,6 +169,39 @@ TEST_CASE("scripts that the user has edited stay, and figures are drawn with the
   CHECK(text_of_file(style).find(own_colour) == std::string::npos);
 }
 
+TEST_CASE("without drawing all pictures stay, and those of the same data are still shown", "[files][figure]") {
+  const ScratchFolder folder;
+  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
+  write_figures({figure}, folder.path, {});
+  CHECK(write_figures({figure}, folder.path, {.render = false}).outcomes[0].rendered);
+  figure.data = "1 1\n2 3\n";
+  CHECK(!write_figures({figure}, folder.path, {.render = false}).outcomes[0].rendered);
+  for (const char* const type : {".svg", ".pdf", ".png"}) CHECK(fs::exists(folder.path / ("f" + std::string(type))));
+}
+
+TEST_CASE("a figure has the width, height, font, size of text, colours and formats of the style", "[files][figure]") {
+  const ScratchFolder folder;
+  Figure figure{
+      .name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1 title 'x'", .data = "1 1\n2 2\n"};
+  figure.legend = 1;
+  figure.legend_cm = 3;
+  write_figures({figure}, folder.path, {});
+  const FigureStyle style{.width_cm = 12.7,
+                          .height_cm = 5.08,
+                          .font = "Liberation Serif",
+                          .text_pt = 10,
+                          .palette = {"#AA0001"},
+                          .formats = {Picture::svg}};
+  REQUIRE(write_figures({figure}, folder.path, {.style = style}).outcomes[0].rendered);
+  const std::string svg = text_of_file(folder.path / "f.svg");
+  for (const char* const part : {"width=\"360\" height=\"144\"",
+                                 "font-family=\"Liberation Serif\"  font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
+    CAPTURE(part);
+    CHECK(svg.find(part) != std::string::npos);
+  }
+  CHECK(!fs::exists(folder.path / "f.png"));  // of the look before
+}
+
 TEST_CASE("a link in the place of a script is no script of the user's", "[files][figure]") {
   const ScratchFolder folder;
   write_file(folder.path / "far" / "style.gp", "system 'touch pwned'\n");

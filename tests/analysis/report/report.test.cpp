@@ -180,6 +180,49 @@ TEST_CASE("of the paper's claims a study is judged by those that it has the solv
     CHECK(!contains(text, of_paper));
 }
 
+TEST_CASE("a report on some solvers is about these alone, and says what it leaves out", "[report]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
+  save(store, {.name = "mine", .definition = R"({"runs": 5})", .shape = {.solvers = {"A", "B", "C"}, .runs = 5}});
+  const Report report = written_report(
+      store, {.study = "mine", .folder = folder.path / "out", .solvers = {"C", "A"}, .figures = {.render = false}});
+  const std::string text = text_of_file(report.file);
+  CHECK(contains(text, "This report is about 2 of 3 solvers. It leaves out B, so fewer pairs are compared"));
+  const std::string json = text_of_file(folder.path / "out/statistics.json");
+  CHECK(contains(json, "\"pairs\": 1"));
+  CHECK(!contains(json, "\"B\""));
+  CHECK(!contains(text_of_file(folder.path / "out/solves.csv"), ",B,"));
+  const auto refused = [&](ReportRequest request) {
+    request.study = "mine";
+    request.folder = folder.path / "refused";
+    CHECK_THROWS_AS(written_report(store, request), std::invalid_argument);
+  };
+  refused({.solvers = {"D"}});
+  refused({.plan = AnalysisPlan{.control = "B"}, .solvers = {"A", "C"}});
+  refused({.style = FigureStyle{.solvers = {"D"}}});
+}
+
+TEST_CASE("a solver has one line style in all figures of a report, and figures show the chosen solvers", "[report]") {
+  const ScratchFolder folder;
+  Store store(folder.path / "store.db", Store::Mode::write);
+  const std::string definition = R"({"runs": 5, "figures": {"solvers": ["C", "A"], "colours": {"C": "#123456"}}})";
+  save(store, {.name = "mine", .definition = definition, .shape = {.solvers = {"A", "B", "C"}, .runs = 5}});
+  written_report(store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}});
+  const std::filesystem::path figures = folder.path / "out/figures";
+  CHECK(contains(text_of_file(figures / "style.gp"), "#000000 #123456"));  // the eighth colour
+  for (const char* const name : {"error-boxes", "statistics-error-observations", "time-boxes"}) {
+    CAPTURE(name);
+    const std::string script = text_of_file(figures / (name + std::string(".gp")));
+    CHECK(contains(script, "colour_of(int(word('8 1', row)))"));
+    CHECK(contains(script, "('C' 1, 'A' 2)"));
+  }
+  CHECK(contains(text_of_file(figures / "error.gp"), "ls 8 "));
+  CHECK(!contains(text_of_file(figures / "error.dat"), "# B\n"));
+
+  save(store, {.name = "damaged", .definition = R"({"runs": 5, "figures": {"font": "a'; !b"}})", .shape = {.runs = 5}});
+  CHECK_THROWS_AS(written_report(store, {.study = "damaged", .folder = folder.path / "no"}), std::invalid_argument);
+}
+
 TEST_CASE("without gnuplot the tables are written and the report says what is missing", "[report]") {
   const ScratchFolder folder;
   Store store(folder.path / "store.db", Store::Mode::write);
