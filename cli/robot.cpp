@@ -20,7 +20,10 @@
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/number.hpp"
 #include "numerics/units.hpp"
+#include "robots/closed_form.hpp"
+#include "robots/family.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
 
@@ -37,16 +40,25 @@ struct RobotArguments {
   std::string robot, out, limits = "hard";
   UrdfChoice urdf;
   double snap_deg = 0.001;
-  std::vector<double> at;
+  std::vector<double> at, at_rad;
   OutputArguments output;
 };
 
-std::string number(double value) { return fmt::format("{:g}", value == 0 ? 0.0 : value); }  // no -0
+// The unit of an angle.
+struct AngleUnit {
+  std::string_view name;
+  double size;  // [rad]
+};
+constexpr AngleUnit degrees{"deg", degree}, radians{"rad", 1};
 
-std::string frame_text(const Frame& frame) {
-  const Eigen::Vector3d &at = frame.position, rpy_deg = frame.rpy / degree;
-  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) deg", number(at.x()), number(at.y()),
-                     number(at.z()), number(rpy_deg.x()), number(rpy_deg.y()), number(rpy_deg.z()));
+// All digits: the same double when it is read, also where its unit is a degree.
+std::string number(double value, double unit = 1) { return text_of(value == 0 ? 0.0 : in_unit(value, unit)); }  // no -0
+
+std::string frame_text(const Frame& frame, AngleUnit unit = degrees) {
+  const Eigen::Vector3d &at = frame.position, &rpy = frame.rpy;
+  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) {}", number(at.x()), number(at.y()),
+                     number(at.z()), number(rpy.x(), unit.size), number(rpy.y(), unit.size), number(rpy.z(), unit.size),
+                     unit.name);
 }
 
 std::string frame_line(std::string_view name, const Frame& frame) {
@@ -68,17 +80,17 @@ std::string joint_table(const Robot& arm) {
   const Configuration units = experiments::joint_units(arm.chain);
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
     const DhLink& link = arm.chain.links()[static_cast<std::size_t>(j)];
-    const double lower = arm.limits.lower[j] / units[j];
-    const bool is_endless = !std::isfinite(lower);
+    const bool is_endless = !std::isfinite(arm.limits.lower[j]);
     rows.push_back({std::to_string(j + 1),
                     slides(arm, j)                 ? "slides"
                     : link.joint == Joint::coupled ? "coupled"
                                                    : "turns",
-                    is_endless ? "without" : number(lower), is_endless ? "end" : number(arm.limits.upper[j] / units[j]),
+                    is_endless ? "without" : number(arm.limits.lower[j], units[j]),
+                    is_endless ? "end" : number(arm.limits.upper[j], units[j]),
                     is_endless       ? ""
                     : slides(arm, j) ? "m"
                                      : "deg",
-                    number(link.a), number(link.alpha / degree), number(link.d), number(link.offset / degree)});
+                    number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
   return aligned(rows);
@@ -91,40 +103,54 @@ std::string reach_text(const Robot& arm) {
                      number(ball.centre.y()), number(ball.centre.z()));
 }
 
-Configuration joints_at(const Robot& arm, const std::vector<double>& at) {
+// The configuration of --at or --at-rad.
+Configuration joints_at(const Robot& arm, const RobotArguments& arguments) {
+  const bool in_radians = !arguments.at_rad.empty();
+  const std::vector<double>& at = in_radians ? arguments.at_rad : arguments.at;
+  const std::string_view option = in_radians ? "--at-rad" : "--at";
   if (at.empty()) {  // zeros, or the nearest that the limits allow
     return arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
   }
   if (at.size() != static_cast<std::size_t>(arm.joints())) {
-    throw std::invalid_argument(
-        fmt::format("--at has {} values; expected {}, one for each joint of {}", at.size(), arm.joints(), arm.name));
+    throw std::invalid_argument(fmt::format("{} has {} values; expected {}, one for each joint of {}", option,
+                                            at.size(), arm.joints(), arm.name));
   }
-  Configuration q = experiments::joint_units(arm.chain);
+  Configuration q(arm.joints());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double value = at[static_cast<std::size_t>(j)];
     if (!(std::abs(value) <= 1e6)) {
-      throw std::invalid_argument(fmt::format("--at has {}; expected values within +-1e6", value));
+      throw std::invalid_argument(fmt::format("{} has {}; expected values within +-1e6", option, value));
     }
-    q[j] *= value;
+    q[j] = value * (in_radians || slides(arm, j) ? 1 : degree);
   }
   return q;
 }
 
-std::string tool_text(const Robot& arm, const Configuration& q) {
+std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) {
   std::vector<std::string> values;
-  const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
   for (Eigen::Index j = 0; j < q.size(); ++j) {
-    values.push_back(number(in_units[j]) + (slides(arm, j) ? " m" : " deg"));
+    values.push_back(slides(arm, j) ? number(q[j]) + " m" : fmt::format("{} {}", number(q[j], unit.size), unit.name));
   }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
-                                 frame_text(frame_of(arm.chain.forward(q))));
+                                 frame_text(frame_of(arm.chain.forward(q)), unit));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
   return text;
 }
 
-Figure picture(const Robot& arm, const Configuration& q) {
+// The family of the arm, and what here uses its closed form.
+std::string family_text(const Chain& arm) {
+  const Family family = family_of(arm);
+  std::vector<std::string> uses;
+  if (ClosedForm::why_not(arm).empty()) uses.emplace_back("the solver closed_form has it");
+  if (SphericalWrist::fits(arm)) uses.emplace_back("search = \"wrist\" solves the last three joints by it");
+  if (uses.empty() && family.has_closed_form) uses.emplace_back("nothing here uses it");
+  return fmt::format("family: {}\nclosed form: {}{}{}", family.name, family.closed_form, uses.empty() ? "" : "; ",
+                     fmt::join(uses, ", and "));
+}
+
+Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
   Figure figure{.name = "robot",
-                .caption = fmt::format("{}: {}.", arm.name, tool_text(arm, q)),
+                .caption = caption,
                 .height_cm = 8.0,
                 .data = "# the arm from the base to the tool: x, y, z [cm]\n"};
   std::array<std::vector<double>, 3> coordinates;
@@ -139,9 +165,8 @@ Figure picture(const Robot& arm, const Configuration& q) {
   return figure;
 }
 
-void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::path& folder,
-              const OutputArguments& output) {
-  draw({picture(arm, q)}, folder, {.jobs = 1});
+void draw_arm(const Figure& figure, const std::filesystem::path& folder, const OutputArguments& output) {
+  draw({figure}, folder, {.jobs = 1});
   if (output.is_json) return;
   fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
 }
@@ -149,11 +174,12 @@ void draw_arm(const Robot& arm, const Configuration& q, const std::filesystem::p
 }  // namespace
 
 std::string robot_text(const Robot& arm) {
-  std::string text = fmt::format(
-      "{}: {}\nfrom {}\n\n{}{}{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
-      frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()), joint_table(arm), reach_text(arm),
-      SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
-                                      : "not spherical; search = \"all_joints\" or \"pose\"");
+  std::string text =
+      fmt::format("{}: {}\nfrom {}\n\n{}{}{}\n{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
+                  frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()), joint_table(arm),
+                  reach_text(arm), family_text(arm.chain),
+                  SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
+                                                  : "not spherical; search = \"all_joints\" or \"pose\"");
   for (const std::string& note : arm.notes) text += fmt::format("note: {}\n", note);
   return wrapped(text);
 }
@@ -172,11 +198,14 @@ void add_robot(CLI::App& app, Invocation&) {
   CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
   command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")
       ->required();
-  command
-      ->add_option("--at", arguments->at,
-                   "values of all joints [deg], or [m] where one slides; default: zeros, or the nearest inside the "
-                   "limits")
-      ->delimiter(',');
+  CLI::Option* const at = command
+                              ->add_option("--at", arguments->at,
+                                           "values of all joints [deg], or [m] where one slides; default: zeros, or "
+                                           "the nearest inside the limits")
+                              ->delimiter(',');
+  command->add_option("--at-rad", arguments->at_rad, "the same in radians; the tool is also told in radians")
+      ->delimiter(',')
+      ->excludes(at);
   command->add_option("--base", arguments->urdf.base,
                       "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
@@ -196,6 +225,7 @@ void add_robot(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench robot ur5e\n"
       "  ikbench robot franka_panda --at 0,-45,0,-135,0,90,45 --out out/panda\n"
+      "  ikbench robot ur5e --at-rad 0,-1.5707963267948966,1.5707963267948966,0,0,0\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
   command->callback([arguments, command] {
     for (const char* option : {"--base", "--tip", "--limits", "--snap-deg"}) {
@@ -207,7 +237,8 @@ void add_robot(CLI::App& app, Invocation&) {
     choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;
     choice.snap = arguments->snap_deg * degree;
     const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
-    const Configuration q = joints_at(arm, arguments->at);
+    const Configuration q = joints_at(arm, *arguments);
+    const std::string where_tool_is = tool_text(arm, q, arguments->at_rad.empty() ? degrees : radians);
     if (arguments->output.is_json) {
       const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
       const Frame tool = frame_of(arm.chain.forward(q));
@@ -218,8 +249,9 @@ void add_robot(CLI::App& app, Invocation&) {
                          {"rpy_deg", std::vector<double>(rpy_deg.begin(), rpy_deg.end())}};
       show_json(json);
     } else
-      fmt::print("{}{}\n", robot_text(arm), wrapped(tool_text(arm, q)));
-    if (!arguments->out.empty()) draw_arm(arm, q, arguments->out, arguments->output);
+      fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
+    if (arguments->out.empty()) return;
+    draw_arm(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), arguments->out, arguments->output);
   });
 }
 

@@ -26,17 +26,7 @@ using namespace results;
 
 namespace {
 
-// The number x for which x * unit is `value` bit for bit, if there is one nearby.
-double in_unit(double value, double unit) {
-  const double guess = value / unit;
-  for (const double x :
-       {std::round(guess * 1e9) / 1e9, guess, std::nextafter(guess, 0), std::nextafter(guess, 2 * guess)}) {
-    if (x * unit == value) return x;
-  }
-  return guess;
-}
-
-std::vector<double> in_unit(const Eigen::VectorXd& values, double unit) {
+std::vector<double> in_units(const Eigen::VectorXd& values, double unit) {
   std::vector<double> result;
   for (const double value : values) result.push_back(in_unit(value, unit));
   return result;
@@ -98,7 +88,7 @@ class TomlWriter final : public Fields {
     line(name.key, numeral(in_unit(field, unit)), name.meaning);
   }
   void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
-    line(name.key, numerals(in_unit(field, unit)), name.meaning);
+    line(name.key, numerals(in_units(field, unit)), name.meaning);
   }
   void on_poses(Name name, std::vector<Pose>& field) override {
     out += fmt::format("{} = [\n", name.key);
@@ -106,7 +96,7 @@ class TomlWriter final : public Fields {
       const Eigen::VectorXd position = pose.translation();
       const bool in_cm = is_exact(position, centimetre);
       out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
-                         numerals(in_unit(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
+                         numerals(in_units(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
     }
     out += "]\n";
   }
@@ -132,7 +122,7 @@ class JsonWriter final : public Fields {
   void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
     add(name, in_unit(field, unit));
   }
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override { add(name, in_unit(field, unit)); }
+  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override { add(name, in_units(field, unit)); }
   void on_poses(Name, std::vector<Pose>&) override {}  // every solve has its target
 
   void add(Name name, nlohmann::ordered_json value) { out[std::string(name.key)] = std::move(value); }

@@ -28,4 +28,13 @@ std::optional<double> number_from(std::string_view text) {
   return value;
 }
 
+double in_unit(double value, double unit) {
+  const double guess = value / unit;
+  for (const double x :
+       {std::round(guess * 1e9) / 1e9, guess, std::nextafter(guess, 0), std::nextafter(guess, 2 * guess)}) {
+    if (x * unit == value) return x;
+  }
+  return guess;
+}
+
 }  // namespace ikbench::numerics

@@ -14,4 +14,8 @@ std::string text_of(double value);
 // double.
 std::optional<double> number_from(std::string_view text);
 
+// The number x for which x * unit is `value` bit for bit, the shortest if there are several nearby; value / unit if
+// there is none.
+double in_unit(double value, double unit);
+
 }  // namespace ikbench::numerics

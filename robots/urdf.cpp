@@ -31,6 +31,7 @@ namespace {
 using Motion = DescribedJoint::Motion;
 
 constexpr std::size_t most_links = 10'000;
+constexpr std::string_view add_tip = "add --tip LINK, or tip = \"LINK\" in [urdf]";
 
 std::string expand_command(const std::filesystem::path& file) {
   std::string stem = file.filename().string();
@@ -157,8 +158,8 @@ class Tree {
     }
     if (roots.size() == 1) return roots.front();
     place_.fail(1, roots.empty() ? "the joints form a cycle; expected a tree"
-                                 : fmt::format("there are {} links that no joint leads to: {}; expected base, "
-                                               "one of them",
+                                 : fmt::format("there are {} links that no joint leads to: {}; add --base "
+                                               "LINK, or base = \"LINK\" in [urdf]",
                                                roots.size(), some(roots)));
   }
 
@@ -176,7 +177,30 @@ class Tree {
       }
     }
     if (last.size() == 1) return last.front();
-    place_.fail(1, fmt::format("the links at the ends are {}; expected tip, a link", some(last)));
+    place_.fail(1, fmt::format("the arm may end at {}; {}", some(last), add_tip));
+  }
+
+  // A note on the other ends of the tree with as many moving joints between the base and them; empty if there are none.
+  std::string note_on_ends(const std::string& base, const std::string& tip) const {
+    std::map<std::string, int> moving{{base, 0}};
+    std::vector<std::string> next{base}, ends;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      const std::string link = next[i];
+      const auto found = after_.find(link);
+      if (found == after_.end()) {
+        ends.push_back(link);
+        continue;
+      }
+      for (const std::string& child : found->second) {
+        const char* const type = before_.at(child)->Attribute("type");
+        moving[child] = moving.at(link) + (type != nullptr && std::string_view(type) == "fixed" ? 0 : 1);
+        next.push_back(child);
+      }
+    }
+    std::erase_if(ends, [&](const std::string& end) { return end == tip || moving.at(end) != moving.at(tip); });
+    if (ends.empty()) return "";
+    return fmt::format("the tip is \"{}\", but as many joints lead to {}; to take another, {}", tip, some(ends),
+                       add_tip);
   }
 
   void expect_link(std::string_view key, const std::string& name) const {
@@ -347,6 +371,8 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
   Description printed;
   std::vector<Eigen::Vector2d> limits;
   std::vector<std::string> notes;
+  if (choice.tip.empty()) notes.push_back(tree.note_on_ends(base, tip));
+  std::erase(notes, "");
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;

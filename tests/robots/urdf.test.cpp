@@ -176,11 +176,22 @@ TEST_CASE("base and tip are links of the user's, or the root and the only deepes
   std::string fingers = text;
   fingers.insert(fingers.find("</robot>"),
                  "<link name='f'/><joint name='jf' type='fixed'><parent link='l3'/><child link='f'/></joint>");
-  CHECK(said_of(fingers) == "my_arm.urdf:1: the links at the ends are \"l4\", \"f\"; expected tip, a link");
+  CHECK(said_of(fingers) ==
+        "my_arm.urdf:1: the arm may end at \"l4\", \"f\"; add --tip LINK, or tip = \"LINK\" in [urdf]");
   CHECK(read(fingers, {.tip = "f"}).joints() == 2);
+  // Behind fewer fixed joints it is not the default, but as many joints move it; a link that fewer move is no such end.
+  std::string sensor = text;
+  sensor.insert(sensor.find("</robot>"),
+                "<link name='s'/><joint name='js' type='fixed'><parent link='l2'/><child link='s'/></joint>"
+                "<link name='c'/><joint name='jc' type='fixed'><parent link='l1'/><child link='c'/></joint>");
+  const auto notes_with = [&](const UrdfChoice& choice) { return read(sensor, choice).notes; };
+  CHECK(notes_with({}) == std::vector<std::string>{"the tip is \"l4\", but as many joints lead to \"s\"; to take "
+                                                   "another, add --tip LINK, or tip = \"LINK\" in [urdf]"});
+  CHECK(notes_with({.tip = "l4"}).empty());
   std::string apart = text;
   apart.insert(apart.find("</robot>"), "<link name='alone'/>");
-  CHECK(said_of(apart).find("there are 2 links that no joint leads to: \"alone\", \"l0\"; expected base") !=
+  CHECK(said_of(apart).find(
+            "there are 2 links that no joint leads to: \"alone\", \"l0\"; add --base LINK, or base = \"LINK\"") !=
         std::string::npos);
   CHECK(read(apart, {.tip = "l4"}).joints() == 2);
 }
