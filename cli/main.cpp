@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
-      "  ikbench list studies slim2023 > my.toml  a study to edit: add a solver, change an option\n"
+      "  ikbench new my.toml                      a study to edit: add a solver, change an option\n"
       "  ikbench run my.toml                      run it and write a report\n"
       "  ikbench stats my.csv --value error --group solver\n"
       "                                           the same statistics on your own data\n"
