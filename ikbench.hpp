@@ -1,0 +1,12 @@
+// The libraries in a program of your own, by one header: arms, solvers, studies, the store, the report
+// (docs/library.md).
+#pragma once
+
+#include "analysis/report/report.hpp"    // write_report: tables, figures and report.html of a store
+#include "experiments/runner.hpp"        // run a study, solve_once
+#include "experiments/study_reader.hpp"  // load_study, parse_study
+#include "results/store.hpp"             // every solve
+#include "robots/robot.hpp"              // robot, load_robot: the chain and its limits
+#include "robots/urdf.hpp"               // the tip and the limits of a URDF file
+#include "solvers/registry.hpp"          // solver, all_solvers
+#include "solvers/solve.hpp"             // one solve without a study
