@@ -270,6 +270,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   const StudyEntry entry = store.study(wanted.study);
   const AnalysisPlan plan = plan_for(entry, wanted.arguments);
   warn_of_memory(store.name());
+  const std::vector<Collection> own = wanted.collection ? std::vector{*wanted.collection} : std::vector<Collection>();
   ReportProgress progress;
   const Report report = write_report(
       store, {.study = wanted.study,
@@ -278,7 +279,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
               .solvers = wanted.arguments.solvers,
               .style = styled(figure_style_of(entry), wanted.arguments),
               .figures = {.render = !wanted.arguments.without_figures},
-              .collections = analysis::collections(),
+              .collections = own.empty() ? analysis::collections() : own,
               .extra_tables = std::move(wanted.tables),
               .extra_figures = std::move(wanted.figures),
               .repetitions = std::move(wanted.repetitions),

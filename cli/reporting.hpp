@@ -59,6 +59,7 @@ struct WrittenReport {
   std::vector<figures::Figure> figures = {};
   std::vector<report::RepeatedSolver> repetitions = {};
   std::vector<report::ClaimShares> shares = {};
+  std::optional<report::Collection> collection = {};  // a user's, whose first study it is
 };
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the

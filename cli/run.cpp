@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/method.hpp"
@@ -11,6 +12,7 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/shards.hpp"
+#include "experiments/collection.hpp"
 #include "experiments/study_reader.hpp"
 
 namespace ikbench::cli {
@@ -41,22 +43,52 @@ void warn_of_too_few(const Study& study) {
                    planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
 }
 
+struct StudyToRun {
+  std::string study;
+  Overrides overrides;
+  RunArguments run;
+  ReportArguments report;
+  bool without_report = false;
+  std::optional<std::string> shard;
+  int copies = 0;
+};
+
+// Runs the studies of a collection into one store, with one report.
+void run_collection(const StudyCollection& collection, const StudyToRun& arguments, Invocation& invocation) {
+  if (arguments.shard || arguments.copies > 0) {
+    throw std::invalid_argument(fmt::format("{} is a collection, which takes no {}; give it to one of its studies",
+                                            arguments.study, arguments.shard ? "--shard" : "--perturb"));
+  }
+  if (arguments.report.unit == name_of(Unit::point))
+    throw std::invalid_argument("--unit is point; expected run: a collection has no points in common");
+  const std::filesystem::path folder =
+      arguments.run.out.empty() ? default_folder(collection.name) : std::filesystem::path(arguments.run.out);
+  if (!arguments.without_report) refuse_reproduction(folder);
+  report::Collection reported{.name = collection.name, .is_together = true, .title = collection.title};
+  for (const Study& study : collection.studies) {
+    reported.studies.push_back({study.name});
+    if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command}) == Ended::stopped) {
+      invocation.exit_code = cancelled_exit_code();
+      return;
+    }
+  }
+  if (arguments.without_report) return;
+  const Store store(store_in(folder), Store::Mode::read);
+  for (const Study& study : collection.studies) check_is_stored(study, store);
+  const std::string& first = collection.studies.front().name;
+  write_and_announce(store, {.study = first, .folder = folder, .arguments = arguments.report, .collection = reported});
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, Invocation& invocation) {
-  struct Arguments {
-    std::string study;
-    Overrides overrides;
-    RunArguments run;
-    ReportArguments report;
-    bool without_report = false;
-    std::optional<std::string> shard;
-    int copies = 0;
-  };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StudyToRun>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
   command
-      ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies) or path of a TOML file")
+      ->add_option(
+          "STUDY", arguments->study,
+          "name of a built-in study (ikbench list studies), or path of a TOML file: a study, or a collection, which "
+          "lists studies = [...] to be judged together")
       ->required();
   command
       ->add_option("--set", arguments->overrides,
@@ -75,12 +107,15 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run my.toml --perturb 5          can anybody repeat these numbers, to the last digit?\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
+      "  ikbench run my_collection.toml           studies = [\"my_helix.toml\", \"my_arm.toml\"]: one table, one test\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
+    if (const auto collection = load_collection(arguments->study, arguments->overrides))
+      return run_collection(*collection, *arguments, invocation);
     const Study study =
         load_study(arguments->study, arguments->overrides,
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);

@@ -246,6 +246,32 @@ Doubts why_not_blocked(const StudyResults& study) {
   return {{count == 0 ? DoubtKind::no_common_run : DoubtKind::single_block}};
 }
 
+namespace {
+
+// `unblocked` says why there are no blocks; empty where there are.
+Observations made(const StudyResults& study, Metric metric, Estimand estimand, Blocks blocks, const Doubts& unblocked) {
+  const bool are_runs = study.plan.unit == Unit::run;
+  const Quantity quantity = quantity_of(study, metric, estimand);
+  Observations result = quantity.described;
+  result.replicate = are_runs ? replicate_of(study, blocks, quantity.average) : "one point of a run";
+  if (blocks != Blocks::none) {
+    fill_blocks(result, study, blocks, quantity);
+  } else {
+    if (!are_runs) result.flaws = {{DoubtKind::points_as_observations}};
+    if (are_runs && !unblocked.empty()) result.notes.push_back(words_of(unblocked));
+    fill_samples(result, study, quantity);
+  }
+  add_decades(result, study, metric, estimand);
+  add_bits(result, study, metric);
+  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
+  if (info_of(metric).kind == Kind::time) {
+    if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
+  }
+  return result;
+}
+
+}  // namespace
+
 Observations observations(const StudyResults& study, Metric metric, Estimand estimand) {
   if (const Doubts without = left_out(study, metric); is_comparable(study, metric) && !without.empty()) {
     Observations result = observations(compared_in(study, metric), metric, estimand);
@@ -262,23 +288,12 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
         one_line(fmt::format("{}", fmt::join(partial, ", ")))));
     return result;
   }
-  const Blocks blocks = are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none;
-  const Quantity quantity = quantity_of(study, metric, estimand);
-  Observations result = quantity.described;
-  result.replicate = are_runs ? replicate_of(study, blocks, quantity.average) : "one point of a run";
-  if (blocks != Blocks::none) {
-    fill_blocks(result, study, blocks, quantity);
-  } else {
-    if (!are_runs) result.flaws = {{DoubtKind::points_as_observations}};
-    if (are_runs) result.notes.push_back(words_of(unblocked));
-    fill_samples(result, study, quantity);
-  }
-  add_decades(result, study, metric, estimand);
-  add_bits(result, study, metric);
-  std::ranges::move(notes_of_not_finite(result.groups), std::back_inserter(result.notes));
-  if (info_of(metric).kind == Kind::time) {
-    if (Doubts doubts = timing_doubts(study); !doubts.empty()) result.flaws = std::move(doubts);
-  }
+  return made(study, metric, estimand, are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none, unblocked);
+}
+
+Observations observations_of_runs(const StudyResults& study, Metric metric, Estimand estimand) {
+  Observations result = made(compared_in(study, metric), metric, estimand, Blocks::none, {});
+  if (const Doubts without = left_out(study, metric); !without.empty()) result.notes.push_back(words_of(without));
   return result;
 }
 

@@ -77,6 +77,9 @@ struct Collection {
   std::vector<CollectedStudy> studies = {};
   RatesPlan rates = {};
   std::optional<Paper> paper = {};
+  // Set for a user's collection, which has any studies: they get one table and one test (together.hpp).
+  bool is_together = false;
+  std::string title = {};  // replaces that of the first study; may be empty
 };
 
 // The tables and figures of the study itself and of the collection.

@@ -32,6 +32,7 @@
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
+#include "analysis/report/together.hpp"
 #include "analysis/report/words.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
@@ -54,9 +55,10 @@ JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   return JudgedStudy(std::move(other));
 }
 
-// Returns whether the name is that of a companion: the reported study's name plus the ending of a study of the
-// collection.
+// Returns whether the name is that of a companion: a study of a user's collection, or the reported study's name plus
+// the ending of a study of the collection.
 bool is_companion(const std::string& name, const StudyResults& study, const Collection& collection) {
+  if (collection.is_together) return std::ranges::count(collection.studies, name, &CollectedStudy::name) > 0;
   return std::ranges::any_of(collection.studies, [&](const CollectedStudy& other) {
     const std::string part = other.name.substr(collection.studies.front().name.size());
     return !part.empty() && name == study.name + part;
@@ -169,6 +171,7 @@ struct Others {
   std::vector<JudgedStudy> judged = {};
   JudgedStudies companions = {}, same_targets_given = {}, same_limits_too = {};  // of these
   PerturbedCopies perturbed = {};
+  Doubts plan_changes = {};  // of companions that one test judges with the study
 };
 
 Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const JudgedStudy& study,
@@ -185,6 +188,12 @@ Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const Jud
     }
     const bool is_collected = is_companion(other.name, study, collection), is_beside = same_targets(study, other);
     if (!is_collected && !is_beside) continue;
+    if (collection.is_together) {
+      for (Doubt& doubt : plan_changes(entry, store.sessions(), solves_of_sessions(other))) {
+        doubt.studies.push_back(entry.name);
+        result.plan_changes.push_back(std::move(doubt));
+      }
+    }
     const JudgedStudy& judged = result.judged.emplace_back(judged_by(study.plan, std::move(other)));
     if (is_collected) result.companions.push_back(judged);
     if (!is_beside) continue;
@@ -201,6 +210,7 @@ Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const Jud
 const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
   static const Collection none;
   const auto is_of = [&](const Collection& collection) {
+    if (collection.is_together) return true;  // the command named it
     if (!study.facts.published.empty() || collection.paper) return collection.name == study.facts.published;
     return std::ranges::count(collection.studies, study.name, &CollectedStudy::name) > 0;
   };
@@ -348,6 +358,7 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
   const bool has_own = collection.paper && collection.paper->pieces;
   StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
   add_rates(pieces, reported, collection.rates);
+  if (collection.is_together) add_together(pieces, reported);
   if (collection.paper && collection.paper->rows) {
     StudyPieces rows = collection.paper->rows(reported);
     if (!rows.tables.empty()) pieces.results = rows.tables.front().name;
@@ -399,7 +410,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
   ReportContent content{.study = study.name,
-                        .title = study.facts.title.empty() ? study.name : study.facts.title,
+                        .title = !collection.title.empty()   ? collection.title
+                                 : study.facts.title.empty() ? study.name
+                                                             : study.facts.title,
                         .studied = studied(study, paper),
                         .set_up = set_up_sentences(study, paper, sessions),
                         .solvers = coloured(study, style),
@@ -417,8 +430,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
       missing_doubts(study) + left_out_doubts(left_out, whole) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(whole, sessions, solves_of_sessions(study)) + blocks_doubts(study) + imported_doubts(entry, study) +
-      fairness_doubts(study, reported.companions);
+      plan_changes(whole, sessions, solves_of_sessions(study)) + others.plan_changes + blocks_doubts(study) +
+      imported_doubts(entry, study) + fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
@@ -436,14 +449,17 @@ Report write_report(const Store& store, const ReportRequest& request) {
   } else {
     content.answer = pieces.verdict;
     if (!pieces.verdict.empty()) {
-      content.answer.push_back({"", fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});
+      content.answer.push_back({"", collection.is_together
+                                        ? fmt::format(words::together_alone, fmt::arg("study", study.name))
+                                        : fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});
     }
     std::ranges::copy(own, std::back_inserter(content.answer));
   }
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   add_seen(study, tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
-  content.assessments = assessments_of(study, paper, request);
+  if (collection.is_together) content.assessments = together_assessments(reported);
+  std::ranges::move(assessments_of(study, paper, request), std::back_inserter(content.assessments));
   content.motion = moving_arm(entry, study);
   if (request.progress) {
     figure_options.progress = [&](std::int64_t done, std::int64_t all) {

@@ -1,0 +1,36 @@
+// The observations of several studies as one set, so that the one engine judges all of them by one test. A set has the
+// groups that all studies have. Where the studies have blocks, its blocks are theirs: a block is a problem of a study.
+// Else runs are the unit: run r of the set is the mean over the studies of run r's values, of the typical value the
+// mean of logarithms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/inference/judged_study.hpp"
+#include "analysis/inference/observations.hpp"
+
+namespace ikbench::inference {
+
+struct OfStudy {
+  std::string study;
+  Observations observations;
+};
+
+// All have blocks, or none has. Runs beyond those of the study with the fewest count nowhere, and a note says so.
+Observations together(std::vector<OfStudy> all);
+
+// A metric by an estimand: by blocks if every study has them, else by runs. Its name begins with "together-".
+Observations together(const JudgedStudies& studies, Metric metric, results::Estimand estimand);
+
+// What is judged over all studies: the metrics and estimands that each of them judges, the deciding one first.
+struct Judged {
+  Metric metric;
+  results::Estimand estimand;
+};
+std::vector<Judged> judged_together(const JudgedStudies& studies);
+
+// The plan of the first study, which is that of all. A control that not all have is none.
+results::AnalysisPlan plan_of_all(const JudgedStudies& studies, const Observations& observations);
+
+}  // namespace ikbench::inference

@@ -1,0 +1,110 @@
+#include "analysis/report/together.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/estimand.hpp"
+#include "analysis/inference/text.hpp"
+#include "analysis/inference/together.hpp"
+#include "analysis/report/assessment_words.hpp"
+#include "analysis/report/words.hpp"
+
+namespace ikbench::report {
+
+using namespace results;
+using namespace inference;
+using namespace fmt::literals;
+
+namespace {
+
+JudgedStudies studies_of(const Reported& reported) {
+  JudgedStudies studies{reported.study};
+  studies.insert(studies.end(), reported.companions.begin(), reported.companions.end());
+  return studies;
+}
+
+std::string average_of_column(Estimand estimand) {
+  return estimand == Estimand::reliability ? "solved [%]" : fmt::format("{} error [cm]", name_of(estimand));
+}
+
+Cell average_of_group(const Evidence& evidence, const std::string& solver) {
+  const auto group = std::ranges::find(evidence.groups, solver, &GroupEvidence::name);
+  if (group == evidence.groups.end() || !std::isfinite(group->described.mean)) return {};
+  return group->described.mean * (evidence.scale == ValueScale::share ? 100 : 1);
+}
+
+void add_columns(Table& table, const std::string& study, const Evidence& evidence, Estimand estimand) {
+  table.columns.push_back(fmt::format("{}: {}", study, average_of_column(estimand)));
+  for (std::vector<Cell>& row : table.rows)
+    row.push_back(average_of_group(evidence, std::get<std::string>(row.front())));
+}
+
+std::string set_up_of(const JudgedStudy& study) {
+  return fmt::format(words::together_study, "study"_a = study.name, "arm"_a = study.facts.robot,
+                     "path"_a = study.facts.path, "runs"_a = study.runs, "points"_a = study.points);
+}
+
+Evidence judged_over(const JudgedStudies& studies, const Judged& of) {
+  const Observations observations = together(studies, of.metric, of.estimand);
+  return tested(observations, plan_of_all(studies, observations));
+}
+
+Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors) {
+  Table table{.name = "together",
+              .caption = fmt::format(words::together_caption, "studies"_a = studies.size()),
+              .columns = {"solver"}};
+  std::vector<std::string> solvers;
+  for (const JudgedStudy& study : studies) {
+    for (const std::string& solver : study.solvers) {
+      if (std::ranges::count(solvers, solver) == 0) solvers.push_back(solver);
+    }
+    table.notes.push_back(set_up_of(study));
+  }
+  for (const std::string& solver : solvers) table.rows.push_back({solver});
+  for (const JudgedStudy& study : studies) {
+    for (const Judged& of : errors) add_columns(table, study.name, study.evidence(of.metric, of.estimand), of.estimand);
+  }
+  for (const Judged& of : errors) add_columns(table, "all", judged_over(studies, of), of.estimand);
+  return table;
+}
+
+}  // namespace
+
+void add_together(StudyPieces& pieces, const Reported& reported) {
+  const JudgedStudies studies = studies_of(reported);
+  std::vector<Judged> errors = judged_together(studies);
+  std::erase_if(errors, [](const Judged& each) { return each.metric != Metric::position_error_cm; });
+  if (studies.size() < 2 || errors.empty()) return;
+  Table table = together_table(studies, errors);
+  const Evidence found = judged_over(studies, errors.front());
+  const auto label = [&](std::size_t group) {
+    const double mean = found.groups[group].described.mean;
+    return fmt::format(
+        "{} ({})", found.groups[group].name,
+        found.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean));
+  };
+  const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(), "quantity"_a = found.quantity),
+                          fmt::format("{}.", fmt::join(short_answer(found, label), ". "))};
+  std::ranges::copy(found.notes, std::back_inserter(table.notes));
+  pieces.results = table.name;
+  pieces.sections.insert(pieces.sections.begin(), {"All studies", "", {table.name}});
+  pieces.tables.push_back(std::move(table));
+  pieces.verdict.push_back(sentence);
+}
+
+std::vector<Assessment> together_assessments(const Reported& reported) {
+  const JudgedStudies studies = studies_of(reported);
+  std::vector<Assessment> result;
+  if (studies.size() < 2) return result;
+  for (const Judged& of : judged_together(studies)) {
+    const Observations observations = together(studies, of.metric, of.estimand);
+    result.push_back(assess(observations, plan_of_all(studies, observations)));
+  }
+  return result;
+}
+
+}  // namespace ikbench::report

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Several studies in one store, one table and one test.
+source "$(dirname "$0")/common.sh"
+
+# study_of NAME LINE...: two solvers and a third, four runs.
+study_of() {
+  local name=$1
+  shift
+  printf 'name = "%s"\nsearch = "all_joints"\nruns = 4\nrepeats = 1\n%s\n' "$name" "$(printf '%s\n' "$@")" >"$name.toml"
+  printf '[stop]\niterations = 20\nevaluations = 400\ntolerance_cm = 0.1\n' >>"$name.toml"
+  printf '[[solvers]]\nsolver = "%s"\n' damped_least_squares random_search ik_bat >>"$name.toml"
+}
+study_of helix 'path = { kind = "helix", points = 3 }'
+study_of arm 'robot = "ur5e"' 'start = "middle"' 'path = { kind = "random", points = 3 }'
+sed -i 's/ik_bat/particle_swarm/' arm.toml # the two studies share two solvers
+echo 'studies = ["helix.toml", "arm.toml"]' >both.toml
+
+# Runs are the unit, because those of the helix share no problem: a value is the mean over both studies.
+succeeds run both.toml --no-figures
+has "$out" "helix: 36 solves in out/both/store.sqlite"
+has "$out" "arm: 36 solves in out/both/store.sqlite"
+has "$out" "helix: solved [%]"
+has "$out" "arm: solved [%]"
+has "$(<out/both/report.md)" "Over 2 studies together"
+has "$(<out/both/report.md)" "Left out, because not every study has them: ik\\_bat, particle\\_swarm."
+# By hand: the share of both is the mean of the shares of each.
+python3 - out/both/tables/together.csv <<'E2' || fail "the table is not what its studies say: $(<out/both/tables/together.csv)"
+import csv, sys
+rows = list(csv.DictReader(open(sys.argv[1])))
+assert [row["solver"] for row in rows] == ["damped_least_squares", "random_search", "ik_bat", "particle_swarm"]
+for row in rows[:2]:
+    assert abs((float(row["helix: solved [%]"]) + float(row["arm: solved [%]"])) / 2 - float(row["all: solved [%]"])) < 1e-9
+assert rows[2]["arm: solved [%]"] == "" and rows[2]["all: solved [%]"] == "" and rows[2]["helix: solved [%]"] != ""
+E2
+succeeds run both.toml --no-figures
+has "$out" "(36 were already stored)"
+
+# Where all studies have problems that the solvers share, these are the blocks: 12 of each.
+study_of second 'robot = "franka_panda"' 'start = "middle"' 'path = { kind = "random", points = 2 }'
+sed -i 's/ik_bat/particle_swarm/' second.toml
+printf 'name = "arms of mine"\ntitle = "Two arms"\nstudies = ["arm.toml", "second.toml"]\n' >arms.toml
+succeeds run arms.toml --no-figures --out arms
+has "$(<arms/report.md)" "The targets of all studies count alike: 12 of arm, 8 of second."
+has "$(<arms/report.md)" "Two arms"
+
+# Studies that one test cannot judge, and files that are none.
+cp arm.toml other.toml && sed -i 's/"arm"/"other"/' other.toml && printf '[analysis]\nsignificance = 0.01\n' >>other.toml
+echo 'studies = ["helix.toml", "other.toml"]' >plans.toml
+refused 'helix and other cannot be judged together: their plans differ: significance is 0.05 and 0.01 in [analysis]' run plans.toml
+sed -i 's/^runs = 4/runs = 5/; /analysis/,$d' other.toml
+refused 'they have 4 and 5 runs' run plans.toml
+succeeds run plans.toml --set runs=2 --no-report
+echo 'studies = ["arm.toml", "arm.toml"]' >same.toml
+refused 'two studies have the name arm' run same.toml
+echo 'studies = ["arm.toml", "itself.toml"]' >itself.toml
+refused 'itself.toml is a collection itself; expected studies' run itself.toml
+echo 'studies = ["arm.toml", "none.toml"]' >missing.toml
+refused 'no such file: none.toml' run missing.toml
+echo 'studies = ["arm.toml"]' >single.toml
+refused 'single.toml:1:11: the list has 1; expected 2 to 50 studies' run single.toml
+printf 'studies = ["arm.toml"%s]\n' "$(printf ', "%s.toml"' {1..50})" >many.toml
+refused 'the list has 51; expected 2 to 50 studies' run many.toml
+printf 'studies = ["arm.toml", "second.toml"]\nstudy = 1\n' >unknown.toml
+refused 'study' run unknown.toml
+refused 'takes no --shard' run both.toml --shard 1/2
+refused 'takes no --perturb' run both.toml --perturb 1
+mkdir deeper && echo 'studies = ["../helix.toml", "../arm.toml"]' >deeper/beside.toml # beside the file, as an arm is
+succeeds run deeper/beside.toml --no-figures --out both
+[ "$(ls -A deeper)" = beside.toml ] || fail "something was written beside the collection"
