@@ -62,10 +62,9 @@ margin_percent = 5      # the smallest difference that matters
 )",
       file.filename().string(), quoted(file.stem().string()),
       quoted(robot_beside(file.parent_path(), arguments.robot)));
-  const auto& [base, tip, limits, snap] = arguments.urdf;
-  if (!base.empty() || !tip.empty()) text += "[urdf]\n";
-  if (!base.empty()) text += fmt::format("base = {}\n", quoted(base));
-  if (!tip.empty()) text += fmt::format("tip = {}\n", quoted(tip));
+  if (!arguments.urdf.base.empty() || !arguments.urdf.tip.empty()) text += "[urdf]\n";
+  if (!arguments.urdf.base.empty()) text += fmt::format("base = {}\n", quoted(arguments.urdf.base));
+  if (!arguments.urdf.tip.empty()) text += fmt::format("tip = {}\n", quoted(arguments.urdf.tip));
   for (const std::string& solver : arguments.solvers) {
     text += fmt::format("[[solvers]]\nsolver = {}  # its options: ikbench list solvers {}\n", quoted(solver), solver);
   }
@@ -139,6 +138,13 @@ void add_new(CLI::App& app, Invocation&) {
       ->add_option("--robot", arguments->robot, "a name from ikbench list robots, or a file: my_arm.toml, my_arm.urdf")
       ->excludes(like)
       ->capture_default_str();
+  command
+      ->add_option("--base", arguments->urdf.base, "link of a URDF file from which the arm is read; default: the root")
+      ->excludes(like);
+  command
+      ->add_option("--tip", arguments->urdf.tip,
+                   "link of a URDF file to which the arm is read; default: the one with the most joints before it")
+      ->excludes(like);
   command->add_option("--solver", arguments->solvers, "a name from ikbench list solvers; give it once for each solver")
       ->allow_extra_args(false)
       ->excludes(like)

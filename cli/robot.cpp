@@ -99,8 +99,9 @@ std::string joint_table(const Robot& arm) {
 std::string reach_text(const Robot& arm) {
   const Chain::Ball ball = arm.chain.reach();
   if (!std::isfinite(ball.radius)) return "reach: not known, because a joint slides";
-  return fmt::format("reach: at most {} m from ({}, {}, {}) m", number(ball.radius), number(ball.centre.x()),
-                     number(ball.centre.y()), number(ball.centre.z()));
+  const auto shown = [](double value) { return std::abs(value) < 1e-12 ? 0 : value; };
+  return fmt::format("reach: at most {:.6g} m from ({:.6g}, {:.6g}, {:.6g}) m", ball.radius, shown(ball.centre.x()),
+                     shown(ball.centre.y()), shown(ball.centre.z()));
 }
 
 // The configuration of --at or --at-rad.

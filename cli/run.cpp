@@ -1,5 +1,6 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -64,7 +65,12 @@ void run_collection(const StudyCollection& collection, const StudyToRun& argumen
   const std::filesystem::path folder =
       arguments.run.out.empty() ? default_folder(collection.name) : std::filesystem::path(arguments.run.out);
   if (!arguments.without_report) refuse_reproduction(folder);
-  report::Collection reported{.name = collection.name, .is_together = true, .title = collection.title};
+  std::vector<std::string> names;
+  for (const Study& study : collection.studies) names.push_back(study.name);
+  report::Collection reported{
+      .name = collection.name,
+      .is_together = true,
+      .title = collection.title.empty() ? fmt::format("{} together", fmt::join(names, ", ")) : collection.title};
   for (const Study& study : collection.studies) {
     reported.studies.push_back({study.name});
     if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command}) == Ended::stopped) {

@@ -409,7 +409,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
-  ReportContent content{.study = study.name,
+  ReportContent content{.study = collection.is_together ? collection.name : study.name,
+                        .kind = collection.is_together ? "Report of the collection" : "Report of the study",
                         .title = !collection.title.empty()   ? collection.title
                                  : study.facts.title.empty() ? study.name
                                                              : study.facts.title,
@@ -423,6 +424,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .plan = std::move(plan),
                         .path = pieces.path,
                         .seen = pieces.seen};
+  if (collection.is_together) {
+    for (const StudyResults& companion : others.companions)
+      std::ranges::move(studied(companion, paper), std::back_inserter(content.studied));
+  }
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
   content.warnings =

@@ -68,7 +68,13 @@ Table together_table(const JudgedStudies& studies, const std::vector<Judged>& er
   for (const JudgedStudy& study : studies) {
     for (const Judged& of : errors) add_columns(table, study.name, study.evidence(of.metric, of.estimand), of.estimand);
   }
-  for (const Judged& of : errors) add_columns(table, "all", judged_over(studies, of), of.estimand);
+  for (const Judged& of : errors) {
+    const Evidence found = judged_over(studies, of);
+    add_columns(table, "all", found, of.estimand);
+    for (const std::string& note : found.notes) {
+      if (std::ranges::count(table.notes, note) == 0) table.notes.push_back(note);
+    }
+  }
   return table;
 }
 
@@ -89,7 +95,6 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
   };
   const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(), "quantity"_a = found.quantity),
                           fmt::format("{}.", fmt::join(short_answer(found, label), ". "))};
-  std::ranges::copy(found.notes, std::back_inserter(table.notes));
   pieces.results = table.name;
   pieces.sections.insert(pieces.sections.begin(), {"All studies", "", {table.name}});
   pieces.tables.push_back(std::move(table));

@@ -281,8 +281,8 @@ inline constexpr Template set_up_test =
     "Pairs are compared at the level {significance} for all pairs together. Test: {test}.";
 inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template together_caption = "{studies} studies together: the position error of each solver";
-inline constexpr Template together = "Over {studies} studies together, {quantity}";
-inline constexpr Template together_study = "{study}: {arm}, path {path}, {runs} runs of {points} points.";
+inline constexpr Template together = "Over {studies} studies together, by {quantity}";
+inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
 inline constexpr Template together_alone = "What follows is about the study {study} alone.";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";

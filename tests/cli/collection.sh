@@ -22,7 +22,7 @@ has "$out" "arm: 36 solves in out/both/store.sqlite"
 has "$out" "helix: solved [%]"
 has "$out" "arm: solved [%]"
 has "$(<out/both/report.md)" "Over 2 studies together"
-has "$(<out/both/report.md)" "Left out, because not every study has them: ik\\_bat, particle\\_swarm."
+has "$(<out/both/report.md)" "Left out, because not every study has them: ik_bat, particle_swarm."
 # By hand: the share of both is the mean of the shares of each.
 python3 - out/both/tables/together.csv <<'E2' || fail "the table is not what its studies say: $(<out/both/tables/together.csv)"
 import csv, sys

@@ -19,7 +19,7 @@ succeeds new my.toml --robot ur5e --solver newton --solver "levenberg_marquardt"
 has "$out" "newton, levenberg_marquardt on ur5e"
 refused 'a study is a file such as my.toml' new my
 refused 'did you mean "newton"' new other.toml --solver newtn
-refused 'did you mean "ur5e"' new other.toml --robot ur5f
+refused 'did you mean "ur5e"' new other.toml --robot ur5ee
 refused 'did you mean "slim2023"' new other.toml --like slim203
 refused 'but this one has no spherical wrist' new other.toml --robot ur5e --solver closed_form
 refused '--without-paper' new other.toml --without-paper
