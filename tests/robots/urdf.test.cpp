@@ -180,14 +180,15 @@ TEST_CASE("base and tip are links of the user's, or the root and the only deepes
         "my_arm.urdf:1: the arm may end at \"l4\", \"f\"; add --tip LINK, or tip = \"LINK\" in [urdf]");
   CHECK(read(fingers, {.tip = "f"}).joints() == 2);
   // Behind fewer fixed joints it is not the default, but as many joints move it; a link that fewer move is no such end.
-  std::string sensor = text;
+  std::string sensor =
+      urdf({{"fixed"}, {"revolute", about_z + limit}, {"revolute", limit}, {"fixed"}, {"fixed", to_tool}});
   sensor.insert(sensor.find("</robot>"),
-                "<link name='s'/><joint name='js' type='fixed'><parent link='l2'/><child link='s'/></joint>"
-                "<link name='c'/><joint name='jc' type='fixed'><parent link='l1'/><child link='c'/></joint>");
+                "<link name='s'/><joint name='js' type='fixed'><parent link='l3'/><child link='s'/></joint>"
+                "<link name='c'/><joint name='jc' type='fixed'><parent link='l2'/><child link='c'/></joint>");
   const auto notes_with = [&](const UrdfChoice& choice) { return read(sensor, choice).notes; };
-  CHECK(notes_with({}) == std::vector<std::string>{"the tip is \"l4\", but as many joints lead to \"s\"; to take "
+  CHECK(notes_with({}) == std::vector<std::string>{"the tip is \"l5\", but as many joints lead to \"s\"; to take "
                                                    "another, add --tip LINK, or tip = \"LINK\" in [urdf]"});
-  CHECK(notes_with({.tip = "l4"}).empty());
+  CHECK(notes_with({.tip = "l5"}).empty());
   std::string apart = text;
   apart.insert(apart.find("</robot>"), "<link name='alone'/>");
   CHECK(said_of(apart).find(
