@@ -54,6 +54,22 @@ has "$out" "angles are snapped, which moves the tool by at most"
 [ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
 succeeds robot ur5e
 has "$out" "reach: at most"
+# All digits: the arm that is written from the printed numbers has the same tool, bit for bit.
+succeeds robot ur5e.urdf --at 10,-20,30.5,40,50,60
+where=$(tail -n 1 .out)
+{
+  echo 'links = ['
+  awk '/^[1-9] / { printf "{ limits_deg = [%s, %s], a_m = %s, alpha_deg = %s, d_m = %s, offset_deg = %s },\n", $3, $4, $6, $7, $8, $9 }' .out
+  sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' .out
+} >written.toml
+succeeds robot written.toml --at 10,-20,30.5,40,50,60
+[ "$(tail -n 1 .out)" = "$where" ] || fail "another arm than it was written from: $where, and $(tail -n 1 .out)"
+succeeds robot ur5e --at-rad 0.1,-0.2,0.3,0,0,0
+has "$out" "with the joints at 0.1 rad, -0.2 rad, 0.3 rad"
+refused '--at excludes --at-rad' robot ur5e --at 1,2,3,4,5,6 --at-rad 1,2,3,4,5,6
+refused '--at-rad has 1 values; expected 6' robot ur5e --at-rad 1
+has "$("$program" robot ur5e)" "family: three parallel axes (2 to 4), offset wrist"
+has "$("$program" robot puma560)" "the solver closed_form has it"
 sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 grep -q ",fetch," <<<"$("$program" export described/store.sqlite)" || fail "the solves do not name their arm"
