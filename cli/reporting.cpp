@@ -18,9 +18,11 @@
 #include "cli/console.hpp"
 #include "cli/memory.hpp"
 #include "cli/plan_options.hpp"
+#include "experiments/entries_reader.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/recheck.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/study_overrides.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/same_solves.hpp"
@@ -237,6 +239,23 @@ void refuse_reproduction(const std::filesystem::path& folder) {
 void refuse_points(const ReportArguments& arguments) {
   if (arguments.unit != name_of(Unit::point) || arguments.forced) return;
   throw std::invalid_argument(fmt::format("--unit is {}; expected run: {}", arguments.unit, why_points_are_refused));
+}
+
+void add_overrides(CLI::App& command, Overrides& overrides) {
+  command
+      .add_option("--set", overrides,
+                  "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
+      ->allow_extra_args(false);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--sweep",
+          [&overrides](const std::vector<std::string>& sweeps) {
+            for (const std::string& sweep : sweeps) overrides.push_back(sweep_override(sweep));
+          },
+          fmt::format("run every combination of such values: population=10,20,50, IK-BA.alpha=0.5,0.9; at most {} "
+                      "entries",
+                      most_swept))
+      ->allow_extra_args(false);
 }
 
 void add_run_options(CLI::App& command, RunArguments& arguments) {

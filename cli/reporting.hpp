@@ -15,6 +15,7 @@
 #include "analysis/report/table.hpp"
 #include "cli/screen.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
 
@@ -88,6 +89,9 @@ std::vector<std::string> damages_of(const results::Store& store, const std::stri
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
+
+// Adds --set and --sweep, which change the study.
+void add_overrides(CLI::App& command, experiments::Overrides& overrides);
 
 struct RunArguments {
   std::string out;

@@ -96,10 +96,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
           "name of a built-in study (ikbench list studies), or path of a TOML file: a study, or a collection, which "
           "lists studies = [...] to be judged together")
       ->required();
-  command
-      ->add_option("--set", arguments->overrides,
-                   "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
-      ->allow_extra_args(false);
+  add_overrides(*command, arguments->overrides);
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
@@ -114,6 +111,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
       "  ikbench run my_collection.toml           studies = [\"my_helix.toml\", \"my_arm.toml\"]: one table, one test\n"
+      "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");

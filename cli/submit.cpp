@@ -168,8 +168,7 @@ void add_submit(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies) or path of a TOML file")
       ->required();
-  command->add_option("--set", arguments->overrides, "change a key of the study, as ikbench run does")
-      ->allow_extra_args(false);
+  add_overrides(*command, arguments->overrides);
   command->add_option("--tasks", arguments->tasks, "number of tasks, each of which solves one shard")
       ->required()
       ->check(whole_number({1, most_shards}));

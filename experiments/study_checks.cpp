@@ -27,10 +27,13 @@ void check_solvers(const TomlReader& reader, const Study& study, const Robot& ar
       "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
   if (is_enforced && study.bounds == StudyBounds::initial)
     throw mistake(reader, table.get("bounds"), "bounds", not_enforced);
+  std::size_t tables = 0;  // of [[solvers]] so far; a sweep makes several entries of one
   for (std::size_t i = 0; i < study.solvers.size(); ++i) {
     const SolverEntry& entry = study.solvers[i];
+    const bool is_of_same_table = i > 0 && !entry.family.empty() && entry.family == study.solvers[i - 1].family;
+    if (!is_of_same_table) ++tables;
     if (entry.program) continue;  // a program itself declines what it cannot solve
-    const auto own = table["solvers"][i];
+    const auto own = table["solvers"][tables - 1];
     const GoalKind goal = study.search == Search::pose ? GoalKind::pose : GoalKind::position;
     if (const std::string why = solver(entry.solver).why_not(arm.chain, goal); !why.empty()) {
       throw mistake(reader, own["solver"].node(), entry.label + ".solver", why);

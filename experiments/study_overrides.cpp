@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 
 namespace ikbench::experiments {
 
@@ -45,6 +49,10 @@ void override_one(toml::table& study, const std::string& text) {
         fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
   }
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  if (constexpr std::string_view sweep = "sweep."; key.starts_with(sweep)) {
+    insert(subtable(study, "sweep"), std::string_view(key).substr(sweep.size()), value);
+    return;
+  }
   const std::size_t dot = key.rfind('.');
   if (dot == std::string::npos) {
     insert(study, key, value);
@@ -77,6 +85,25 @@ void override_one(toml::table& study, const std::string& text) {
     }
   }
   if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+}
+
+std::string sweep_override(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw std::invalid_argument(
+        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or IK-BA.alpha=0.5,0.9",
+                    text.substr(0, 100)));
+  }
+  std::string values;
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const std::string value = text.substr(from, end - from);
+    const std::optional<double> number = number_from(value);
+    const bool is_number = number && std::isfinite(*number);
+    values += (values.empty() ? "" : ", ") + (is_number ? text_of(*number) : text_of(Json(value)));
+    from = end + 1;
+  }
+  return fmt::format("sweep.{}=[{}]", text.substr(0, equals), values);
 }
 
 }  // namespace ikbench::experiments

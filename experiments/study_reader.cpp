@@ -4,21 +4,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/foreign/program.hpp"
+#include "experiments/entries_reader.hpp"
 #include "experiments/study_checks.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_overrides.hpp"
 #include "experiments/table_reader.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
-#include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
-#include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
@@ -32,8 +29,6 @@ namespace {
 constexpr EmbeddedFile study_files[]{
 #include "studies.inc"
 };
-
-const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
 
@@ -60,13 +55,6 @@ std::string no_study(const std::filesystem::path& file) {
                                    : fmt::format("did you mean \"{}\"?", meant));
 }
 
-// The folder of a file that a key names: the study's, or the current one if --set gave the key.
-std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
-  const toml::node* const node = reader.table().get(key);
-  const std::string where = reader.where(node == nullptr ? reader.table().source() : node->source(), key);
-  return where.starts_with(override_source) ? std::filesystem::path() : reader.source().parent_path();
-}
-
 Path read_path(TomlReader reader) {
   const std::vector<Path> kinds = paths();
   Choices<std::size_t> names;
@@ -83,140 +71,6 @@ Path read_path(TomlReader reader) {
     throw mistake(reader, reader.table().get("file"), "file", error.what());
   }
   return path;
-}
-
-// Removes entries that may be left out and whose solvers this program was built without.
-std::vector<LeftOut> leave_out(toml::table& study) {
-  std::vector<LeftOut> left_out;
-  toml::array* const entries = study["solvers"].as_array();
-  if (entries == nullptr) return left_out;
-  const std::vector<MissingPeer> missing = missing_peers();
-  for (auto element = entries->begin(); element != entries->end();) {
-    const toml::table* const entry = element->as_table();
-    const auto text = [&](const char* key) { return entry == nullptr ? "" : (*entry)[key].value_or(std::string()); };
-    const auto peer = std::ranges::find(missing, text("solver"), &MissingPeer::name);
-    if (peer == missing.end() || text("if_missing") != "leave_out") {
-      ++element;
-      continue;
-    }
-    const std::string label = text("label");
-    left_out.push_back({label.empty() || !TomlReader::is_plain(label) ? peer->name : label, peer->how});
-    element = entries->erase(element);
-  }
-  return left_out;
-}
-
-// Starts the program, or the host of the shared object, to read its name and options.
-std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view key, const std::string& solver) {
-  ProgramChoice choice{.solver = solver};
-  TableReader fields(reader);
-  list_fields(fields, choice);
-  const auto wrong = [&](const std::exception& error) {
-    return mistake(reader, reader.table().get(key), key,
-                   fmt::format("{}: {}; see: ikbench check-solver", choice.name(), error.what()));
-  };
-  try {
-    return meet(choice, folder_of(reader, key));
-  } catch (const std::runtime_error& error) {
-    throw wrong(error);
-  } catch (const std::invalid_argument& error) {
-    throw wrong(error);
-  }
-}
-
-// Reads what an entry is: a built-in solver, a program, or a shared object, in which `solver` may name one.
-void read_kind(TomlReader& reader, SolverEntry& entry) {
-  reader.text("solver", entry.solver, "");
-  const toml::node *name = reader.find("solver"), *process = reader.find("process"),
-                   *object = reader.find("shared_object");
-  if ((name != nullptr || object != nullptr) == (process != nullptr)) {
-    throw std::invalid_argument(
-        reader.where(reader.table().source(), "solver") +
-        (process == nullptr ? "an entry of [[solvers]] has no `solver`, no `process` and no `shared_object`; see: "
-                              "ikbench list solvers"
-                            : "an entry of [[solvers]] has a `process` and a `solver` or a `shared_object`; expected "
-                              "one of them"));
-  }
-  if (process != nullptr || object != nullptr) {
-    entry.program = read_program(reader, object != nullptr ? "shared_object" : "process", entry.solver);
-    entry.solver = entry.program->hello.name;
-    return;
-  }
-  try {
-    static_cast<void>(solver(entry.solver));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(reader.where(name->source(), "solver") + error.what());
-  }
-}
-
-// Returns whether the default of an option is a number.
-bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
-  const Settings defaults = options_with(entry, {});
-  const auto by_default = defaults.find(option);
-  return by_default != defaults.end() && number_from(by_default->second);
-}
-
-SolverEntry read_solver(TomlReader reader) {
-  SolverEntry entry;
-  read_kind(reader, entry);
-  entry.label = entry.solver;
-  reader.text("label", entry.label, "");
-  if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
-    reader.fail("label", *reader.find("label"), "a label that is not empty, without spaces at its ends");
-  reader.choice("if_missing", entry.if_missing, if_missing_choices, "");
-  reader.text("colour", entry.colour, "");
-  if (!entry.colour.empty() && !hex_colour(entry.colour))
-    reader.fail("colour", *reader.find("colour"), expected_colour());
-  reader.find("population");
-  reader.nested(reader.table(), entry.label + ".").whole("population", entry.population, populations, "");
-  if (const toml::table* options = reader.subtable("options")) {
-    const TomlReader option_reader = reader.nested(*options, entry.label + ".");
-    for (const auto& [key, node] : *options) {
-      const std::string option(key.str());
-      if (const auto text = node.value<std::string>()) {
-        if (!TomlReader::is_plain(*text)) option_reader.fail(option, node, TomlReader::plain);
-        if (const auto number = number_from(*text); number && is_of_numbers(entry, option))
-          option_reader.fail(option, node, fmt::format("a number, without quotes: {}", *number));
-        entry.options[option] = *text;
-      } else if (node.is_integer()) {
-        entry.options[option] = fmt::format("{}", *node.value<std::int64_t>());
-      } else if (node.is_floating_point()) {
-        entry.options[option] = fmt::format("{}", *node.value<double>());
-      } else {
-        option_reader.fail(option, node, "a number or a quoted string");
-      }
-      try {
-        options_with(entry, {{option, entry.options[option]}});
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(option_reader.where(node.source(), option) + error.what());
-      }
-    }
-  }
-  reader.refuse_unknown_keys();
-  return entry;
-}
-
-std::vector<SolverEntry> read_solvers(TomlReader& reader) {
-  const toml::node* node = reader.find("solvers");
-  const toml::array* array = node == nullptr ? nullptr : node->as_array();
-  const std::string expected = "at least one [[solvers]] entry with solver = \"...\"";
-  if (node == nullptr)
-    throw std::invalid_argument(reader.where(reader.table().source(), "solvers") +
-                                "the study names no solver; expected " + expected);
-  if (array == nullptr || array->empty() || array->size() > 1000 || !array->is_homogeneous<toml::table>()) {
-    reader.fail("solvers", *node, expected);
-  }
-  std::vector<SolverEntry> entries;
-  std::set<std::string> labels;
-  for (const toml::node& element : *array) {
-    entries.push_back(read_solver(reader.nested(*element.as_table(), "solvers.")));
-    if (!labels.insert(entries.back().label).second) {
-      throw std::invalid_argument(
-          fmt::format("{}label \"{}\" is used twice; expected a different label for each entry of [[solvers]]",
-                      reader.where(element.source(), "solvers"), entries.back().label));
-    }
-  }
-  return entries;
 }
 
 // The plan depends on `study`'s path, runs and solvers.
@@ -288,9 +142,10 @@ Robot read_arm(const TomlReader& reader, Study& study) {
   return *study.robot_of_file;
 }
 
-Study read_study(const toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
-  TomlReader reader(table, source, "");
+Study read_study(toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
   Study study;
+  study.left_out = leave_out(table);
+  TomlReader reader(table, source, "");
   TableReader fields(reader);
   list_fields(fields, study);
   if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
@@ -302,7 +157,7 @@ Study read_study(const toml::table& table, std::string_view source, PointsAsObse
     list_fields(stop_fields, study.stop);
     stop_reader.refuse_unknown_keys();
   }
-  study.solvers = read_solvers(reader);
+  study.solvers = read_solvers(reader, study.left_out);
   if (const toml::table* analysis = reader.subtable("analysis")) {
     study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
   }
@@ -337,10 +192,7 @@ Study parse_study(std::string_view toml_text, std::string_view source, const Ove
                   PointsAsObservations points_as_observations) {
   toml::table table = parse_toml(toml_text, source);
   for (const std::string& text : overrides) override_one(table, text);
-  std::vector<LeftOut> left_out = leave_out(table);
-  Study study = read_study(table, source, points_as_observations);
-  study.left_out = std::move(left_out);
-  return study;
+  return read_study(table, source, points_as_observations);
 }
 
 std::vector<Study> studies() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -250,6 +251,43 @@ void add_departures(nlohmann::ordered_json& json, const Study& study) {
   }
 }
 
+std::string toml_value(const std::string& setting) { return number_from(setting) ? setting : toml_string(setting); }
+
+using EntryPlace = std::vector<SolverEntry>::const_iterator;
+
+// The end of the entries that a sweep made of one.
+EntryPlace end_of_family(EntryPlace first, EntryPlace end) {
+  if (first->family.empty()) return first + 1;
+  return std::find_if(first, end, [&](const SolverEntry& entry) { return entry.family != first->family; });
+}
+
+// Swept settings, each with its values in TOML, in their order.
+using SweptValues = std::map<std::string, std::vector<std::string>>;
+
+SweptValues swept_values(EntryPlace first, EntryPlace end) {
+  SweptValues axes;
+  for (; first != end; ++first) {
+    for (const auto& [setting, text] : first->swept) {
+      std::vector<std::string>& values = axes[setting];
+      if (std::ranges::find(values, toml_value(text)) == values.end()) values.push_back(toml_value(text));
+    }
+  }
+  return axes;
+}
+
+// Where the settings of solvers come from: a sweep, or tuning.
+void add_origins(nlohmann::ordered_json& json, const Study& study) {
+  for (const SolverEntry& entry : study.solvers) {
+    if (!entry.family.empty())
+      json["swept"][entry.label] = {{"family", entry.family}, {"settings", nlohmann::ordered_json(entry.swept)}};
+    if (!entry.tuned) continue;
+    JsonWriter writer;
+    Tuning tuning = *entry.tuned;
+    list_fields(writer, tuning);
+    json["tuned"][entry.label] = std::move(writer.out);
+  }
+}
+
 }  // namespace
 
 std::string to_toml(Path path) {
@@ -283,9 +321,16 @@ std::string to_toml(const Study& study) {
   for (const LeftOut& left_out : study.left_out) {
     writer.out += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
   }
-  for (const SolverEntry& entry : study.solvers) {
+  for (auto of = study.solvers.begin(); of != study.solvers.end(); of = end_of_family(of, study.solvers.end())) {
+    const SolverEntry& entry = *of;
+    const SweptValues axes = swept_values(of, end_of_family(of, study.solvers.end()));
+    const auto value = [&](const std::string& setting, const std::string& of_entry) {
+      const auto axis = axes.find(setting);
+      if (axis == axes.end()) return toml_value(of_entry);
+      return fmt::format("[{}]", fmt::join(axis->second, ", "));
+    };
     writer.out += "\n[[solvers]]\n";
-    writer.line("label", toml_string(entry.label), "");
+    writer.line("label", toml_string(entry.family.empty() ? entry.label : entry.family), "");
     if (entry.program) {
       ProgramChoice choice = entry.program->choice;
       if (!choice.solver.empty()) writer.line("solver", toml_string(choice.solver), "its name in the shared object");
@@ -293,8 +338,10 @@ std::string to_toml(const Study& study) {
     } else {
       writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
     }
-    if (entry.population > 0)
-      writer.line("population", fmt::format("{}", entry.population), "overrides the population of the study");
+    if (entry.population > 0) {
+      writer.line("population", value("population", fmt::format("{}", entry.population)),
+                  "overrides the population of the study");
+    }
     if (!entry.colour.empty()) {
       writer.line("colour", toml_string(entry.colour), meaning_of_colour);
     } else if (&entry == &study.solvers.front()) {
@@ -304,9 +351,13 @@ std::string to_toml(const Study& study) {
       writer.line("if_missing", "'leave_out'",
                   "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
-    for (const auto& [name, value] : entry.options)
-      options.push_back(name + " = " + (number_from(value) ? value : toml_string(value)));
+    for (const auto& [name, text] : entry.options) options.push_back(name + " = " + value(name, text));
     if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
+    if (entry.tuned) {
+      Tuning tuning = *entry.tuned;
+      writer.out += "[solvers.tuned]  # how ikbench tune chose its settings; it does not affect the solves\n";
+      list_fields(writer, tuning);
+    }
   }
   return writer.out;
 }
@@ -316,6 +367,7 @@ std::string to_json(const Study& study) {
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
   add_departures(json, study);
+  add_origins(json, study);
   if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
     const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);
     json["out_of_reach"] = {{"points", found.size()},

@@ -9,8 +9,10 @@
 
 namespace ikbench::results {
 
-// Parts of a definition that decide no solve: how it is judged, and which targets are out of reach.
-constexpr std::array<std::string_view, 4> decide_no_solve{"analysis", "deadline_ms", "out_of_reach", "repeats"};
+// Parts of a definition that decide no solve: how it is judged, which targets are out of reach, and where settings come
+// from.
+constexpr std::array<std::string_view, 6> decide_no_solve{"analysis", "deadline_ms", "out_of_reach",
+                                                          "repeats",  "swept",       "tuned"};
 
 // The first field in which two definitions (JSON, as the store has them) ask for different solves, with both values:
 // "seed is 1 and 2"; empty if there is none. The number of runs may differ.
