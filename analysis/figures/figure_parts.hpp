@@ -17,7 +17,7 @@
 namespace ikbench::figures {
 
 constexpr std::string_view grey_rings = "pt 6 ps 0.9 lc rgb '#808080'";  // for printed numbers
-constexpr std::size_t longest_label = 28;  // characters of a solver's label in a figure; the data file has all
+constexpr std::size_t longest_label = 36;  // characters of a solver's label in a figure; the data file has all
 
 // A number, and a line of numbers, of a data file.
 std::string data_number(double value);

@@ -34,6 +34,41 @@ std::vector<std::string> texts_at(const Json& all, const std::string& path) {
   return texts;
 }
 
+// The members of an object; none if it is no object.
+Json members_at(const Json& all, const std::string& path) {
+  Json value = value_at(all, path);
+  return value.is_object() ? value : Json::object();
+}
+
+std::map<std::string, SweptEntry> swept_in(const Json& all) {
+  std::map<std::string, SweptEntry> swept;
+  const Json entries = members_at(all, "/swept");
+  for (const auto& [label, entry] : entries.items()) {
+    SweptEntry one{.family = text_at(entry, "/family"), .settings = {}};
+    const Json settings = members_at(entry, "/settings");
+    for (const auto& [setting, value] : settings.items()) {
+      if (value.is_string()) one.settings[setting] = value.get<std::string>();
+    }
+    if (!one.settings.empty()) swept[label] = std::move(one);
+  }
+  return swept;
+}
+
+std::map<std::string, TunedEntry> tuned_in(const Json& all) {
+  std::map<std::string, TunedEntry> tuned;
+  const Json entries = members_at(all, "/tuned");
+  for (const auto& [label, entry] : entries.items()) {
+    tuned[label] = {.by = text_at(entry, "/by"),
+                    .candidates = number_at(entry, "/candidates"),
+                    .rounds = number_at(entry, "/rounds"),
+                    .seed = number_at(entry, "/seed"),
+                    .solves = number_at(entry, "/solves"),
+                    .evaluations = number_at(entry, "/evaluations"),
+                    .cpu_seconds = number_at(entry, "/cpu_seconds")};
+  }
+  return tuned;
+}
+
 std::set<std::size_t> slides_of(const Json& links) {
   std::set<std::size_t> slides;
   for (std::size_t joint = 0; links.is_array() && joint < links.size(); ++joint) {
@@ -77,6 +112,8 @@ StudyFacts facts_of(const Json& all, std::string definition) {
                            .farthest_point = number_at(all, "/out_of_reach/farthest_point"),
                            .farthest_cm = number_at(all, "/out_of_reach/farthest_cm"),
                            .reach_cm = number_at(all, "/out_of_reach/reach_cm")},
+          .swept = swept_in(all),
+          .tuned = tuned_in(all),
           .arm = value_at(all, "/arm")};
 }
 

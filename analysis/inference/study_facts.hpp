@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -15,6 +16,19 @@
 namespace ikbench::inference {
 
 using statistics::not_defined;
+
+// An entry that a sweep made: of which one, and its values of the swept settings.
+struct SweptEntry {
+  std::string family;
+  std::map<std::string, std::string> settings;
+};
+
+// How `ikbench tune` chose the settings of an entry.
+struct TunedEntry {
+  std::string by;  // the quantity
+  double candidates = not_defined, rounds = not_defined, seed = not_defined;
+  double solves = not_defined, evaluations = not_defined, cpu_seconds = not_defined;
+};
 
 struct StudyFacts {
   struct Stop {
@@ -51,6 +65,8 @@ struct StudyFacts {
   Stop stop = {};
   std::string path = {};  // kind of path, or empty
   OutOfReach out_of_reach = {};
+  std::map<std::string, SweptEntry> swept = {};  // by label
+  std::map<std::string, TunedEntry> tuned = {};
   nlohmann::json arm = {};  // null if there is none
 
   // Returns whether each solve has its own start, the same for all solvers, rather than the previous answer.

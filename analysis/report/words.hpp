@@ -320,6 +320,17 @@ inline constexpr Template audit =
 inline constexpr Template plan_changed =
     "Set on the command line after the data were collected, not by the study: {changes}.";
 
+// Swept settings.
+inline constexpr Template sweep_caption = "What each combination of the swept settings reached";
+inline constexpr Template sweep_note =
+    "Means over the observations, with {level} intervals that hold for each number alone. best in: the best mean of the "
+    "family. A best mean may be luck: the pairs below say what is shown to differ.";
+inline constexpr Template interaction_caption = "Does the effect of one setting depend on the other?";
+inline constexpr Template interaction_note =
+    "F of the interaction, with degrees of freedom for unequal variances, and within blocks for correlations. Each row is a "
+    "test of its own. The last columns show how far the effect of the first setting at the last value of the second is from "
+    "that at its first value: a difference, or for typical values a ratio. 0 (of a ratio 1) means that the effects are equal.";
+
 // `ikbench compare`: the columns of its table.
 inline constexpr Template comparison_columns =
     "The test of the study's plan decides, as in a report of these two solvers. p is that of one metric alone. A "

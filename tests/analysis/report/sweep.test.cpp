@@ -1,0 +1,117 @@
+// The table, the interactions and the figures of swept settings, and how hostile definitions end.
+#include "analysis/inference/sweep.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/inference/make_study.hpp"
+#include "analysis/report/study_pieces.hpp"
+#include "tests/analysis/cells.hpp"
+#include "tests/analysis/synthetic.hpp"
+#include "tests/catch.hpp"
+#include "tests/contains.hpp"
+
+using namespace ikbench;
+using namespace ikbench::results;
+using namespace ikbench::inference;
+using namespace ikbench::figures;
+using namespace ikbench::report;
+
+namespace {
+
+// A is swept by a and b, two values each. The error of run r is r + 10 a + 100 b, and at both last values 5 more.
+const char* const definition = R"({"stop": {"iterations": 9}, "path": {"kind": "helix"}, "start": "previous", "swept": {
+  "A a=1 b=0": {"family": "A", "settings": {"a": "1", "b": "0"}},
+  "A a=1 b=1": {"family": "A", "settings": {"a": "1", "b": "1"}},
+  "A a=50 b=0": {"family": "A", "settings": {"a": "50", "b": "0"}},
+  "A a=50 b=1": {"family": "A", "settings": {"a": "50", "b": "1"}}}})";
+
+StudyResults swept_study(const std::string& json = definition) {
+  std::vector<SolveRecord> solves = synthetic::solves(
+      {.solvers = {"A a=1 b=0", "A a=1 b=1", "A a=50 b=0", "A a=50 b=1", "other"}, .runs = 4, .points = 1});
+  for (std::size_t i = 0; i < solves.size(); ++i) {
+    const std::size_t cell = i / 4;
+    solves[i].position_error_cm = solves[i].run + 10.0 * (cell / 2 % 2) + 100.0 * (cell % 2) + (cell == 3 ? 5 : 0);
+  }
+  StudyResults study = make_study("swept", std::move(solves));
+  study.facts = facts_of(json);
+  return study;
+}
+
+const Table& table_named(const std::vector<Table>& tables, const std::string& name) {
+  return *std::ranges::find(tables, name, &Table::name);
+}
+
+std::vector<Table> tables_of(const StudyResults& study) { return sweep_tables(study, shown_metrics(study)); }
+
+}  // namespace
+
+namespace ikbench::report {
+std::vector<Table> sweep_tables(const StudyResults& study, const ShownMetrics& metrics);
+std::vector<Figure> sweep_figures(const StudyResults& study, const ShownMetrics& metrics);
+}  // namespace ikbench::report
+
+TEST_CASE("each combination of swept settings is a row, and the best mean of a family is marked", "[sweep]") {
+  const std::vector<Table> tables = tables_of(swept_study());
+  const Table& table = table_named(tables, "sweep");
+  REQUIRE(table.rows.size() == 4);
+  CHECK(table.columns[0] == "family");
+  CHECK(table.columns[1] == "a");
+  CHECK(table.columns[2] == "b");
+  CHECK(number_at(table, 0, "position error [cm]") == Approx(2.5));
+  CHECK(number_at(table, 3, "position error [cm]") == Approx(117.5));
+  CHECK(contains(readable(cell_at(table, 0, "best in")), "error"));
+  CHECK_FALSE(contains(readable(cell_at(table, 3, "best in")), "error"));
+  // Student's t of four values 1 to 4: 2.5 +- 3.182446 sqrt(5 / 3) / 2.
+  CHECK(std::get<Range>(cell_at(table, 0, "error interval")).high == Approx(2.5 + 3.182446 * std::sqrt(5.0 / 12)));
+}
+
+TEST_CASE("an interaction has its F and the difference of differences, by hand", "[sweep]") {
+  // The corners differ by 5; each mean has the variance (5 / 3) / 4, so F = 25 / (4 x 5 / 12) = 15 with 1 and 12.
+  const std::vector<Table> tables = tables_of(swept_study());
+  const Table& table = table_named(tables, "sweep-interactions");
+  CHECK(readable(cell_at(table, 0, "settings")) == "a, b");
+  CHECK(readable(cell_at(table, 0, "depends")) == "yes");
+  CHECK(number_at(table, 0, "F") == Approx(15));
+  CHECK(number_at(table, 0, "df within") == Approx(12));
+  CHECK(number_at(table, 0, "difference or ratio") == Approx(5));
+  CHECK(readable(cell_at(table, 0, "effect of")) == "a 1 to 50, at b 1 and 0");
+}
+
+TEST_CASE("a figure has a curve for each value of the other setting, and a logarithmic axis for wide values",
+          "[sweep]") {
+  const StudyResults study = swept_study();
+  const std::vector<Figure> figures = sweep_figures(study, shown_metrics(study));
+  REQUIRE_FALSE(figures.empty());
+  const Figure& figure = figures.front();
+  CHECK(figure.name == "sweep-error");
+  CHECK(contains(figure.settings, "set logscale x"));
+  CHECK(contains(figure.data, "# b 0: a, mean, low, high\n1 2.5 "));
+  CHECK(contains(figure.data, "# b 1: a, mean, low, high\n1 102.5 "));
+  CHECK_FALSE(contains(figure.data, "# b 2"));
+}
+
+TEST_CASE("without a sweep, or with a definition that is none, there are no pieces", "[sweep]") {
+  for (const std::string json :
+       {R"({"start": "previous"})", R"({"swept": 5})", R"({"swept": {"A a=1 b=0": 7}})",
+        R"({"swept": {"A a=1 b=0": {}}})", R"({"swept": {"A a=1 b=0": {"family": "A", "settings": {"a": 1}}}})",
+        R"({"swept": {"nobody": {"family": "A", "settings": {"a": "1"}}}})"}) {
+    INFO(json);
+    const StudyResults study = swept_study(json);
+    CHECK(tables_of(study).empty());
+    CHECK(sweep_figures(study, shown_metrics(study)).empty());
+  }
+}
+
+TEST_CASE("a family with combinations missing, or with one member, is shown as it is", "[sweep]") {
+  const StudyResults study = swept_study(R"({"swept": {
+    "A a=1 b=0": {"family": "A", "settings": {"a": "1", "b": "x"}},
+    "A a=1 b=1": {"family": "A", "settings": {"a": "nan", "b": "1"}},
+    "A a=50 b=0": {"family": "A", "settings": {"a": "1e999"}},
+    "other": {"family": "\n\"`rm`{", "settings": {"a": "1"}}}})");
+  const std::vector<Table> tables = tables_of(study);
+  CHECK(table_named(tables, "sweep").rows.size() == 3);
+  CHECK(contains(readable(cell_at(table_named(tables, "sweep-interactions"), 0, "depends")), "not defined"));
+  for (const Figure& figure : sweep_figures(study, shown_metrics(study))) CHECK_FALSE(contains(figure.plot, "`rm`"));
+}
