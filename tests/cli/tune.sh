@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Sweeps of settings, and settings chosen by successive halving and judged on other solves.
+source "$(dirname "$0")/common.sh"
+
+study() { # NAME PATH
+  cat <<END
+name = "$1"
+robot = "planar_2"
+search = "all_joints"
+runs = 4
+[stop]
+iterations = 10
+[path]
+$2
+[[solvers]]
+label = "mine"
+solver = "ik_bat"
+population = 6
+[[solvers]]
+solver = "newton"
+END
+}
+study my 'kind = "random"
+points = 3' >my.toml
+
+# A sweep: every combination, one store, a table and figures over the swept setting.
+succeeds run my.toml --no-figures --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9
+has "$out" 'mine alpha=0.5 population=200'
+has "$out" 'newton population=4'
+[ "$(head -1 out/my/tables/sweep.csv | cut -d, -f1-3)" = family,alpha,population ] || fail "$(head -1 out/my/tables/sweep.csv)"
+[ "$(grep -c ^mine out/my/tables/sweep.csv)" = 6 ] || fail "no row for each combination: $(<out/my/tables/sweep.csv)"
+grep -q '^mine,"alpha, population",position error' out/my/tables/sweep-interactions.csv || fail "no interaction"
+grep -q 'set logscale x' out/my/figures/sweep-error.gp || fail "4 to 200 needs a logarithmic axis"
+# The same as lists in the file, as a table, and by --set, so that shards and job arrays agree: nothing is solved anew.
+sed 's/^population = 6/population = [4, 8, 200]\noptions = { alpha = [0.5, 0.9] }/' my.toml >lists.toml
+succeeds run lists.toml --no-report --out out/my
+has "$out" 'were already stored'
+{ printf '[sweep]\npopulation = [4, 8, 200]\nmine.alpha = [0.5, 0.9]\n' | cat <(head -4 my.toml) - <(tail -n +5 my.toml); } >table.toml
+succeeds run table.toml --no-report --out out/my
+has "$out" '108 solves in out/my/store.sqlite (108 were already stored)'
+for shard in 1 2; do succeeds run my.toml --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --shard $shard/2; done
+succeeds merge merged out/my/shards
+succeeds submit my.toml --tasks 2 --dry-run --sweep population=4,8
+has "$out" "'sweep.population=[4, 8]'"
+
+# Mistakes.
+refused 'expected setting=values' run my.toml --sweep population
+refused 'expected a whole number from 1 to 100000' run my.toml --sweep population=4,0
+refused 'unknown setting to sweep "alhpa"; did you mean "alpha"?' run my.toml --sweep alhpa=0.5
+refused 'expected several, such as --sweep population=10,20,50' tune my.toml --solver mine --budget 100
+refused 'unknown label of the study "mien"; did you mean "mine"?' tune my.toml --solver mien --budget 9 --sweep alpha=0.1,0.2
+refused 'expected a setting of mine' tune my.toml --solver mine --budget 100 --sweep newton.population=1,2
+refused '4 candidates take at least 18 solves' tune my.toml --solver mine --budget 17 --sweep population=4,6,8,16
+refused 'unknown metric "eror"' tune my.toml --solver mine --budget 100 --sweep alpha=0.1,0.2 --metric eror
+
+# 4 x 2 runs, then 2 x 2 more: 12 runs of 3 points.
+tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures)
+succeeds "${tune[@]}"
+has "$out" '4 candidates, 2 rounds, 36 solves of training with seed 2'
+has "$out" 'Tuned study: my-tuned.toml'
+has "$err" 'has the best of 4 settings by position error [cm], found by ikbench tune. The search cost 36 solves'
+has_no "$err" 'tuning saw them'
+grep -q 'label = .mine tuned' my-tuned.toml || fail "$(<my-tuned.toml)"
+grep -q 'found by ikbench tune. The search cost 36 solves' out/my-tuned/report.md || fail "the report does not say what tuning cost"
+# The same again solves nothing and chooses the same; the tuned study runs by itself.
+cp my-tuned.toml first.toml
+chosen=$(grep ^Chosen <<<"$out")
+succeeds "${tune[@]}"
+has "$out" "$chosen"
+has "$out" 'my-tuned: 24 solves in out/my-tuned/store.sqlite (24 were already stored)'
+cmp -s my-tuned.toml first.toml || fail "the second tuned study is another"
+succeeds run my-tuned.toml --no-figures
+has "$out" '(24 were already stored)'
+# With the seed of the training it is no test.
+succeeds run my-tuned.toml --no-figures --set seed=2 --out out/seen
+has "$err" 'chosen with the seed of this study'
+# A file that somebody else wrote stays.
+echo 'name = "precious"' >my-tuned.toml
+refused 'not written by ikbench tune' "${tune[@]}"
+
+# Where the path is fixed, tuning saw the targets.
+study fixed 'kind = "circle"
+points = 3
+radius_cm = 20
+centre_cm = [60, 0, 0]' >fixed.toml
+succeeds tune fixed.toml --solver mine --budget 20 --sweep alpha=0.5,0.9 --metric evaluations --no-figures
+has "$err" 'tuning saw them, and only the random numbers are new'
+
+# Ctrl-C loses nothing.
+study long 'kind = "random"
+points = 3' | sed 's/iterations = 10/iterations = 200000/' >long.toml
+long=(tune long.toml --solver mine --budget 600 --sweep population=40,60 --no-figures)
+stopped_after_a_second "${long[@]}"
+has "$(<stopped.err)" 'run the same command again to continue'
+[ -s out/long-tuned/training/store.sqlite ] || fail "nothing is kept"
+[ ! -e long-tuned.toml ] || fail "a tuned study from half a training"
