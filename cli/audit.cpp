@@ -38,7 +38,7 @@ void show(std::vector<AuditItem> items, const OutputArguments& output) {
   for (const AuditItem& item : items) tones.of_rows.push_back(tone_of(item.verdict));
   Part rows = table_rows(with_columns(audit_table(items), shown), output, 0, tones);
   if (output.is_verbose) {
-    for (std::size_t i = 0; i < items.size(); ++i) rows.items[i + 1] += '\n' + wrapped("  " + items[i].why);
+    for (std::size_t i = 0; i < items.size(); ++i) rows.items[i] += '\n' + wrapped("  " + items[i].why);
   }
   show_screen({{.items = {wrapped(first)}}, std::move(rows), {}}, output, "");
 }

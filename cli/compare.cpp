@@ -40,6 +40,22 @@ std::string metric_names() {
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
+// The remarks on metrics that are not decided: how many runs it takes.
+std::vector<std::string> remarks_on_open(const Table& table, const std::vector<VariantComparison>& comparisons) {
+  std::vector<std::string> remarks;
+  std::size_t row = 0;
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      const std::vector<Cell>& cells = table.rows[row++];
+      const std::string remark = readable(cells.back());
+      if (!metric.is_compared() || !is_open(metric) || remark.empty()) continue;
+      remarks.push_back(
+          fmt::format("{}{}: {}.", comparisons.size() == 1 ? "" : comparison.label + ", ", readable(cells[1]), remark));
+    }
+  }
+  return remarks;
+}
+
 // The verdict, what is compared, the rows with their tones, and the notes.
 std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArguments& output, bool counts_as_failure) {
   constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is",   "B_by_A", "p",     "low",
@@ -55,12 +71,15 @@ std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArgument
                     : any_metric(compared.comparisons, is_unknown)  ? Tone::open
                                                                     : Tone::good;
   const std::string verdict = variants_verdict(compared.comparisons, compared.plan);
-  std::vector<std::string> notes = compared.notes;
+  const Table table = variants_table(compared.comparisons, compared.plan);
+  std::vector<std::string> notes;  // with --verbose the table has the remarks
+  if (!output.is_verbose) notes = remarks_on_open(table, compared.comparisons);
+  std::ranges::copy(compared.notes, std::back_inserter(notes));
   std::ranges::copy(variants_notes(compared.comparisons), std::back_inserter(notes));
   return {{.items = {coloured(wrapped(verdict + (counts_as_failure ? " With --strict this counts as a failure." : "")),
                               tone),
                      wrapped(compared.headline), ""}},
-          table_rows(with_columns(variants_table(compared.comparisons, compared.plan), shown), output, of_rows, tones),
+          table_rows(with_columns(table, shown), output, of_rows, tones),
           {.items = {""}},
           sentences(notes, of_notes),
           {}};

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -21,7 +22,7 @@ using namespace report;
 namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t longest_cell = 40;
+constexpr std::size_t longest_cell = 36;
 
 std::size_t lines_in(const Part& part, std::size_t item) {
   const std::string& text = part.items[item];
@@ -52,15 +53,19 @@ std::vector<std::size_t> fitting(const std::vector<Part>& parts, std::size_t roo
 
 // "12 rows, 1 warning and the columns max and min"; empty if all is shown.
 std::string left_out(const std::vector<Part>& parts, const std::vector<std::size_t>& taken) {
-  std::vector<std::string> what;
+  std::vector<std::pair<std::string, std::size_t>> rest;  // by noun
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t rest = parts[i].items.size() - taken[i];
-    if (rest > 0) what.push_back(fmt::format("{} {}{}", rest, parts[i].noun, rest == 1 ? "" : "s"));
+    if (taken[i] == parts[i].items.size()) continue;
+    auto found = std::ranges::find(rest, parts[i].noun, &std::pair<std::string, std::size_t>::first);
+    if (found == rest.end()) found = rest.insert(found, {parts[i].noun, 0});
+    found->second += parts[i].items.size() - taken[i];
   }
-  for (const Part& part : parts) {
-    if (part.columns.empty()) continue;
-    what.push_back(fmt::format("the column{} {}", part.columns.size() == 1 ? "" : "s", report::listed(part.columns)));
-  }
+  std::vector<std::string> what;
+  for (const auto& [noun, count] : rest) what.push_back(fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"));
+  std::vector<std::string> columns;
+  for (const Part& part : parts) std::ranges::copy(part.columns, std::back_inserter(columns));
+  if (!columns.empty())
+    what.push_back(fmt::format("the column{} {}", columns.size() == 1 ? "" : "s", report::listed(columns)));
   return what.empty() ? "" : report::listed(what);
 }
 
@@ -94,24 +99,29 @@ Part table_rows(const Table& table, const OutputArguments& output, std::size_t l
   const auto finish = [&](std::size_t width) {
     if (!tones.of_rows.empty()) tones.of_rows.insert(tones.of_rows.begin(), Tone::plain);
     part.items = aligned_rows(rows, width, tones);
+    if (part.items.size() > 1) {  // the head is never alone
+      part.items[1].insert(0, part.items.front() + '\n');
+      part.items.erase(part.items.begin());
+    }
     return std::move(part);
   };
   if (output.is_verbose) return finish(no_limit);
-  for (auto& row : rows) {
-    for (std::string& cell : row) cell = shortened(cell, longest_cell);
-  }
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
-  }
   std::size_t used = 0, shown = 0;
-  for (; shown < widths.size(); ++shown) {
-    used += widths[shown] + (shown == 0 ? 0 : 2);
-    if (used > text_width()) break;
+  for (; shown < rows.front().size(); ++shown) {
+    std::size_t width = shown == 0 ? 0 : 2;
+    for (const auto& row : rows)
+      width = std::max(width, (shown == 0 ? 0 : 2) + character_count(shortened(row[shown], longest_cell)));
+    if (used + width > text_width()) break;
+    used += width;
   }
-  const auto first_left_out = static_cast<std::ptrdiff_t>(std::max<std::size_t>(shown, 1));
-  part.columns.assign(rows.front().begin() + std::min(first_left_out, std::ssize(rows.front())), rows.front().end());
-  for (auto& row : rows) row.resize(std::min(row.size(), static_cast<std::size_t>(first_left_out)));
+  const std::size_t last = std::max<std::size_t>(shown, 1) - 1;  // it has the room that is left
+  for (auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      row[c] = shortened(row[c], c < last ? longest_cell : longest_cell + text_width() - used);
+    }
+  }
+  part.columns.assign(rows.front().begin() + static_cast<std::ptrdiff_t>(last) + 1, rows.front().end());
+  for (auto& row : rows) row.resize(last + 1);
   return finish(text_width());
 }
 

@@ -171,23 +171,25 @@ void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& al
       "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
 }
 
-// The answer of each quantity, then its groups, its pairs and what else is to be said of it.
+// The answer of each quantity, then the groups and pairs of each, and what else is to be said of it.
 std::vector<Part> screen_of(const std::vector<Assessment>& all, const Report& report, const OutputArguments& output) {
   std::vector<Part> parts;
   for (const Assessment& assessment : all) {
-    std::vector<std::string> said = words_of(assessment.sentences);
-    const std::string first = said.empty() ? "" : said.front();
-    if (!said.empty()) said.erase(said.begin());
-    const std::size_t share = screen_lines / all.size();
-    parts.push_back(
-        {.items = {wrapped(heading_of(assessment)), coloured(wrapped(first), tone_of(assessment.findings.lead))},
-         .noun = "answer",
-         .least = share});
+    const std::string first = assessment.sentences.empty() ? "" : words_of(assessment.sentences.front());
+    parts.push_back({.items = {fmt::format("{}\n{}", wrapped(heading_of(assessment)),
+                                           coloured(wrapped(first), tone_of(assessment.findings.lead)))},
+                     .noun = "answer",
+                     .least = screen_lines});
+  }
+  for (const Assessment& assessment : all) {
     for (const Table& table : assessment.tables) {
       Part rows = table_rows(table, output, 0);
-      rows.items.front() = '\n' + wrapped(table.caption) + '\n' + rows.items.front();
+      rows.items.front().insert(0, fmt::format("\n{}\n", wrapped(table.caption)));
       parts.push_back(std::move(rows));
     }
+    std::vector<std::string> said = words_of(assessment.sentences);
+    if (!said.empty()) said.erase(said.begin());
+    if (all.size() > 1 && !said.empty()) said.front().insert(0, heading_of(assessment) + ". ");
     parts.push_back(sentences(said));
   }
   parts.push_back(warnings(report.warnings));
