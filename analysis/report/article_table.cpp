@@ -116,8 +116,7 @@ std::string article_caption(const JudgedStudy& study, std::span<const ArticleCol
   const auto is_error = [](const ArticleColumn& column) {
     return column.metric == Metric::position_error_cm && !column.is_share();
   };
-  if (const double least = tolerance_of(study, Metric::position_error_cm); any(is_error) && std::isfinite(least))
-    sentences.push_back(fmt::format(words::article_tolerance, "least"_a = rounded_number(least, 4)));
+  if (any(is_error) && std::isfinite(tolerance_cm(study))) sentences.emplace_back(words::article_tolerance);
   const auto penalised =
       std::ranges::find_if(columns, [&](const ArticleColumn& column) { return is_penalised(study, column.metric); });
   if (penalised != columns.end()) sentences.push_back(capitalised(penalty_words(study, penalised->metric)) + '.');

@@ -131,7 +131,7 @@ inline constexpr Template flawed = "Flawed: {why}";
 inline constexpr Template article_means = "mean ± standard deviation";
 inline constexpr Template article_medians = "median [quartiles]";
 inline constexpr Template article_averages = "{averages} over {observations} (n = {n}).";
-inline constexpr Template article_tolerance = "An error below the tolerance counts as {least} cm.";
+inline constexpr Template article_tolerance = "An error below the tolerance counts as the tolerance.";
 inline constexpr Template article_marks =
     "Bold: the best. Star: found to differ from {from} (level {level} for all pairs of a column).";
 inline constexpr Template article_not_compared = "Not compared: {names}.";
@@ -155,7 +155,7 @@ inline constexpr Template first_rows = "The first {shown} of {all} rows; all of 
 inline constexpr Template regression = "Regression beyond {margin}: {list}. {rest}";
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
 inline constexpr Template worse = "{label}: worse beyond {margin} in {list}. {rest}";
-inline constexpr Template not_worse = "{label}: not worse beyond {margin}{found}. {rest}";
+inline constexpr Template not_worse = "{label}: no worsening beyond {margin}{found}. {rest}";
 inline constexpr Template margins = "{margin} (shares: {of_shares})";
 inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";

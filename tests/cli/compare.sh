@@ -84,7 +84,7 @@ refused '--estimand: median not in {mean,typical,reliability}' compare BA IK-BA 
 
 # Two labels of one store.
 succeeds compare --verbose BA IK-BA --store $base --metric evaluations
-answers "IK-BA against BA: not worse beyond 5 %. "
+answers "IK-BA against BA: no worsening beyond 5 %. "
 has "$out" "B: IK-BA, against A: BA, in study slim2023"
 has "$out" "Independent runs, 8 of A and 8 of B: one observation is the mean of a run over its 3 points."
 has "$out" "A report judges each metric over the pairs of all 6 solvers"

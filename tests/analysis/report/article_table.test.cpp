@@ -55,10 +55,11 @@ TEST_CASE("a table for an article has the numbers, the best and the findings tha
 TEST_CASE("a plan of typical errors gives medians with quartiles", "[article]") {
   const JudgedStudy study = judged({.estimands = {Estimand::typical, Estimand::mean}});
   const Evidence& evidence = study.evidence(Metric::position_error_cm, Estimand::typical);
-  const AverageCell& average = average_at(article_table(study), 2, "position_error_cm");
+  const Table table = article_table(study);
+  const AverageCell& average = average_at(table, 2, "position_error_cm");
   CHECK(average.value == evidence.groups[2].median.value);
   CHECK(average.spread == std::vector{evidence.groups[2].q1, evidence.groups[2].q3});
-  CHECK(contains(article_table(study).caption, "median [quartiles]"));
+  CHECK(contains(table.caption, "median [quartiles]"));
 }
 
 TEST_CASE("stars of a plan with a control are differences from it", "[article]") {

@@ -176,7 +176,7 @@ TEST_CASE("an answer that is not finite is never dropped", "[paper]") {
   const Table table_3_here = table_3(study);
   CHECK(to_markdown(table_3_here).find("| BA | position error \\[cm\\] | not defined (printed 1.6849) |") !=
         std::string::npos);
-  CHECK(contains(table_3_here.notes, "not_finite 1"));
+  CHECK(contains(table_3_here.notes, "1 not finite"));
   const StudyAnova without_ba = anova(study, Metric::position_error_cm);
   CHECK(without_ba.table.df_between == 4);
   CHECK(contains(without_ba.left_out, "BA (1 of 20 observations not finite)"));
