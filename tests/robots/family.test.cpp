@@ -85,7 +85,7 @@ TEST_CASE("the family of an arm of the library", "[family]") {
   CHECK(family_of("dobot_magician").name == "linkage: joints are coupled");
 }
 
-TEST_CASE("the family of an arm is that of its URDF file; calibration takes the closed form away", "[family]") {
+TEST_CASE("the family of an arm is that of its URDF file, and calibration takes the closed form away", "[family]") {
   const auto of_file = [](const std::string& name) {
     return robots::family_of(load_robot("tests/data/urdf/" + name + ".urdf").chain);
   };

@@ -87,7 +87,7 @@ TEST_CASE("blocks of several studies are blocks of one, and the engine judges th
   CHECK(std::abs(found.estimate.value + 0.85) < 1e-12);  // the mean of -0.5, -0.5, -0.25, -1 and -2
 }
 
-TEST_CASE("solvers with the same bits have them in every study; notes name their study", "[together]") {
+TEST_CASE("solvers with the same bits have them in every study, and notes name their study", "[together]") {
   Observations one =
       of_groups({{.name = "x", .values = {1, 2}, .bits = 1}, {.name = "y", .values = {1, 2}, .bits = 1}});
   Observations two = of_groups({{"x", {3, 4}}, {"y", {3, 5}}});
