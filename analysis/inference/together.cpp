@@ -155,7 +155,7 @@ Observations together(std::vector<OfStudy> all) {
         lacking.push_back(own.name);
         continue;
       }
-      Group group{.name = own.name, .place = own.place};
+      Group group{.name = own.name, .style = own.style};
       const auto widest = std::ranges::max_element(
           groups, {}, [](const Group* each) { return std::isnan(each->decades) ? -1 : each->decades; });
       group.decades = (*widest)->decades;
