@@ -92,27 +92,31 @@ std::string markdown(const ComparedLabels& compared, Table table) {
   return to_markdown(table);
 }
 
-void refuse_output(const CompareArguments& arguments) {
-  const std::filesystem::path file(arguments.output);
+void refuse_output(const CompareArguments& arguments, const std::filesystem::path& file) {
   const std::string type = file.extension().string();
-  if (type != ".md" && type != ".csv" && type != ".json") {
+  if (type != ".md" && type != ".csv" && type != ".json" && type != ".xml") {
     throw std::invalid_argument(
-        fmt::format("-o {}: expected a file name that ends in .md, .csv or .json", arguments.output));
+        fmt::format("-o {}: expected a file name that ends in .md, .csv, .json or .xml", file.string()));
   }
   for (const std::string& store : {arguments.a, arguments.b, arguments.store}) {
     std::error_code error;
     if (std::filesystem::equivalent(file, store, error)) {
-      throw std::invalid_argument(fmt::format("-o {} is one of the stores; choose another file", arguments.output));
+      throw std::invalid_argument(fmt::format("-o {} is one of the stores; choose another file", file.string()));
     }
   }
 }
 
-void write_output(const ComparedLabels& compared, const std::string& file) {
+void write_output(const ComparedLabels& compared, const std::string& file, const Outcome& outcome) {
   const std::string type = std::filesystem::path(file).extension().string();
   const Table table = variants_table(compared.comparisons, compared.plan);
   write_through(file, type == ".md"    ? markdown(compared, table)
                       : type == ".csv" ? to_csv(table)
-                                       : variants_json(compared.comparisons, compared.plan));
+                      : type == ".xml" ? variants_junit(compared.comparisons, compared.plan)
+                                       : variants_json(compared.comparisons, compared.plan, outcome));
+}
+
+constexpr std::string_view outcome_name(int code) {
+  return code == regression ? "worse" : code == undecided ? "undecided" : code == more_runs ? "more_runs" : "passed";
 }
 
 int exit_code(const ComparedLabels& compared, const CompareArguments& arguments) {
@@ -127,13 +131,14 @@ int exit_code(const ComparedLabels& compared, const CompareArguments& arguments)
 
 int tell(const ComparedLabels& compared, const CompareArguments& arguments) {
   const int code = exit_code(compared, arguments);
-  if (!arguments.output.empty()) write_output(compared, arguments.output);
+  const Outcome outcome{.name = outcome_name(code), .exit_code = code};
+  for (const std::string& file : arguments.outputs) write_output(compared, file, outcome);
   if (arguments.output_as.is_json)
-    fmt::print("{}", variants_json(compared.comparisons, compared.plan));
+    fmt::print("{}", variants_json(compared.comparisons, compared.plan, outcome));
   else
-    show_screen(
-        screen_of(compared, arguments.output_as, code == undecided), arguments.output_as,
-        arguments.output.empty() ? ", and -o FILE writes it" : fmt::format(", and {} has it", arguments.output));
+    show_screen(screen_of(compared, arguments.output_as, code == undecided), arguments.output_as,
+                arguments.outputs.empty() ? ", and -o FILE writes it"
+                                          : fmt::format(", and {} has it", arguments.outputs.front()));
   return code;
 }
 
@@ -147,6 +152,9 @@ int stored_runs(const std::filesystem::path& file, const std::string& name) {
 }
 
 void refuse_labels(const CompareArguments& arguments) {
+  if (!arguments.other_study.empty())
+    throw std::invalid_argument(
+        "--other-study needs two stores; with --store or --run, A and B are labels of one study");
   if (!arguments.labels.empty())
     throw std::invalid_argument("--label needs two stores; with --store or --run, A and B are already labels");
   if (arguments.a == arguments.b)
@@ -189,7 +197,7 @@ void refuse_margin(const CompareArguments& arguments) {
 }
 
 int compare(const CompareArguments& arguments, const Invocation& invocation) {
-  if (!arguments.output.empty()) refuse_output(arguments);
+  for (const std::string& file : arguments.outputs) refuse_output(arguments, file);
   refuse_margin(arguments);
   if (arguments.store.empty() && arguments.run.empty())
     return tell(judged(labels_of_stores(arguments), arguments), arguments);
@@ -242,6 +250,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   CLI::Option* const store = command->add_option("--store", arguments->store, "store in which A and B are labels");
   CLI::Option* const study =
       command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
+  command->add_option("--other-study", arguments->other_study,
+                      "with two stores, which may be one file: name of B's study; default: as A's");
   command
       ->add_option("--label", arguments->labels,
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
@@ -269,12 +279,16 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_flag("--strict", arguments->strict,
                     "exit with 4 if nothing is worse but a metric is undecided or not compared; times count only with "
                     "--metric seconds");
-  command->add_option("-o,--output", arguments->output, "also write the full table to this .md, .csv or .json file");
+  command
+      ->add_option("-o,--output", arguments->outputs,
+                   "also write the full table to this .md, .csv, .json or .xml (JUnit) file; repeat for more")
+      ->allow_extra_args(false);
   add_sequential_options(*command, *arguments, {store, study});
   add_output_options(*command, arguments->output_as);
   command->footer(
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite\n"
+      "  ikbench compare both.sqlite both.sqlite --study before --other-study after\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --metric position_error_cm --margin 10%\n"
       "  ikbench compare IK-BA mine --run my.toml --sequential    # solves until it is decided, at most 50 runs\n"
       "In continuous integration, with the store of the last release as base.sqlite:\n"

@@ -56,6 +56,7 @@ Store opened(const std::string& file) {
 
 // B's study: the one that is asked for, or the one with the name of A's study, if the store has it.
 StudyEntry partner(const Store& store, const CompareArguments& arguments, const StudyEntry& of_a) {
+  if (!arguments.other_study.empty()) return store.study(arguments.other_study);
   if (!arguments.study.empty()) return store.study(arguments.study);
   for (StudyEntry& study : store.studies()) {
     if (study.name == of_a.name) return std::move(study);

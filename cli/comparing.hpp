@@ -14,7 +14,8 @@
 namespace ikbench::cli {
 
 struct CompareArguments {
-  std::string a, b, store, study, output;
+  std::string a, b, store, study, other_study;
+  std::vector<std::string> outputs;  // files
   std::vector<std::string> labels, metrics;
   results::AnalysisPlan plan = {};    // values of the given options
   std::optional<double> margin = {};  // if given; else the study of A has it

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/inference/variant_comparison.hpp"
@@ -20,7 +21,17 @@ std::vector<std::string> variants_notes(std::span<const inference::VariantCompar
 // verdict.
 std::string variants_verdict(std::span<const inference::VariantComparison> comparisons,
                              const results::AnalysisPlan& plan);
-// One object: verdict, significance, margin, notes and the rows of the table; null for undefined numbers.
-std::string variants_json(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan);
+// One object: outcome and exit code of the command, verdict, significance, margin, notes and the rows of the table;
+// null for undefined numbers.
+struct Outcome {
+  std::string_view name;  // "passed", "worse", "undecided", "more_runs"
+  int exit_code = 0;
+};
+std::string variants_json(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan,
+                          const Outcome& outcome);
+// JUnit: a test case for each label and metric; what is worse by more than the margin fails, what is not compared is
+// skipped.
+std::string variants_junit(std::span<const inference::VariantComparison> comparisons,
+                           const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::report

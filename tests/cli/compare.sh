@@ -247,3 +247,17 @@ refused "no study 'other'" compare $base $again --study other
 refused 'B' compare $base
 refused '\x1b[31m' compare $'\e[31mred' $base
 quiet
+
+# For machines: the outcome as JSON, and JUnit in which what is worse fails; two studies of one store.
+run_it compare $base $fewer --label IK-BA --metric position_error_cm -o verdict.json -o verdict.xml -o verdict.md
+[ "$code" = 3 ] || fail "exit code $code, expected 3"
+grep -q '"outcome": "worse"' verdict.json && grep -q '"exit_code": 3' verdict.json || fail "no outcome: $(<verdict.json)"
+has "$(<verdict.xml)" '<testsuite name="IK-BA" tests="1" failures="1" skipped="0">'
+has "$(<verdict.xml)" '<testcase classname="IK-BA" name="position_error_cm">'
+has "$(<verdict.xml)" '<failure message="position_error_cm ('
+[ -s verdict.md ] || fail "no verdict.md"
+if command -v python3 >/dev/null; then
+  python3 -c 'import xml.etree.ElementTree as e; assert len(e.parse("verdict.xml").findall(".//testcase")) == 1' || fail "no XML"
+fi
+refused "expected a file name that ends in .md, .csv, .json or .xml" compare $base $fewer -o verdict.txt
+refused "--other-study needs two stores" compare BA IK-BA --store $base --other-study slim2023

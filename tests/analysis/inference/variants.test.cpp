@@ -423,7 +423,7 @@ TEST_CASE("the table has a row for every label and metric, and facts have no p",
   CHECK_FALSE(is_empty(table, 0, "p"));
   CHECK(std::get<std::string>(cell_at(table, 1, "remark")) == "equal bit for bit");
   CHECK(is_empty(table, 1, "p"));
-  const std::string json = variants_json(comparisons, by_default);
+  const std::string json = variants_json(comparisons, by_default, {"worse", 3});
   CHECK_THAT(
       json,
       ContainsSubstring(

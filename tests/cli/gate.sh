@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# cli/gate.sh, which action.yml runs: green on an equal solver, red on a worse one, and what it leaves behind.
+source "$(dirname "$0")/common.sh"
+gate=$scripts/../../cli/gate.sh
+"$program" list studies slim2023 >my.toml
+sed -i 's/^name = .*/name = "my"/; s/^published = .*/published = ""/; s/^runs = .*/runs = 8/; s/^points = .*/points = 3/;
+  s/^population = .*/population = 20/; s/^iterations = .*/iterations = 30/' my.toml
+export IKBENCH=$program STUDY=my.toml BASELINE=baseline.sqlite GITHUB_OUTPUT=outputs GITHUB_STEP_SUMMARY=summary.md
+
+bash "$gate" >.out 2>.err || fail "no baseline: exit code $?: $(<.err)"
+has "$(<.out)" "There is no baseline baseline.sqlite. Keep ikbench-gate/store.sqlite"
+has "$(<outputs)" "outcome=no-baseline"
+cp ikbench-gate/store.sqlite $BASELINE
+
+rm -r ikbench-gate outputs
+bash "$gate" >.out 2>.err || fail "the same solver: exit code $?: $(<.out) $(<.err)"
+has "$(<outputs)" "outcome=passed"
+has "$(<summary.md)" "No regression"
+for file in store.sqlite verdict.md verdict.json verdict.xml; do
+  [ -s ikbench-gate/$file ] || fail "no $file"
+done
+
+# Another seed is green, a third of the iterations red; both with the metrics by default, over two sessions, and --strict.
+sed -i 's/^seed = .*/seed = 7/' my.toml
+OUT=other-seed bash "$gate" >.out 2>.err || fail "another seed: exit code $?: $(<.out) $(<.err)"
+sed -i 's/^iterations = .*/iterations = 10/' my.toml
+code=0
+OUT=worse STRICT=true METRICS="position_error_cm solved" bash "$gate" >.out 2>.err || code=$?
+[ "$code" = 3 ] || fail "a worse solver: exit code $code, expected 3: $(<.out) $(<.err)"
+has "$(<outputs)" "outcome=worse"
+has "$(<summary.md)" "Regression beyond 5 %"
+code=0
+STUDY=none.toml OUT=none bash "$gate" >.out 2>.err || code=$?
+[ "$code" = 1 ] || fail "no study: exit code $code, expected 1"
