@@ -18,6 +18,15 @@ struct AsJson {
     return {{"ours", json_number(beside.ours)}, {"printed", beside.printed}};
   }
   Json operator()(const Graded& graded) const { return graded.words; }
+  Json operator()(const Id& id) const { return id.id; }
+  Json operator()(const AverageCell& average) const {
+    Json spread = Json::array();
+    for (const double each : average.spread) spread.push_back(json_number(each));
+    return {{"value", json_number(average.value)},
+            {"spread", std::move(spread)},
+            {"is_best", average.is_best},
+            {"differs", average.differs}};
+  }
 };
 
 }  // namespace

@@ -53,8 +53,10 @@ std::string index_row(const Piece& piece) {
   const auto* figure = std::get_if<ReportFigure>(&piece);
   const std::string& name = name_of(piece);
   std::vector<std::string_view> types{"md", "csv", "tex"};
-  if (figure) types = {"gp", "dat"};
-  if (figure && figure->drawn) types = {"svg", "pdf", "png", "gp", "dat"};
+  if (figure) {
+    types.assign(figure->types.begin(), figure->types.end());
+    types.insert(types.end(), {"gp", "dat"});
+  }
   std::string files;
   for (const std::string_view type : types)
     files += fmt::format("{0}[{1}]({2}/{3}.{1})", files.empty() ? "" : " ", type, table ? "tables" : "figures", name);
