@@ -169,8 +169,8 @@ Table solved_table(const StudyResults& study) {
                                                          : solver.solves;
     const int solved = solver.of(Status::ok);
     const Estimate share = wilson_of_mean(static_cast<double>(solved) / solver.solves, independent, level);
-    table.rows.push_back({solver.solver, count(solver.solves), count(solved), share.value,
-                          std::isfinite(share.low) ? Cell(Range{share.low, share.high}) : Cell()});
+    table.rows.push_back(
+        {solver.solver, count(solver.solves), count(solved), share.value, Range{share.low, share.high}});
   }
   table.notes.emplace_back(words::solved);
   if (trials != Trials::solves) {

@@ -13,6 +13,7 @@
 #include "analysis/report/study_tables.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/predictive_study.hpp"
+#include "numerics/number.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::slim2023 {
@@ -40,7 +41,7 @@ Table anova_beside_printed(const StudyResults& study, const PaperMetric& paper) 
   table.name = fmt::format("table-{}", paper.anova_table);
   table.number = paper.anova_table;
   table.caption = fmt::format("one-way ANOVA of the {}", quantity(paper.metric));
-  for (const char* name : {"SS", "df", "MS", "F", "p"}) table.columns.push_back(fmt::format("paper_{}", name));
+  for (const char* name : {"SS", "df", "MS", "F", "p"}) table.columns.push_back(fmt::format("{} printed", name));
   const auto printed = comparable_anova(study, printed_table_3(study, paper.metric), table.name);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (printed) std::ranges::copy(anova_cells(*printed)[i], std::back_inserter(table.rows[i]));
@@ -66,7 +67,16 @@ std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_vie
 std::string words_of(const Agreement& agreement) {
   if (agreement.is_expected) return "";
   const std::string times = std::isfinite(agreement.ratio) ? rounded_number(agreement.ratio, 2) + " times, " : "";
-  return fmt::format("{}outside our range {}", times, readable(Range{agreement.expected.low, agreement.expected.high}));
+  const double printed = number_from(agreement.printed).value_or(not_defined);
+  const auto [value, low, high] = agreement.expected;
+  constexpr int fewest = 3, most = 12;
+  int digits = fewest;
+  const auto looks_printed = [&](double end) {
+    const std::string shown = rounded_number(end, digits);
+    return shown == rounded_number(printed, digits) || shown == rounded_number(printed, fewest);
+  };
+  while (digits < most && (looks_printed(low) || looks_printed(high))) ++digits;
+  return fmt::format("{}outside our range {} to {}", times, rounded_number(low, digits), rounded_number(high, digits));
 }
 
 std::vector<Agreement> agreements(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {

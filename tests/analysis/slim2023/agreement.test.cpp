@@ -101,6 +101,26 @@ TEST_CASE("a printed number is as expected inside the range of repetitions, up t
   CHECK(words_of(of(beyond, Metric::position_error_cm, "mean")) == "1.1 times, outside our range 0.0022 to 0.0858");
 }
 
+TEST_CASE("the range beside a printed number has enough digits to tell them apart", "[agreement]") {
+  Agreement just_beyond{.solver = "A", .metric = Metric::position_error_cm, .statistic = "std"};
+  just_beyond.printed = "1.7824e-4";
+  just_beyond.ratio = 0.98;
+  just_beyond.expected = {.value = 1.5e-4, .low = 9.9e-5, .high = 1.7803e-4};
+  CHECK(words_of(just_beyond) == "0.98 times, outside our range 9.9e-05 to 0.00017803");
+}
+
+TEST_CASE("a printed number outside our range is near if ours is less than 1.5 times as much or as little",
+          "[agreement]") {
+  // Printed of IK-BA: mean 0.0019; ours is twice the error of run 1, and the range begins far above.
+  const auto nearness = [](double error_cm) {
+    return std::get<OursAndPrinted>(table_3(study_with(error_cm), repetitions_of(1)).rows[0][2]).nearness;
+  };
+  CHECK(nearness(0.0014) == Nearness::near);  // 0.0028 / 0.0019 = 1.47
+  CHECK(nearness(0.0015) == Nearness::far);   // 1.58
+  CHECK(nearness(0.0007) == Nearness::near);  // 0.74
+  CHECK(nearness(0.0006) == Nearness::far);   // 0.63
+}
+
 TEST_CASE("Table 3 has our numbers beside the printed digits, and a word where they do not agree", "[agreement]") {
   const auto repetitions = repetitions_of(1e-4);
   const Table table = table_3(study_with(0.001), repetitions);
