@@ -294,12 +294,9 @@ std::string table_name(const Evidence& evidence, std::string_view part) {
 }
 
 Cell interval(const Estimate& estimate) {
-  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return {};
+  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return Range{};
   return Range{estimate.low, estimate.high};
 }
-
-Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
-Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
 
 Cell unless_zero(int count) {
   if (count == 0) return {};

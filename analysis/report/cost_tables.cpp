@@ -30,8 +30,6 @@ Cell number_of(double value) { return std::isinf(value) ? Cell("inf") : Cell(val
 
 Cell count_of(double count) { return std::llround(count); }
 
-Cell range_of(double low, double high) { return std::isnan(low) ? Cell() : Cell(Range{low, high}); }
-
 std::string name_of_table(Metric cost, std::string_view part) {
   return fmt::format("statistics-cost{}{}", cost == Metric::seconds ? "-seconds" : "", part);
 }
@@ -55,7 +53,7 @@ Table cost_table(const StudyResults& study, Metric cost, const Clusters& cluster
     const RunningTime& time = costs[i].time;
     const Estimate ert = costs[i].expected(clusters);
     table.rows.push_back({study.solvers[i], count_of(time.trials), count_of(time.successes), number_of(time.expected()),
-                          time.successes > 0 ? range_of(ert.low, ert.high) : Cell()});
+                          time.successes > 0 ? Range{ert.low, ert.high} : Range{}});
     if (!costs[i].undefined.empty()) undefined.push_back(fmt::format("{}: {}", study.solvers[i], costs[i].undefined));
   }
   table.notes = {std::string(words::running_time), interval_note(clusters, words::infinite_end)};
@@ -77,7 +75,7 @@ Table cost_pair_table(const StudyResults& study, Metric cost, const Clusters& cl
     const std::string less = finding.relation == Relation::better  ? first
                              : finding.relation == Relation::worse ? second
                                                                    : std::string(name_of(finding.relation));
-    table.rows.push_back({first, second, less, number_of(value), range_of(low, high),
+    table.rows.push_back({first, second, less, number_of(value), Range{low, high},
                           finding.why.empty() ? Cell() : Cell(std::string(finding.why))});
   }
   table.notes = {std::string(words::cost_ratios), interval_note(clusters, words::hold_for_pairs)};
@@ -115,8 +113,8 @@ std::optional<Table> anytime_table(const StudyResults& study, const Clusters& cl
       const auto& [share, leader, relation] = found->standings[k][i];
       const Estimate behind = leader ? leader->estimate : Estimate{};
       table.rows.push_back({percent(budget_parts[k]), budget_parts[k] * found->budget, study.solvers[i], share.value,
-                            range_of(share.low, share.high), leader ? Cell(behind.value) : Cell(),
-                            range_of(behind.low, behind.high), std::string(word(relation))});
+                            Range{share.low, share.high}, leader ? Cell(behind.value) : Cell(),
+                            Range{behind.low, behind.high}, std::string(word(relation))});
     }
     leaders += fmt::format("{} at {}: {}", k == 0 ? "" : ";", percent(budget_parts[k]),
                            leaders_at(found->standings[k], study.solvers));

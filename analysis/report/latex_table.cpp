@@ -45,7 +45,7 @@ struct LatexColumn {
 };
 
 std::string cell_latex(const Cell& cell, const LatexColumn& column) {
-  if (const auto* range = std::get_if<Range>(&cell)) {
+  if (const auto* range = std::get_if<Range>(&cell); range && !is_empty(cell)) {
     return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
   }
   const std::string text = readable(cell);

@@ -105,7 +105,16 @@ std::string numbered_caption(const Table& table) {
   return table.number == 0 ? table.caption : fmt::format("Table {}: {}", table.number, table.caption);
 }
 
+Cell or_nothing(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell or_nothing(PValue p) { return std::isfinite(p.value) ? Cell(p) : Cell(); }
+
+bool is_empty(const Cell& cell) {
+  const auto* range = std::get_if<Range>(&cell);
+  return std::holds_alternative<std::monostate>(cell) || (range && std::isnan(range->low));
+}
+
 std::string readable(const Cell& cell) {
+  if (is_empty(cell)) return "";
   return std::visit(
       Overloaded{
           [](std::monostate) { return std::string(); }, [](const std::string& text) { return text; },
@@ -162,7 +171,8 @@ std::string computable(const Cell& cell) {
   const auto number = [](double value) { return std::isfinite(value) ? text_of(value) : std::string(); };
   if (const auto* value = std::get_if<double>(&cell)) return number(*value);
   if (const auto* p = std::get_if<PValue>(&cell)) return number(p->value);
-  if (const auto* range = std::get_if<Range>(&cell)) return text_of(range->low) + " to " + text_of(range->high);
+  if (const auto* range = std::get_if<Range>(&cell); range && !is_empty(cell))
+    return text_of(range->low) + " to " + text_of(range->high);
   if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) return number(beside->ours);
   if (const auto* id = std::get_if<Id>(&cell)) return id->id;
   if (const auto* average = std::get_if<AverageCell>(&cell)) return number(average->value);
@@ -199,7 +209,7 @@ Table for_people(Table table) {
 std::vector<std::size_t> columns_in_use(const Table& table) {
   std::vector<std::size_t> used;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const auto filled = [c](const std::vector<Cell>& row) { return !std::holds_alternative<std::monostate>(row[c]); };
+    const auto filled = [c](const std::vector<Cell>& row) { return !is_empty(row[c]); };
     if (table.rows.empty() || std::ranges::any_of(table.rows, filled)) used.push_back(c);
   }
   return used;
@@ -287,7 +297,7 @@ std::string to_csv(const Table& table) {
         cells.emplace_back(average->differs ? "yes" : "no");
         continue;
       }
-      const Range* range = std::get_if<Range>(&row[c]);
+      const Range* range = is_empty(row[c]) ? nullptr : std::get_if<Range>(&row[c]);
       const OursAndPrinted* beside = std::get_if<OursAndPrinted>(&row[c]);
       cells.push_back(range ? text_of(range->low) : computable(row[c]));
       if (is_two[c]) cells.push_back(range ? text_of(range->high) : beside ? beside->printed : "");

@@ -9,16 +9,18 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/statistics/descriptive.hpp"
+
 namespace ikbench::report {
 
 struct PValue {
   double value;
 };
 
-// An interval, shown as "0.12 to 0.34"; two columns in CSV: "... low" and "... high".
+// An interval, shown as "0.12 to 0.34"; two columns in CSV: "... low" and "... high". Without ends it is an empty cell.
 struct Range {
-  double low;
-  double high;
+  double low = statistics::not_defined;
+  double high = statistics::not_defined;
 };
 
 // Our number beside a printed one, shown as "0.73 (printed 0.4075: 1.8 times, outside our range 0.6872 to 0.7583)"; two
@@ -60,6 +62,10 @@ struct AverageCell {
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded, Id,
                           AverageCell>;
 
+// An empty cell if the number is not defined or infinite.
+Cell or_nothing(double value);
+Cell or_nothing(PValue p);
+
 struct Table {
   std::string name;     // stable; also the file's name: "results"
   std::string caption;  // plain text, like notes, heads and cells: the writers escape
@@ -90,6 +96,7 @@ std::string computable(const Cell& cell);
 std::string readable_end(double of_range);
 std::string value_words(const AverageCell& average);   // "1.46"
 std::string spread_words(const AverageCell& average);  // "± 1.05", "[0.9, 2.1]"
+bool is_empty(const Cell& cell);
 bool is_number(const Cell& cell);                      // true if it is shown as a number
 bool is_left(const Table& table, std::size_t column);  // true for a column of texts; numbers stand at the right
 // Indices of columns that are not empty in every row.

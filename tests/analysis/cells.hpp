@@ -28,7 +28,7 @@ inline double number_at(const report::Table& table, std::size_t row, const std::
 }
 
 inline bool is_empty(const report::Table& table, std::size_t row, const std::string& column) {
-  return std::holds_alternative<std::monostate>(cell_at(table, row, column));
+  return report::is_empty(cell_at(table, row, column));
 }
 
 inline bool has_note(const report::Table& table, const std::string& words) {
