@@ -69,6 +69,13 @@ double chance_of_unanimity(const Evidence& evidence, const Finding& contrast) {
                              evidence.groups[contrast.second].described.n);
 }
 
+// Fewest observations per group (or blocks) of which the order alone shows a difference.
+int fewest_in_order(const Evidence& evidence) {
+  int n = 2;
+  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= evidence.plan.significance) ++n;
+  return n;
+}
+
 int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
@@ -98,8 +105,7 @@ bool has_known(const Evidence& evidence, const Finding& contrast) {
 }
 
 int fewest_to_differ(const Evidence& evidence) {
-  int n = 2;
-  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= evidence.plan.significance) ++n;
+  const int n = fewest_in_order(evidence);
   return evidence.method->resamples ? std::min(n, fewest_blocks(evidence.family(), 1 - evidence.plan.significance)) : n;
 }
 
@@ -160,7 +166,7 @@ void judge_constants(const Evidence& evidence, Finding& contrast) {
   contrast.estimate = {.value = difference};
   contrast.relation = Relation::undecided;
   const double level = evidence.plan.significance / static_cast<double>(evidence.family());
-  const double fewest = fewest_to_differ(evidence);
+  const double fewest = fewest_in_order(evidence);
   contrast.runs_to_decide.value =
       are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), level), fewest) : fewest;
   if (by_chance >= evidence.plan.significance) return;
@@ -215,7 +221,8 @@ void judge(const Evidence& evidence, Finding& contrast) {
   if (has_order(evidence, contrast)) {
     const double alone = chance_of_order(evidence, contrast);  // depends on the numbers of values only
     const double by_chance = in_family(evidence, alone);
-    if (by_chance < evidence.plan.significance) {
+    // Another level must not give another p, so the choice is that of the usual one.
+    if (constexpr double usual_significance = 0.05; by_chance < usual_significance) {
       contrast.p = by_chance;
       contrast.p_alone = alone;
       contrast.ahead = ahead_by_means(evidence, contrast.estimate.value);
@@ -224,7 +231,7 @@ void judge(const Evidence& evidence, Finding& contrast) {
     }
   }
   if (!std::isfinite(contrast.p)) {
-    if (contrast.lacks_spread) {  // another level might have a p
+    if (contrast.lacks_spread) {
       contrast.relation = Relation::undecided;
     } else if (has_known(evidence, contrast)) {
       const double ahead = contrast.superiority.value;
@@ -274,8 +281,11 @@ Estimate runs_to_decide(const Evidence& evidence, const Finding& contrast, const
 void judge_equal_blocks(const Evidence& evidence, Finding& contrast) {
   contrast.p = contrast.p_alone = 1;
   contrast.why.clear();
-  if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance)
+  if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance) {
     contrast.estimate = {0, 0, 0};
+  } else {
+    contrast.runs_to_decide.value = fewest_in_order(evidence);
+  }
 }
 
 void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Finding>& contrasts) {

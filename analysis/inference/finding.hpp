@@ -38,7 +38,7 @@ struct Finding {
   // The groups do not overlap, and an exact rank test decides (within blocks, or against a known value, the sign test),
   // because a group has one value only or the bootstrap has no spread to judge by.
   bool is_by_order = false;
-  bool lacks_spread = false;  // the test has no p because the values are too alike for its level: undecided
+  bool lacks_spread = false;  // the test has no p because the values are too alike: undecided
   // p, corrected as planned, and direction of the rank test shown beside a test of means (rank_method).
   double p_ranks = statistics::not_defined;
   int ahead_by_ranks = 0;

@@ -27,10 +27,6 @@ namespace {
 
 constexpr std::size_t most_labels = 12;
 
-// Returns an empty cell if nothing is defined.
-Cell defined(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
-Cell p_value(double value) { return std::isfinite(value) ? Cell(PValue{value}) : Cell(); }
-
 using Comparisons = std::span<const VariantComparison>;
 
 std::string metric_words(const MetricComparison& metric) {
@@ -145,8 +141,7 @@ std::string remark_on(const MetricComparison& metric, double significance) {
     return std::string(metric.observed.groups.front().bits > 0 ? words::equal_bits : words::repeats_itself);
   std::vector<std::string> parts{not_finite_words(metric.observed)};
   if (found.relation == Relation::undefined || !found.why.empty()) {
-    const bool is_strict = metric.level() < significance && found.relation == Relation::undecided;
-    parts.push_back(found.why + (is_strict ? fmt::format(words::at_level, "level"_a = metric.level()) : ""));
+    parts.push_back(found.why);
   } else if (found.relation == Relation::undecided) {
     if (found.p >= metric.level() && found.p < significance)
       parts.push_back(fmt::format(words::by_itself, "better"_a = found.ahead < 0 ? "better" : "worse"));
@@ -172,14 +167,14 @@ std::vector<Cell> row_of(const VariantComparison& comparison, const MetricCompar
           std::int64_t{number_of(metric, 1)},
           mean_of(metric, 0),
           mean_of(metric, 1),
-          defined(ratio.value),
-          defined(ratio.low),
-          defined(ratio.high),
-          p_value(unless_fact(found.p)),
-          p_value(metric.is_compared() ? unless_fact(metric.level()) : not_defined),
-          defined(unless_fact(of_b.superiority.value)),
-          defined(unless_fact(of_b.superiority.low)),
-          defined(unless_fact(of_b.superiority.high)),
+          or_nothing(ratio.value),
+          or_nothing(ratio.low),
+          or_nothing(ratio.high),
+          or_nothing(PValue{unless_fact(found.p)}),
+          or_nothing(PValue{metric.is_compared() ? unless_fact(metric.level()) : not_defined}),
+          or_nothing(unless_fact(of_b.superiority.value)),
+          or_nothing(unless_fact(of_b.superiority.low)),
+          or_nothing(unless_fact(of_b.superiority.high)),
           remark.empty() ? Cell() : Cell(remark)};
 }
 

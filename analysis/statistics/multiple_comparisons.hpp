@@ -24,7 +24,7 @@ struct MeanDifference {
   double p = not_defined;        // corrected for all pairs of all groups
   double p_alone = not_defined;  // of this pair alone
   Reason undefined = {};         // why there is no p; empty if there is one
-  bool lacks_spread = false;     // there is no p because the values are too alike for this level
+  bool lacks_spread = false;     // there is no p because the values are too alike
 };
 
 // One comparison per pair first < second, groups counted from 0: (0, 1), (0, 2), ..., (1, 2), ... `only_with` keeps the

@@ -179,8 +179,8 @@ Reason too_little_spread(const ResampledPair& of, std::size_t pairs, double tole
 }
 
 // The tolerated share of resamples without spread, per pair: half of what may be beyond the critical value, for all
-// pairs together.
-double tolerated_share(std::size_t pairs, double level) { return (1 - level) / 2 / static_cast<double>(pairs); }
+// pairs together. Whether a pair has a p must not depend on the level, so that is the usual one.
+double tolerated_share(std::size_t pairs, double level = 0.95) { return (1 - level) / 2 / static_cast<double>(pairs); }
 
 // The unusualness of each resample, over all pairs: the smallest share, over the pairs, of resamples in which that pair
 // deviates by as much.
@@ -218,7 +218,7 @@ FamilyDeviations family_deviations(std::vector<ResampledPair>& all, const PairFa
   const auto resamples = static_cast<std::size_t>(settings.resamples);
   FamilyDeviations result{.least_shares = std::vector<double>(resamples, 1.0)};
   std::vector<double> own(resamples);
-  const double tolerated = tolerated_share(all.size(), settings.level);
+  const double tolerated = tolerated_share(all.size());
   for (ResampledPair& each : all) {
     std::vector<double> sorted;
     if (each.pair.undefined.empty()) {
@@ -280,7 +280,9 @@ int affordable_resamples(std::size_t values, std::size_t groups, double level) {
   return possible < needed ? 0 : static_cast<int>(std::lround(possible));
 }
 
-int fewest_blocks(std::size_t pairs, double level) { return enough_values(tolerated_share(pairs, level), 1); }
+int fewest_blocks(std::size_t pairs, double level) {
+  return enough_values(std::min(tolerated_share(pairs), tolerated_share(pairs, level)), 1);
+}
 
 namespace {
 
