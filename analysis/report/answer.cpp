@@ -69,23 +69,24 @@ std::string at_most(double p) {
 // "it takes 31 to 122 observations per group to see a difference of 5 %"; for constants and outcomes "it takes at least
 // 4 ...". Empty if unknown or already reached.
 std::string runs_words(const Evidence& evidence, const Estimate& runs) {
-  if (std::isnan(runs.value) && std::isnan(runs.low)) return "";  // a margin of 0 is never found
+  if (std::isnan(runs.low)) return "";  // a margin of 0 is never found
   const double most = std::fmax(runs.value, runs.high);
   const bool more =
       std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
   if (!more) return "";
   const std::string_view of = replicates_words(evidence);
-  if (!std::isfinite(runs.low)) return fmt::format(words::runs_at_least, "runs"_a = runs.value, "of"_a = of);
-  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, runs.high), "of"_a = of,
-                     "margin"_a = margin_words(evidence));
+  if (std::isnan(runs.high)) return fmt::format(words::runs_at_least, "runs"_a = runs.low, "of"_a = of);
+  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, std::max(runs.low, runs.high)),
+                     "of"_a = of, "margin"_a = margin_words(evidence));
 }
 
-// Observations needed by these pairs: the least and the most.
+// Observations needed to decide all of these pairs.
 Estimate runs_of_all(const Pairs& pairs) {
   Estimate all;
   for (const Finding* pair : pairs) {
     const Estimate& own = pair->runs_to_decide;
-    all = {std::fmax(all.value, own.value), std::fmin(all.low, own.low), std::fmax(all.high, own.high)};
+    const double low = std::isnan(own.low) ? own.value : own.low;
+    all = {std::fmax(all.value, own.value), std::fmax(all.low, low), std::fmax(all.high, own.high)};
   }
   return all;
 }
@@ -472,6 +473,8 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
   if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
     parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
+  } else if (!open.empty() && evidence.ranks_decide() && evidence.decides_within_blocks()) {
+    parts.push_back(fmt::format(words::more_blocks, "blocks"_a = evidence.block_noun));
   }
   const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3 && group.copies == 0; };
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Finding::relation) > 0 &&

@@ -467,7 +467,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
-  const std::vector<Sentence> own = study.solves.empty() ? std::vector<Sentence>() : own_verdict(study);
+  const std::vector<Sentence> own =
+      study.solves.empty() ? std::vector<Sentence>() : own_verdict(study, !content.claims.empty());
   if (!content.claims.empty()) {  // they are the verdict
     const std::vector<std::string> sentences = words_of(own);
     content.summary.insert(content.summary.begin(), sentences.begin(), sentences.end());

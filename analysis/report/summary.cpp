@@ -142,7 +142,7 @@ std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
 
 }  // namespace
 
-std::vector<Sentence> own_verdict(const JudgedStudy& study) {
+std::vector<Sentence> own_verdict(const JudgedStudy& study, bool has_claims) {
   const Evidence& judged = study.evidence(Metric::position_error_cm, primary_estimand(study));
   const bool has_several = study.solvers.size() > 1;
   std::vector<Sentence> sentences;
@@ -152,7 +152,9 @@ std::vector<Sentence> own_verdict(const JudgedStudy& study) {
   add(sentences, change_words(judged, false));
   const std::vector<Sentence> others = exploratory_sentences(study);
   if (has_several && !others.empty()) {
-    add(sentences, {"Exploratory", fmt::format(words::exploratory, "count"_a = others.size())});
+    add(sentences, {"Exploratory",
+                    fmt::format(words::exploratory, "judged_by"_a = has_claims ? words::by_claims : words::by_quantity,
+                                "count"_a = others.size())});
   }
   std::ranges::copy(others, std::back_inserter(sentences));
   if (const std::string failures = rare_failures_words(judged); !failures.empty()) add(sentences, {"", failures + '.'});

@@ -15,8 +15,8 @@ namespace ikbench::report {
 // has a value.
 Sentence leader_sentence(const inference::JudgedStudy& study, inference::Metric metric, results::Estimand estimand);
 // Sentences on what makes all numbers doubtful, on who is better by the study's primary_estimand, and on who leads by
-// each of the others, which are exploratory.
-std::vector<Sentence> own_verdict(const inference::JudgedStudy& study);
+// each of the others, which are exploratory. A study with claims is judged by these.
+std::vector<Sentence> own_verdict(const inference::JudgedStudy& study, bool has_claims = false);
 
 // Sentences, the most important first; plain text.
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);

@@ -44,14 +44,19 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
-inline constexpr Template exploratory = "the verdict is by the quantity above. Nothing corrects for the {count} below.";
+inline constexpr Template exploratory =
+    "the verdict is by {judged_by}. Nothing corrects for the {count} below.";
+inline constexpr Template by_quantity = "the quantity above";
+inline constexpr Template by_claims = "its claims";
 
 // Numbers that contradict the test, and what would change the answer.
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
 inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
-inline constexpr Template more_than_two = "more observations than two";
+inline constexpr Template more_blocks =
+    "a larger new study, planned before it is seen; signs have no size, so they do not tell how many {blocks} it takes";
+inline constexpr Template more_than_two = "more than two observations of each group that are not all equal";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
 inline constexpr Template larger_margin = "a margin above {margin}, because a difference may be smaller";
@@ -165,7 +170,6 @@ inline constexpr Template equal_bits = "equal bit for bit";
 inline constexpr Template repeats_itself = "all runs of each are equal: a fact of these targets, without a test";
 inline constexpr Template lost = "not finite: {list}";
 inline constexpr Template takes = "a difference of the margin takes {number} {of}s";
-inline constexpr Template at_level = ", at the level {level:.3g}";
 inline constexpr Template by_itself = "{better} by itself, but not among all of this comparison";
 inline constexpr Template independent_runs = "Independent runs, {a} of A and {b} of B: one observation is {what}.";
 inline constexpr Template pairs = "{a} pairs of {of}s: one observation is {what}; a pair is {pair}.";

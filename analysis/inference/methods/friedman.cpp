@@ -36,7 +36,7 @@ std::optional<TestResult> friedman_of_all(const Evidence&, const Groups& groups)
 const Method friedman_method{.name = "friedman",
                              .title = "Friedman's test with sign tests",
                              .of_pair = "sign test within blocks",
-                             .interval = "paired t-test within blocks, Bonferroni-corrected",
+                             .interval = "paired t-test within blocks",
                              .source =
                                  "Friedman, JASA 32 (1937) 675; Iman and Davenport, Communications in Statistics "
                                  "A9 (1980) 571; Dixon and Mood, JASA 41 (1946) 557",

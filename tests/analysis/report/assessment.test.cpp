@@ -493,6 +493,28 @@ TEST_CASE("what the bootstrap cannot judge is decided where all values of one gr
              "pairs needs 5"));
 }
 
+TEST_CASE("p does not depend on the level that it is held against", "[assessment]") {
+  const std::vector<std::vector<double>> few{{1, 2, 3}, {11, 12, 14}, {2, 3, 11.5}},
+      constant{{7, 7, 7, 7, 7}, {8, 9, 12, 8.5, 10}}, alike{{1, 1, 1, 1, 1, 2}, {3, 3, 3, 3, 3, 3}},
+      single{{1}, {2, 3, 4}};
+  for (const auto& sets : {few, constant, alike, single}) {
+    for (const bool in_blocks : {false, true}) {
+      if (in_blocks && sets[0].size() != sets[1].size()) continue;
+      Observations given{.name = "x", .quantity = "x"};
+      for (const auto& values : sets)
+        given.groups.push_back({std::string(1, static_cast<char>('A' + given.groups.size())), values});
+      for (std::size_t i = 0; in_blocks && i < sets[0].size(); ++i) given.blocks.push_back(std::to_string(i));
+      const auto p_at = [&](double level) {
+        std::vector<std::string> all;
+        for (const Finding& pair : tested(given, {.significance = level}).contrasts)
+          all.push_back(std::to_string(pair.p));
+        return all;
+      };
+      for (const double level : {0.01, 0.12, 0.4}) CHECK(p_at(level) == p_at(0.05));
+    }
+  }
+}
+
 TEST_CASE("a method that finds the other one better disagrees", "[assessment]") {
   // Four fifths of B are better than all of A, and one fifth is so much worse that the mean is, too.
   Observations two{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}}};
@@ -541,7 +563,7 @@ TEST_CASE("of two values a group nothing is judged, and more are asked for", "[a
       .name = "x", .quantity = "x", .groups = {{"A", {1.1, 1.2}}, {"B", {4.1, 4.2}}, {"C", {9, 9.5}}}};
   const Evidence found = evidence(two, {});
   CHECK(says(found, "In short: A cannot be judged against B and C ("));
-  CHECK(says(found, "What would change it: more observations than two; "));
+  CHECK(says(found, "What would change it: more than two observations of each group that are not all equal; "));
   CHECK_FALSE(says(found, "Decided by: "));
 }
 
