@@ -62,6 +62,9 @@ void add_article(CLI::App& app, Invocation&) {
       const figures::ProcessResult result = figures::run_process(
           {"pdflatex", "-no-shell-escape", "-interaction=nonstopmode", "-halt-on-error", "article.tex"}, folder);
       if (result.succeeded) continue;
+      if (result.is_missing) {
+        throw std::runtime_error("pdflatex is not installed; to install it: apt-get install texlive-latex-extra");
+      }
       throw std::runtime_error(fmt::format("pdflatex did not make the article: {}; '{}' has all it says",
                                            printable(one_line(error_in(result.output))),
                                            printable((folder / "article.log").string())));

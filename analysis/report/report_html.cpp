@@ -80,8 +80,7 @@ Json cell_json(const Cell& cell, bool is_left) {
   }
   const std::string text = readable(cell);
   const auto* graded = std::get_if<Graded>(&cell);
-  const bool is_words =
-      graded || std::holds_alternative<std::string>(cell) || std::holds_alternative<std::monostate>(cell);
+  const bool is_words = graded || std::holds_alternative<std::string>(cell) || is_empty(cell);
   const auto* average = std::get_if<AverageCell>(&cell);
   return {{"text", text},
           {"right", !is_left},
@@ -355,7 +354,8 @@ std::string to_html(const ReportContent& content, const std::filesystem::path& f
   }
   json["sections"] = sections_json(content, pieces);
   if (pieces.left_out() > 0) json["beside"] = pieces_left_out(pieces.left_out());
-  json["has_shown"] = std::ranges::any_of(content.results, is_shown);
+  const Json& sections = json["sections"];
+  json["has_rest"] = !sections.empty() && sections.front()["first"] && !sections.back()["first"];
 
   kainjow::mustache::data page = page_data(json);
   std::string scripts = source(report_js);

@@ -93,6 +93,10 @@ has "$(<second/report.md)" "slim2023-context"
 has "$(<second/tables/results.csv)" "DLS" # it has no paper, and so no Table 3
 [ ! -e second/tables/table-3.csv ] || fail "a study without a paper has a Table 3"
 
+# Without LaTeX it is said what to install.
+PATH=/nowhere "$program" article made >.out 2>.err && fail "made an article without pdflatex"
+[ "$(<.err)" = "ikbench: pdflatex is not installed; to install it: apt-get install texlive-latex-extra" ] || fail "$(<.err)"
+
 # Targets that no configuration reaches are told at the top of the report, of a store made elsewhere too.
 succeeds run --verbose slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far
 has "$err" "warning: point 1 is out of reach"
