@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
@@ -331,11 +332,17 @@ void WorkingLine::end() {
 WorkingLine::~WorkingLine() { end(); }
 
 std::filesystem::path default_folder(std::string_view study) {
-  std::string name(study.substr(0, 100));
+  constexpr std::size_t longest = 100;
+  std::string name(study.substr(0, longest));
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.') c = '_';
   }
   if (name.empty() || name.front() == '.') name = '_' + name;
+  if (name != study) {
+    std::uint32_t hash = 0x811c9dc5u;  // FNV-1a
+    for (const char c : study) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193u;
+    name += fmt::format("-{:08x}", hash);
+  }
   return std::filesystem::path("out") / name;
 }
 

@@ -132,7 +132,8 @@ class WorkingLine {
   bool on_terminal_;
 };
 
-// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name.
+// out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name. A hash then tells names apart
+// that become equal.
 std::filesystem::path default_folder(std::string_view study);
 
 }  // namespace ikbench::cli

@@ -23,4 +23,9 @@ numbers seed-2/store.sqlite | cmp -s - one.csv && fail "--set seed=2 gives the s
 # The default folder is out/<name>.
 succeeds run slim2023 "${small[@]}" --no-report
 numbers out/slim2023/store.sqlite | cmp - one.csv || fail "out/slim2023 has other numbers"
+# Names that differ only in what no folder can have, too, have folders of their own.
+for name in a/b 'a b'; do
+  succeeds run slim2023 "${small[@]}" --set "name=$name" --set runs=1 --no-report
+done
+[ "$(find out -name 'a_b-*' | wc -l)" = 2 ] || fail "a/b and 'a b' are in: $(ls out)"
 exit 0
