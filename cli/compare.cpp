@@ -9,6 +9,7 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/text.hpp"
@@ -180,10 +181,11 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   const Looks& looks = arguments.looks;
   check_looks(looks);
   const int earlier = std::min(stored_runs(store_in(folder), study.name), looks.most);
+  ComparedLabels compared;
   for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
     const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
     if (run_and_tell(study, folder, request, arguments.output_as) == Ended::stopped) return cancelled_exit_code();
-    const ComparedLabels compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments);
+    compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments, std::move(compared));
     if (compared.state != LookState::open) return tell(compared, arguments);
   }
 }

@@ -147,25 +147,23 @@ Request labels_of_stores(const CompareArguments& arguments) {
   return asked;
 }
 
-ComparedLabels judged(const Request& asked, const CompareArguments& arguments) {
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments, SequentialComparison earlier) {
   const WorkingLine comparing("Comparing ...");
-  ComparedLabels compared{
-      .headline = fmt::format("{}; {}.", asked.headline, rules(asked.plan)), .plan = asked.plan, .notes = asked.notes};
-  if (!arguments.sequential) {
-    compared.comparisons = compare_variants(asked.studies, arguments.metrics);
-    return compared;
-  }
-  SequentialComparison looked = compare_sequentially(asked.studies, arguments.metrics, arguments.looks);
-  compared.comparisons = std::move(looked.comparisons);
-  compared.state = looked.state;
-  compared.headline = fmt::format("{}; {}.\nLooks after every {} of at most {} runs: {} after {} runs.", asked.headline,
-                                  rules(asked.plan), arguments.looks.step, arguments.looks.most,
-                                  looked.state == LookState::settled ? "decided" : "not decided", looked.runs);
+  const Looks& looks = arguments.looks;
+  ComparedLabels compared{arguments.sequential
+                              ? compare_sequentially(asked.studies, arguments.metrics, looks, std::move(earlier))
+                              : SequentialComparison{.comparisons = compare_variants(asked.studies, arguments.metrics),
+                                                     .state = LookState::settled},
+                          fmt::format("{}; {}.", asked.headline, rules(asked.plan)), asked.plan, asked.notes};
+  if (!arguments.sequential) return compared;
+  compared.headline +=
+      fmt::format("\nLooks after every {} of at most {} runs: {} after {} runs.", looks.step, looks.most,
+                  compared.state == LookState::settled ? "decided" : "not decided", compared.runs);
   compared.notes.push_back("Each level counts the looks: together they find what is not there as rarely as one look.");
-  if (looked.state == LookState::open) {
+  if (compared.state == LookState::open) {
     compared.notes.push_back(fmt::format(
         "Next: ikbench run STUDY --set runs={} --no-report for A and for B, into the same folders, then compare again.",
-        looked.runs + arguments.looks.step));
+        compared.runs + looks.step));
   }
   return compared;
 }

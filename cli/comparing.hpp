@@ -39,18 +39,18 @@ struct Request {
   std::vector<std::string> notes = {};
 };
 
-struct ComparedLabels {
-  std::string headline;
-  results::AnalysisPlan plan;
-  std::vector<inference::VariantComparison> comparisons = {};
+struct ComparedLabels : inference::SequentialComparison {
+  std::string headline = {};
+  results::AnalysisPlan plan = {};
   std::vector<std::string> notes = {};
-  inference::LookState state = inference::LookState::settled;
 };
 
 // Throw std::invalid_argument if a store, a study or a label does not exist.
 Request labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& study);
 Request labels_of_stores(const CompareArguments& arguments);
 
-ComparedLabels judged(const Request& asked, const CompareArguments& arguments);
+// `earlier` has the looks that were made already.
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments,
+                      inference::SequentialComparison earlier = {});
 
 }  // namespace ikbench::cli

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -218,7 +217,7 @@ void check_looks(const Looks& looks) {
 }
 
 SequentialComparison compare_sequentially(std::span<const VariantStudy> studies, std::span<const std::string> metrics,
-                                          const Looks& looks) {
+                                          const Looks& looks, SequentialComparison earlier) {
   check_looks(looks);
   int available = looks.most;
   for (const VariantStudy& each : studies) {
@@ -240,8 +239,9 @@ SequentialComparison compare_sequentially(std::span<const VariantStudy> studies,
     if (is_new) known->second = constant_of(level / 2, boundary);
     return 2 * level_of_look(known->second, look, boundary);
   };
-  SequentialComparison result;
-  for (int look = 1; look * looks.step <= available && result.state != LookState::settled; ++look) {
+  SequentialComparison result = std::move(earlier);
+  for (int look = result.runs / looks.step + 1; look * looks.step <= available && result.state != LookState::settled;
+       ++look) {
     result.runs = look * looks.step;
     std::vector<VariantComparison> now = compare_variants(first_runs(studies, result.runs), metrics,
                                                           [&](double level) { return level_of(level, look); });

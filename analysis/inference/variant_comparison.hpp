@@ -78,10 +78,10 @@ struct SequentialComparison {
 
 // Calls compare_variants on the first runs of both at each look, at the look's level
 // (analysis/statistics/group_sequential.hpp), so that all looks together make false findings as rarely as a single one.
-// A decision of a look stays. Later runs than the settling look's are ignored, so the answer does not depend on them.
-// Throws std::invalid_argument as check_looks does, if more runs give no more observations (targets of a path, each
-// solved alone), or if the first look lacks complete runs.
+// A decision of a look stays. `earlier` has the looks that were made already. Later runs than the settling look's are
+// ignored, so the answer does not depend on them. Throws std::invalid_argument as check_looks does, if more runs give
+// no more observations (targets of a path, each solved alone), or if the first look lacks complete runs.
 SequentialComparison compare_sequentially(std::span<const VariantStudy> studies, std::span<const std::string> metrics,
-                                          const Looks& looks);
+                                          const Looks& looks, SequentialComparison earlier = {});
 
 }  // namespace ikbench::inference

@@ -24,10 +24,11 @@ std::vector<double> first(const std::vector<double>& values, std::size_t number)
   return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(number)};
 }
 
-SequentialComparison looked_at(const std::vector<double>& a, const std::vector<double>& b, const Looks& looks) {
+SequentialComparison looked_at(const std::vector<double>& a, const std::vector<double>& b, const Looks& looks,
+                               SequentialComparison earlier = {}) {
   const Variant of_a = variant(a), of_b = variant(b);
   const std::vector<VariantStudy> studies{study_of_both(of_a, of_b, {})};
-  return compare_sequentially(studies, errors_alone, looks);
+  return compare_sequentially(studies, errors_alone, looks, std::move(earlier));
 }
 
 }  // namespace
@@ -55,6 +56,11 @@ TEST_CASE("what is not decided is open while runs are missing, and at the limit 
   CHECK(ended.state == LookState::at_limit);
   CHECK(ended.runs == 20);
   CHECK(is_open(ended.comparisons.front().metrics.front()));
+  const SequentialComparison continued = looked_at(a, b, {.step = 5, .most = 20}, open);  // only the last two looks
+  CHECK(continued.state == ended.state);
+  CHECK(continued.runs == ended.runs);
+  CHECK(continued.comparisons.front().metrics.front().finding().p ==
+        ended.comparisons.front().metrics.front().finding().p);
 }
 
 TEST_CASE("a plan of one look is the comparison without looks", "[variants][looks]") {
