@@ -48,11 +48,11 @@ int complete_runs(const StudyResults& study, const std::string& solver) {
 
 // Refuses different targets or starts at any place that both have solved. In chained solves only the first start of a
 // run counts: the others depend on the solver.
-void refuse_other_tasks(const StudyResults& study, std::string_view label) {
-  for (const char* side : {name_of_a, name_of_b}) {
+void refuse_other_tasks(const StudyResults& study, const Variant& a, const Variant& b) {
+  for (const auto& [side, of] : {std::pair(name_of_a, &a), std::pair(name_of_b, &b)}) {
     if (complete_runs(study, side) > 0) continue;
     throw std::invalid_argument(
-        fmt::format("{} has no complete run of {}, so there is nothing to compare", side, label));
+        fmt::format("{} has no complete run of {}, so there is nothing to compare", side, of->series.label));
   }
   const std::span<const Solve> of_b = solves_of(study, name_of_b);
   bool is_shared = false;
@@ -260,7 +260,7 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
   judged.significance = plan.significance;
   judged.power = plan.power;
   judged.estimands = plan.estimands;
-  refuse_other_tasks(result.study, a.series.label);
+  refuse_other_tasks(result.study, a, b);
   return result;
 }
 

@@ -377,8 +377,9 @@ TEST_CASE("what was not given the same to do is refused", "[variants]") {
                solve.start_rad = {1, 0};
              }),
              ContainsSubstring("different start configurations (run 1, point 1)"));
-  CHECK_THAT(refusal(a, variant(std::vector<double>{})),
-             ContainsSubstring("B has no complete run of mine, so there is nothing to compare"));
+  Variant empty = variant(std::vector<double>{});
+  empty.series.label = "theirs";
+  CHECK_THAT(refusal(a, empty), ContainsSubstring("B has no complete run of theirs, so there is nothing to compare"));
   const Variant longer = variant({.runs = 20, .points = 2, .definition = "{}"}, [](int, int) { return 1.0; });
   CHECK_THAT(refusal(a, longer), ContainsSubstring("different targets (1 and 2 points per run)"));
 }
