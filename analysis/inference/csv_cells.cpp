@@ -23,8 +23,9 @@ constexpr std::size_t longest_name = 1000;  // of a group [bytes]
 
 // Refuses what is no text, and a header with semicolons or tabs, as spreadsheets in other languages write it.
 std::string_view expect_commas(std::string_view text, std::string_view source) {
-  if (text.find('\0') != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("{}: a NUL byte; expected text in UTF-8", source));
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
+                                            1 + std::ranges::count(text.substr(0, nul), '\n')));
   }
   const std::string_view titles = text.substr(0, text.find_first_of("\r\n"));
   if (titles.find_first_of(",\"") == std::string_view::npos && titles.find_first_of(";\t") != std::string_view::npos) {
@@ -50,7 +51,8 @@ double CsvFile::number(std::size_t row, std::size_t column) const {
   const std::string_view text = cell(row, column);
   if (is_missing(text)) return not_defined;
   const auto value = number_from(text);
-  if (!value) refuse_cell(row, column, "expected a number with a decimal point, or NA if it is missing");
+  if (!value)
+    refuse_cell(row, column, "expected a number with a decimal point, of at most 1.7e308, or NA if it is missing");
   return *value;
 }
 

@@ -60,6 +60,10 @@ has_outputs out/stats-pandas error groups tests contrasts
 has_figures out/stats-pandas error observations differences
 [ "$(ls)" = $'out\npandas.csv' ] || fail "something beside out/ was written: $(ls)"
 has "$(<out/stats-pandas/report.md)" "ikbench stats pandas.csv --value error"
+# An interval has two columns, also where no group has one.
+has "$(<out/stats-pandas/tables/statistics-error-groups.csv)" ",bootstrap interval low,bootstrap interval high,"
+# The page has no heading without anything below it.
+for words in '>Verdict<' '>Everything else<' 'store alone'; do has_no "$(<out/stats-pandas/report.html)" "$words"; done
 
 # R's write.csv: everything quoted, row names, NA.
 printf '"","solver","error"\r\n"1","A",1.0\r\n"2","A",NA\r\n"3","A",1.5\r\n"4","B",2\r\n"5","B",2.5\r\n' >r.csv
@@ -264,7 +268,7 @@ refused '--margin-cm: no quantity is in cm; expected a column whose name ends in
 refused '--power: 1 is not a number from 0.5 to 0.999' stats pandas.csv --value error --power 1
 refused '--quartiles' stats pandas.csv --value error --quartiles 10
 printf 'solver,error\nA,1\0\n' >nul.csv
-refused 'nul.csv: a NUL byte' stats nul.csv --value error
+refused 'nul.csv:2: a NUL byte; expected text in UTF-8' stats nul.csv --value error
 head -c 3000000 /dev/zero | tr '\0' x >line.csv
 refused 'line.csv: no rows below the header' stats line.csv --value error
 { printf 'solver,error\n' && cat line.csv && printf ',1\nB,2\n'; } >endless.csv
