@@ -301,16 +301,16 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
     if (!dimension.solver.empty() && dimension.solver != label) continue;
-    curve.groups.push_back({.name = dimension.name, .rows = {}});
+    curve.groups.emplace_back();
     for (std::size_t a = 0; a < dimension.alternatives.size(); ++a) {
-      curve.groups.back().rows.push_back(dimension.alternatives[a].where);
+      curve.groups.back().push_back(dimension.alternatives[a].where);
       row_of_choice.emplace(std::pair(d, a), row_of_choice.size());
     }
   }
-  curve.groups.push_back({.name = "best rival", .rows = {}});
+  curve.groups.emplace_back();
   for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
     if (std::ranges::count(chosen, s, &BestRival::rival) == 0) continue;
-    curve.groups.back().rows.push_back("best rival: " + multiverse.solvers[s]);
+    curve.groups.back().push_back("best rival: " + multiverse.solvers[s]);
     row_of_rival.emplace(s, row_of_choice.size() + row_of_rival.size());
   }
   for (const BestRival* each : chosen) {

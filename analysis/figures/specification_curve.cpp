@@ -78,11 +78,11 @@ Figure specification_curve(const SpecificationCurve& curve) {
   double place = 0;
   std::size_t longest = 8;  // characters
   std::string lines;
-  for (const SpecificationCurve::Group& group : curve.groups) {
+  for (const std::vector<std::string>& group : curve.groups) {
     place -= 0.45;
     lines += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead back ls 1000\n",
                          text_of(place - 0.27));
-    for (const std::string& row : group.rows) {
+    for (const std::string& row : group) {
       places.push_back(place -= 1);
       const std::string label = row_label(row, longest_choice);
       longest = std::max(longest, character_count(label));

@@ -15,15 +15,11 @@ struct SpecificationCurve {
     double estimate, low, high;     // log10 of a ratio, with its interval
     std::vector<std::size_t> rows;  // indices of its choices' rows
   };
-  struct Group {
-    std::string name;               // a dimension
-    std::vector<std::string> rows;  // its alternatives
-  };
   std::string name, caption;
-  std::string quantity;      // "IK-BA's mean error / best rival's"
-  std::string below, above;  // the meaning of an interval below 1, and above
-  std::vector<Group> groups;
-  std::vector<Universe> universes;  // sorted by estimate
+  std::string quantity;                          // "IK-BA's mean error / best rival's"
+  std::string below, above;                      // the meaning of an interval below 1, and above
+  std::vector<std::vector<std::string>> groups;  // the alternatives of each dimension
+  std::vector<Universe> universes;               // sorted by estimate
 };
 
 Figure specification_curve(const SpecificationCurve& curve);

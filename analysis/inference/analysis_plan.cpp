@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -153,6 +152,12 @@ Doubts dropped_doubts(const StudyEntry& entry, const std::vector<Session>& sessi
   return {{.kind = DoubtKind::solvers_dropped, .who = dropped}};
 }
 
+double count_of(const SolvesOfSessions& solves) {
+  double all = 0;
+  for (const auto& [id, count] : solves) all += static_cast<double>(count);
+  return all;
+}
+
 // The plan that a session recorded.
 std::optional<AnalysisPlan> recorded_plan(const std::vector<Session>& sessions, std::int64_t id) {
   const auto session = std::ranges::find(sessions, id, &Session::id);
@@ -206,17 +211,15 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
   const AnalysisPlan plan = plan_of(entry);
   Doubts doubts;
-  double all = 0;
   for (const auto& [id, count] : solves) {
-    all += static_cast<double>(count);
     const auto then = recorded_plan(sessions, id);
     const std::string changes = then ? changes_between(*then, plan) : "";
     if (changes.empty()) continue;
     auto same = std::ranges::find(doubts, changes, &Doubt::what);
-    if (same == doubts.end()) same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .what = changes});
+    if (same == doubts.end())
+      same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .of = count_of(solves), .what = changes});
     same->count += static_cast<double>(count);
   }
-  for (Doubt& doubt : doubts) doubt.of = all;
   const Doubts dropped = dropped_doubts(entry, sessions);
   const auto written = plan_in(plan_json(entry));
   if (dropped.empty() && written && written->control != plan.control)
@@ -227,11 +230,9 @@ Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& session
 std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<Session>& sessions,
                                     const SolvesOfSessions& solves) {
   Doubts doubts = plan_changes(entry, sessions, solves);
-  Doubt unrecorded{.kind = DoubtKind::plan_not_recorded};
-  for (const auto& [id, count] : solves) {
-    unrecorded.of += static_cast<double>(count);
+  Doubt unrecorded{.kind = DoubtKind::plan_not_recorded, .of = count_of(solves)};
+  for (const auto& [id, count] : solves)
     unrecorded.count += recorded_plan(sessions, id) ? 0 : static_cast<double>(count);
-  }
   if (unrecorded.count > 0) doubts.push_back(unrecorded);
   if (!plan_json(entry).is_object()) doubts.push_back({.kind = DoubtKind::no_plan});
   if (!doubts.empty()) return list_of(doubts);

@@ -172,10 +172,6 @@ bool is_comparable(const StudyResults& study, Metric metric) {
   return info_of(metric).kind != Kind::time || times_are_comparable(study);
 }
 
-bool times_were_disturbed(const StudyResults& study, std::string_view solver) {
-  return are_disturbed(solves_of(study, solver));
-}
-
 Doubts cpu_doubts(const std::set<std::string>& cpus) {
   if (cpus.size() < 2) return {};
   return {{.kind = DoubtKind::several_machines, .who = {cpus.begin(), cpus.end()}, .is_of_all = true}};

@@ -30,9 +30,6 @@ bool is_comparable(const StudyResults& study,
 // Doubts to show beside times: timing_doubts(), or else the solvers left out of the comparison.
 Doubts times_doubts(const StudyResults& study);
 
-// Returns whether other programs disturbed a solver's solves that are recorded as clean or as a program's: many of them
-// took much longer than their CPU time, or waited long for a processor. A single one does not count.
-bool times_were_disturbed(const StudyResults& study, std::string_view solver);
 // Doubts that times of several CPUs cannot be compared; empty for one CPU.
 Doubts cpu_doubts(const std::set<std::string>& cpus);
 // Doubts of programs whose time is mostly that of their messages, or a share of a batch.

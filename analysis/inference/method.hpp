@@ -37,7 +37,7 @@ struct Method {
   bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, even with a control
   // Draws resamples. With few or equal values an exact test of order replaces it.
   bool resamples = false;
-  // Returns one result per Evidence::contrasts, in that order: p, p_alone, ahead, difference, undefined.
+  // Returns one result per Evidence::contrasts, in that order: p, p_alone, ahead, estimate, why.
   std::vector<Finding> (*pairs)(const Evidence& evidence, const Groups& groups) = nullptr;
   // The test of all groups; null if the method has none.
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;

@@ -323,10 +323,10 @@ void join_equal(Observations& result, std::string_view what) {
     group.values.resize(1);
   }
   if (names.empty()) return;
-  result.notes.push_back(
-      fmt::format("Equal {0} are one observation: all {0} of {1} have the same value, to the last bit, so no test uses "
-                  "them as repetitions. For a test, compare over several problems (--block COLUMN).",
-                  what, fmt::join(names, ", ")));
+  result.notes.push_back(fmt::format(
+      "Equal {0} are one observation: all {0} of {1} have the same value, to the last bit, so no test uses "
+      "them as repetitions, and more of them change nothing. For a test, compare over several problems (--block COLUMN).",
+      what, fmt::join(names, ", ")));
 }
 
 // Takes the observations of independent groups.
@@ -368,23 +368,21 @@ void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& conte
   result.block = request.block.empty() ? "a row of " + file.file_name()
                                        : fmt::format("a value of {} in {}", in_quotes(request.block), file.file_name());
 
-  std::vector<std::vector<double>> values(result.blocks.size(), std::vector<double>(result.groups.size(), not_defined));
-  std::vector<std::vector<bool>> are_whole(result.blocks.size(), std::vector<bool>(result.groups.size()));
+  std::vector<std::vector<const Item*>> items(result.blocks.size(), std::vector<const Item*>(result.groups.size()));
   std::vector<Lack> left_out(result.groups.size(), {0, result.blocks.size()}), averaged = left_out;
-  for (const Item& item : contents.items) {
-    values[item.block][item.group] = item.value;
-    are_whole[item.block][item.group] = item.is_whole && !std::isnan(item.value);
-  }
+  for (const Item& item : contents.items) items[item.block][item.group] = &item;
+  const auto has_value = [](const Item* item) { return item != nullptr && !std::isnan(item->value); };
   std::vector<std::string> complete;
-  for (std::size_t block = 0; block < values.size(); ++block) {
-    const bool is_left_out = std::ranges::any_of(values[block], [](double value) { return std::isnan(value); });
+  for (std::size_t block = 0; block < items.size(); ++block) {
+    const bool is_left_out = !std::ranges::all_of(items[block], has_value);
     for (std::size_t group = 0; group < result.groups.size(); ++group) {
-      (is_left_out ? left_out : averaged)[group].missing += are_whole[block][group] ? 0 : 1;
+      const Item* item = items[block][group];
+      (is_left_out ? left_out : averaged)[group].missing += has_value(item) && item->is_whole ? 0 : 1;
     }
     if (is_left_out) continue;
     complete.push_back(result.blocks[block]);
     for (std::size_t group = 0; group < result.groups.size(); ++group) {
-      result.groups[group].values.push_back(values[block][group]);
+      result.groups[group].values.push_back(items[block][group]->value);
     }
   }
   if (complete.empty()) {

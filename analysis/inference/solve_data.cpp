@@ -72,6 +72,8 @@ void add_second_differences(RunShape& shape, const std::vector<std::vector<doubl
   shape.mean_bend_deg = mean(bends);
 }
 
+bool has_repeats(const SolveRecord& solve) { return solve.repeats > 1 && solve.smallest_seconds > 0; }
+
 // Returns whether a clean solve took more than 10 % longer than its CPU time. A program may wait for other reasons, so
 // for its solves only the wait for a processor counts, less the usual cost of messages.
 bool is_disturbed(const SolveRecord& solve) {
@@ -159,8 +161,7 @@ void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) 
   }
   own.largest_batch = std::max(own.largest_batch, record.batch);
   const double longest = std::fmax(record.seconds, record.largest_seconds);
-  const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
-  own.uneven_repeats += is_repeated && longest > much_longer * record.smallest_seconds ? 1 : 0;
+  own.uneven_repeats += has_repeats(record) && longest > much_longer * record.smallest_seconds ? 1 : 0;
 }
 
 void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
@@ -202,7 +203,6 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
     end_run();
     first_ = {record.target_position_m, record.target_rotation};
   }
-  const bool is_repeated = record.repeats > 1 && record.smallest_seconds > 0;
   if (data_.robot.empty()) data_.robot = record.robot;
   look_at_times(record, solver);
   look_at_answer(record, solver);
@@ -232,7 +232,7 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .counted_by = record.counted_by,
               .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
               .is_disturbed = is_disturbed(record),
-              .is_repeated = is_repeated,
+              .is_repeated = has_repeats(record),
               .is_following = is_following};
   const bool has_course = record.improved_at.size() == record.improved_to_cm.size() && !record.improved_at.empty();
   if (!record.trace_cm.empty() || has_course || record.variation_m != 0 || !std::isnan(record.instructions)) {

@@ -1,5 +1,5 @@
-// Facts taken from the angles, targets, traces and repeats of a study's solves while their records are read one by one.
-// Afterwards a record is forgotten unless it is drawn. solve.hpp has the numbers of each solve.
+// Keeps what a study needs of its solves beside the numbers of each (solve.hpp). The records are read one by one, and
+// forgotten unless they are drawn.
 #pragma once
 
 #include <cstddef>

@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
-#include <map>
-#include <set>
 
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"

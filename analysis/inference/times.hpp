@@ -1,4 +1,4 @@
-// Prepares times for judgement: interruptions by other programs decide nothing, and are reported.
+// Replaces times that other programs disturbed, so that these decide nothing, and reports the disturbances.
 #pragma once
 
 #include <string>

@@ -174,7 +174,7 @@ Sentence disagreements(const Evidence& evidence) {
   std::vector<std::string> pairs;
   for (const Finding& pair : evidence.contrasts) {
     if (!std::isfinite(pair.p_ranks) || !std::isfinite(pair.p)) continue;
-    const bool by_ranks = (pair.p_ranks < evidence.plan.significance), is_opposite = pair.ahead_by_ranks == -pair.ahead;
+    const bool by_ranks = pair.p_ranks < evidence.plan.significance, is_opposite = pair.ahead_by_ranks == -pair.ahead;
     if (by_ranks == is_decided(pair) && !(by_ranks && is_opposite)) continue;
     pairs.push_back(fmt::format(words::by_ranks_instead, "pair"_a = pair_words(evidence, pair),
                                 "finds"_a = !by_ranks                         ? "undecided"

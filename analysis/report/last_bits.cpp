@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/metrics.hpp"

@@ -20,7 +20,7 @@ SpecificationCurve curve_of(std::vector<SpecificationCurve::Universe> universes)
           .quantity = "ratio",
           .below = "below",
           .above = "above",
-          .groups = {{"choice", {"one", "other"}}},
+          .groups = {{"one", "other"}},
           .universes = std::move(universes)};
 }
 

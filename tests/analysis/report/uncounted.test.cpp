@@ -155,7 +155,6 @@ TEST_CASE("that programs waited for a processor is told, and that errors depend 
           "[uncounted]") {
   CHECK(times_are_comparable(study_without_counts(0.05, 0.14)));  // a tenth, and what messages cost
   StudyResults study = study_without_counts(0.05, 0.16);
-  CHECK(times_were_disturbed(study, "program"));
   CHECK(times_are_comparable(study));  // of the others
   const std::string note = words_of(times_doubts(study));
   CHECK(
