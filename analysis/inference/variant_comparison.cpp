@@ -185,7 +185,8 @@ std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> st
   std::vector<VariantComparison> result;
   std::vector<Open> open;
   for (const VariantStudy& of : studies) {
-    VariantComparison& comparison = result.emplace_back(VariantComparison{.label = of.label, .is_of_two = of.is_of_two});
+    VariantComparison& comparison =
+        result.emplace_back(VariantComparison{.label = of.label, .is_of_two = of.is_of_two});
     std::vector<std::string> notes;
     comparison.metrics.reserve(asked.size());
     for (const Metric metric : asked) {
