@@ -138,7 +138,7 @@ bool needs_another_engine(std::string_view latex) {
 
 constexpr double column_of_article = 219, between_columns = 6;
 constexpr double em = 8.5, smaller = 7.0 / 8, bolder = 1.16;
-constexpr double widest_name = 80;               // wider names break into lines
+constexpr double widest_name = 88;               // wider names break into lines, of ten letters at least
 constexpr std::size_t longest_narrow_head = 10;  // longest line of a head [characters]
 
 double width_of(std::string_view text) {
