@@ -55,13 +55,16 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
 
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
   const std::size_t own_colours = style.palette.size();
+  const bool is_short = own_colours < named_colours.size();
   std::map<std::string, std::size_t> places;
+  std::map<std::size_t, std::string> owners;  // algorithms, by their place
   for (const NamedSolver& solver : solvers) {
     const auto given = style.colours.find(solver.label);
     if (given != style.colours.end()) {
       places.emplace(solver.label, place_in(style.palette, given->second));
     } else if (const auto own = own_place(solver.algorithm, own_colours)) {
-      places.emplace(solver.label, *own);
+      const std::string& owner = owners.emplace(*own, solver.algorithm).first->second;
+      if (!is_short || owner == solver.algorithm) places.emplace(solver.label, *own);
     }
   }
   std::vector<std::size_t> users(style.palette.size());

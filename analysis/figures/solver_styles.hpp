@@ -16,8 +16,9 @@ struct NamedSolver {
 
 // The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
 // built in, its own of the palette; the others get colours of the palette that no solver of the report has, while
-// there are any. Solvers of one colour, such as two variants of one algorithm, have different shades and line types.
-// Colours of style.colours that the palette lacks are added to it.
+// there are any; so do built-in ones to which a short palette would give one colour. Solvers of one colour, such as two
+// variants of one algorithm, have different shades and line types. Colours of style.colours that the palette lacks are
+// added to it.
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
 
 // The palette, then a shade of each of its colours, both as "#RRGGBB": what style.gp calls `colours`.

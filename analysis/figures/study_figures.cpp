@@ -183,7 +183,8 @@ std::vector<std::size_t> hiding_joints(const std::vector<std::vector<double>>& r
 }
 
 // A panel for each solver: angles [deg], or positions [cm] of joints that slide.
-std::optional<Figure> joints_figure(const StudyResults& all, const std::string& name) {
+std::optional<Figure> joints_figure(const StudyResults& all, const std::string& name,
+                                    std::optional<std::size_t> repeated) {
   const StudyResults study = drawn_part(all);
   constexpr std::size_t most_panels = 12;
   const bool has_slides = !study.facts.slides.empty();
@@ -196,6 +197,9 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
     const auto solves = first_run(study, solver);
     auto angles = joint_angles_deg(solves);
     if (angles.empty() || angles.begin()->second.empty()) continue;
+    for (auto& [point, values] : angles) {
+      if (repeated && *repeated <= values.size()) values.push_back(values[*repeated - 1]);
+    }
     solvers.push_back(solver);
     joints = std::max(joints, angles.begin()->second.size());
     if (solvers.size() > most_panels) continue;

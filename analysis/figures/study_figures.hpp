@@ -26,7 +26,9 @@ struct JointLimits {
 };
 // The limits of the joints that turn [deg]; only where the definition has an arm of so many joints.
 std::vector<JointLimits> limits_deg(const inference::StudyFacts& facts, std::size_t joints);
-// One sheet with a panel per solver with answers; none if there is no such solver.
-std::optional<Figure> joints_figure(const inference::StudyResults& study, const std::string& name);
+// One sheet with a panel per solver with answers; none if there is no such solver. `repeated`: a joint, from 1, as
+// which a further one turns that the solver does not search.
+std::optional<Figure> joints_figure(const inference::StudyResults& study, const std::string& name,
+                                    std::optional<std::size_t> repeated = {});
 
 }  // namespace ikbench::figures

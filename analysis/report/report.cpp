@@ -223,7 +223,7 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
   std::vector<Assessment> result;
   if (!paper.printed) return result;
   for (const Summaries& printed : paper.printed(study))
-    result.push_back(assess(printed, feasible(study.plan, printed)));
+    result.push_back(assess(printed, feasible(study.plan, printed), study.drawn_solvers));
   return result;
 }
 

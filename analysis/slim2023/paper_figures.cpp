@@ -91,7 +91,8 @@ std::vector<double> mean_trace(const Solves& traced) {
 }
 
 // Nothing without a trace.
-std::optional<Figure> iterations_figure(const StudyResults& study) {
+std::optional<Figure> iterations_figure(const StudyResults& all_solvers) {
+  const StudyResults study = drawn_part(all_solvers);
   Figure figure{.name = "figure-18",
                 .caption =
                     "Best position error [cm] after every iteration, mean over all solves; solves that stop early "
@@ -110,7 +111,7 @@ std::optional<Figure> iterations_figure(const StudyResults& study) {
     iterations = std::max(iterations, curve.size());
     labels.push_back(shortened(study.solvers[i], longest_label));
     clauses.push_back(fmt::format("'{}.dat' index {} using 1:(shown($2)) with lines ls {} lw 1.3 title {}", figure.name,
-                                  clauses.size(), i + 1, gnuplot_string(labels.back())));
+                                  clauses.size(), style_of(study, study.solvers[i]), gnuplot_string(labels.back())));
   }
   if (clauses.empty()) return std::nullopt;
   const Axis axis = value_axis(all, {"average position error", "cm"}, Scale::logarithmic);
@@ -131,7 +132,9 @@ std::vector<Figure> circle_figures(const StudyResults& study) {
   if (study.solves.empty() || study.facts.path != "circle") return {};
   std::vector<Figure> figures{path_figure(study, "figure-14", View::from_above),
                               path_figure(study, "figure-15", View::with_three_arms)};
-  add(joints_figure(study, "figure-16"), figures);
+  // The Dobot's joint 4 turns the tool about the vertical; the paper draws it with the angle of joint 1.
+  const bool is_dobot = study.solve_data->robot == "dobot_magician";
+  add(joints_figure(study, "figure-16", is_dobot ? std::optional<std::size_t>(1) : std::nullopt), figures);
   std::map<int, std::vector<double>> printed;
   const CsvTable table = printed_table(study.facts.published, "table-8");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

@@ -74,4 +74,9 @@ TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
   for (const auto& [label, look] : line_styles({{"a", "bat"}, {"b", "newton"}, {"c", "x"}, {"d", "y"}}, two))
     looks.insert(look);
   CHECK(looks.size() == 4);
+  FigureStyle three{.palette = {"blue", "red", "green"}};
+  std::set<std::string> colours;
+  for (const auto& [label, look] : line_styles({{"a", "ik_bat"}, {"b", "particle_swarm"}, {"c", "bat"}}, three))
+    colours.insert(colour_of(look, three));
+  CHECK(colours.size() == 3);
 }
