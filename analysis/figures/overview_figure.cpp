@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
@@ -46,9 +47,8 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
 }
 
 constexpr double largest_size = 1.6, smallest_size = 0.4;
-// The axes, and what is around them.
-constexpr double axes_width_cm = 6.7, axes_height_cm = 5.2, left_cm = 1.5, right_cm = 0.3, bottom_cm = 1.05,
-                 top_cm = 0.3;
+// Around the axes.
+constexpr double left_cm = 1.5, right_cm = 0.3, bottom_cm = 1.05, top_cm = 0.3;
 
 struct Disc {
   double variation_deg, error_cm, size;
@@ -98,14 +98,16 @@ struct Spot {
 
 struct PlacedLabel {
   double x, y;            // its left end and its middle
-  bool has_line = false;  // from the disc, where it is not beside it
+  double line_x, line_y;  // where a line from the disc ends, if it has one
+  bool has_line;
 };
 
-// A place for the label of each of the first discs, beside it or near it: no label is on another, on a disc or outside.
-// Empty if there is no room.
+// A place for the label of each of the first discs: beside it, or farther away with a line. No label and no line is on
+// another, on a disc or outside. Empty if there is no room.
 std::vector<PlacedLabel> placed(const std::vector<std::string>& labels, const std::vector<Spot>& spots, double width,
                                 double height) {
-  constexpr double half_height = 0.15, gap = 0.08, pi = 3.14159265358979;
+  constexpr double half_height = 0.15, gap = 0.08;
+  constexpr int directions = 16;
   std::vector<LabelBox> taken;
   for (const Spot& spot : spots) {
     taken.push_back({spot.x - spot.radius, spot.y - spot.radius, spot.x + spot.radius, spot.y + spot.radius});
@@ -114,28 +116,38 @@ std::vector<PlacedLabel> placed(const std::vector<std::string>& labels, const st
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Spot& spot = spots[i];
     const double length = label_cm(labels[i]);
-    const auto try_at = [&](double angle, double distance) {
-      const double from = spot.radius + gap + distance;
-      const double x = spot.x + from * std::cos(angle) +
-                       (std::cos(angle) < -0.3  ? -length
-                        : std::cos(angle) < 0.3 ? -length / 2
-                                                : 0);
-      const double y = spot.y + (from + (std::abs(std::sin(angle)) > 0.9 ? half_height : 0)) * std::sin(angle);
-      const LabelBox box{x, y - half_height, x + length, y + half_height};
-      const bool is_inside = box.left >= 0 && box.bottom >= 0 && box.right <= width && box.top <= height;
-      if (!is_inside || std::ranges::any_of(taken, [&](const LabelBox& other) { return overlap(box, other); }))
-        return false;
-      taken.push_back(box);
-      places.push_back({x, y, distance > 0.3});
+    const auto is_free = [&](const LabelBox& box, std::size_t own) {
+      for (std::size_t k = 0; k < taken.size(); ++k) {
+        if (k != own && overlap(box, taken[k])) return false;
+      }
       return true;
     };
-    bool is_placed = false;
-    for (double distance = 0; distance < 3 && !is_placed; distance += 0.3) {
-      for (const int eighth : {0, 4, 2, 6, 1, 7, 3, 5}) {
-        if ((is_placed = try_at(eighth * pi / 4, distance))) break;
+    const auto try_at = [&](double angle, double distance) {
+      const double from = spot.radius + gap + distance, across = std::cos(angle), up = std::sin(angle);
+      const double x = spot.x + from * across - (across < -0.3 ? length : across < 0.3 ? length / 2 : 0);
+      const double y = spot.y + (from + (std::abs(up) > 0.9 ? half_height : 0)) * up;
+      const LabelBox box{x, y - half_height, x + length, y + half_height};
+      const bool is_inside = box.left >= 0 && box.bottom >= 0 && box.right <= width && box.top <= height;
+      if (!is_inside || !is_free(box, taken.size())) return false;
+      const PlacedLabel place{x, y, std::clamp(spot.x, box.left, box.right), std::clamp(spot.y, box.bottom, box.top),
+                              distance > 0.1};
+      std::vector<LabelBox> line;  // small parts of it
+      for (double part = 0; place.has_line && part <= 1; part += 0.02) {
+        const double at_x = std::lerp(spot.x, place.line_x, part), at_y = std::lerp(spot.y, place.line_y, part);
+        line.push_back({at_x - 0.03, at_y - 0.03, at_x + 0.03, at_y + 0.03});
+      }
+      if (!std::ranges::all_of(line, [&](const LabelBox& part) { return is_free(part, i); })) return false;
+      taken.push_back(box);
+      taken.insert(taken.end(), line.begin(), line.end());
+      places.push_back(place);
+      return true;
+    };
+    for (double distance = 0; distance < 3 && places.size() == i; distance += 0.2) {
+      for (const int direction : {0, 8, 4, 12, 1, 15, 7, 9, 2, 14, 6, 10, 3, 13, 5, 11}) {
+        if (try_at(2 * std::numbers::pi * direction / directions, distance)) break;
       }
     }
-    if (!is_placed) return {};
+    if (places.size() == i) return {};
   }
   return places;
 }
@@ -176,6 +188,9 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
   }
 
   // Labels beside the discs, or a legend where there is no room for them.
+  const bool is_wide = ours.size() > 8;
+  const double axes_width_cm = (is_wide ? two_columns_cm : 8.5) - left_cm - right_cm,
+               axes_height_cm = is_wide ? 7 : 5.2;
   const double logarithm = std::log10(axis.high / axis.low);
   const auto spot_of = [&](const Disc& disc) {
     const double up = axis.logarithmic ? std::log10(std::max(disc.error_cm, axis.low) / axis.low) / logarithm
@@ -184,11 +199,9 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
   };
   std::vector<std::string> shown;
   std::vector<Spot> spots;
-  std::vector<std::size_t> solvers;  // that have a disc
   for (std::size_t i = 0; i < ours.size(); ++i) {
     labels.push_back(shortened(ours[i].solver, longest_label));
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
-    solvers.push_back(i);
     shown.push_back(labels.back());
     spots.push_back(spot_of(discs[i]));
   }
@@ -221,9 +234,8 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
           fmt::format("'+' every ::::0 using ({}):({}):({}) with labels left noenhanced font names title {}",
                       x(place.x), y(place.y), title, title));
       if (place.has_line) {
-        const double end = std::clamp(spots[i].x, place.x, place.x + label_cm(shown[i]));
         figure.settings += fmt::format("set arrow from {}, {} to {}, {} nohead back lw 0.5 lc rgb '#808080'\n",
-                                       x(spots[i].x), y(spots[i].y), x(end), y(place.y));
+                                       x(spots[i].x), y(spots[i].y), x(place.line_x), y(place.line_y));
       }
     }
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
