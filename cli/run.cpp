@@ -73,7 +73,8 @@ void run_collection(const StudyCollection& collection, const StudyToRun& argumen
       .title = collection.title.empty() ? fmt::format("{} together", fmt::join(names, ", ")) : collection.title};
   for (const Study& study : collection.studies) {
     reported.studies.push_back({study.name});
-    if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command}) == Ended::stopped) {
+    if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command},
+                     arguments.report.output) == Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
       return;
     }

@@ -36,9 +36,10 @@ void list(const std::string& file) {
   const Store store(file, Store::Mode::read);
   Rows rows{{"STUDY", "SOLVERS", "RUNS", "POINTS", "SOLVES"}};
   for (const StudyEntry& study : store.studies()) {
-    const Json definition = parsed_json(study.definition);
-    rows.push_back({study.name, std::to_string(study.series.size()), text_of(definition.value("runs", Json(nullptr))),
-                    text_of(definition.value("points", Json(nullptr))), std::to_string(store.solves_of(study.series))});
+    const numerics::Json definition = parsed_json(study.definition);
+    rows.push_back(
+        {study.name, std::to_string(study.series.size()), text_of(definition.value("runs", numerics::Json(nullptr))),
+         text_of(definition.value("points", numerics::Json(nullptr))), std::to_string(store.solves_of(study.series))});
   }
   fmt::print("{}", aligned(rows));
   const Unused unused = unused_in(file);

@@ -138,7 +138,7 @@ class Training {
     round.name = fmt::format("{}-round-{}", study_.name, number);
     round.solvers = left_;
     round.runs = runs;
-    if (run_and_tell(round, folder, request) == Ended::stopped) return Ended::stopped;
+    if (run_and_tell(round, folder, request, {}) == Ended::stopped) return Ended::stopped;
     const Store store(store_in(folder), Store::Mode::read);
     const StudyEntry entry = store.study(round.name);
     StudyMaker maker(entry, static_cast<std::size_t>(store.solves_of(entry.series)));
@@ -245,7 +245,7 @@ Ended tune(const TuneArguments& arguments, const std::string& command) {
   write_through(file, fmt::format("{}: the study with the settings that it chose.\n{}", mark_of_file, text));
   fmt::print("Tuned study: {}\n", printable(file.string()));
   const Study tuned = load_study(file.string());
-  if (run_and_tell(tuned, folder, request) == Ended::stopped) return Ended::stopped;
+  if (run_and_tell(tuned, folder, request, arguments.report.output) == Ended::stopped) return Ended::stopped;
   const Store store(store_in(folder), Store::Mode::read);
   check_is_stored(tuned, store);
   write_and_announce(store, {.study = tuned.name, .folder = folder, .arguments = arguments.report});
