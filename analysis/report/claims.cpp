@@ -162,15 +162,13 @@ Table audit_table(const std::vector<AuditItem>& items) {
 
 std::string audit_answer(const std::vector<AuditItem>& items) {
   if (items.empty()) return "";
-  const auto several = [](std::ptrdiff_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), what, count > 1 ? "s" : "");
-  };
   const auto number_of = [&](std::string_view verdict) {
     const auto is_it = [verdict](const AuditItem& item) { return words_of(item) == verdict; };
-    return several(std::ranges::count_if(items, is_it), verdict);
+    const auto count = std::ranges::count_if(items, is_it);
+    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), verdict, count > 1 ? "s" : "");
   };
   return fmt::format(words::audit_answer, "contradictions"_a = number_of("contradiction"),
-                     "misprints"_a = number_of("misprint"), "items"_a = several(std::ssize(items), "item"));
+                     "misprints"_a = number_of("misprint"));
 }
 
 std::string audit_sentence(const std::vector<AuditItem>& items) {

@@ -311,8 +311,7 @@ inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
 inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
-inline constexpr Template audit_answer =
-    "The paper's own numbers have {contradictions} and {misprints} (audit of {items}).";
+inline constexpr Template audit_answer = "The paper has {contradictions} and {misprints}.";
 inline constexpr Template audit =
     "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
     "from statements that results/published marks as not printed. consistent: the numbers agree to the last "

@@ -27,7 +27,7 @@ namespace {
 std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreement>& agreed) {
   if (printed_table_3(study, Metric::position_error_cm).empty()) return "";
   return agreed.empty() ? "ikbench reproduce, without --quick, shows what depends on chance and on the interpretation."
-                        : fmt::format("{} of {} printed numbers repeat; {:.0f} would if everything were the same.",
+                        : fmt::format("{} of {} printed numbers repeat; {:.0f} should.",
                                       std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size(),
                                       expected_to_agree(agreed));
 }

@@ -30,9 +30,9 @@ bool has(const std::string& text, const std::string& words) { return text.find(w
 }  // namespace
 
 TEST_CASE("the first lines count what the printed numbers contradict", "[audit]") {
-  CHECK(audit_answer(audit()) == "The paper's own numbers have 4 contradictions and 11 misprints (audit of 48 items).");
+  CHECK(audit_answer(audit()) == "The paper has 4 contradictions and 11 misprints.");
   const AuditItem misprint{.id = "1", .verdict = Verdict::fails, .is_misprint = true};
-  CHECK(audit_answer({misprint}) == "The paper's own numbers have no contradiction and 1 misprint (audit of 1 item).");
+  CHECK(audit_answer({misprint}) == "The paper has no contradiction and 1 misprint.");
   CHECK(audit_answer({}).empty());
 }
 
