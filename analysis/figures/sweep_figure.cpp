@@ -134,6 +134,7 @@ Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantit
   const Observations& observations = quantity.observations;
   Figure figure{.name = name};
   std::vector<double> all;
+  bool is_cut = false;
   std::vector<std::string> clauses{"NaN"}, labels;
   for (std::size_t number = 0; number < curves.size(); ++number) {
     const SweptCurve& curve = curves[number];
@@ -145,7 +146,10 @@ Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantit
       const double place = x.places.at(value), low = has_interval ? mean.low : mean.value,
                    high = has_interval ? mean.high : mean.value;
       rows.emplace_back(place, data_line({place, mean.value, low, high}));
-      all.insert(all.end(), {mean.value, low, high});
+      const bool reaches_zero =
+          low <= 0 && mean.value > 0;  // an axis of positive means may be logarithmic all the same
+      is_cut = is_cut || reaches_zero;
+      all.insert(all.end(), {mean.value, reaches_zero ? mean.value : low, high});
     }
     std::ranges::sort(rows);
     figure.data += fmt::format("{}# {}: {}, mean, low, high\n", number == 0 ? "" : "\n\n", one_line(curve.label),
@@ -178,6 +182,7 @@ Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantit
       percent(1 - quantity.evidence.plan.significance),
       observations.scale == ValueScale::log10 ? " (geometric means)" : "",
       axis.shows_at_edge ? " Values of zero are drawn at the lower edge." : "");
+  if (is_cut) figure.caption += " Intervals that reach below 0 end at the lower edge.";
   if (!observations.flaws.empty()) figure.caption += fmt::format(" Flawed: {}", words_of(observations.flaws));
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);

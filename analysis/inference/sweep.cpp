@@ -82,9 +82,11 @@ bool SweptQuantity::is_better(double one, double other) const {
 
 std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics) {
   std::vector<SweptQuantity> quantities;
+  AnalysisPlan plan = study.plan;
+  plan.control.clear();  // nothing is compared with it here
   const auto add = [&](Metric metric, Estimand estimand) {
     SweptQuantity quantity{.observations = observations(study, metric, estimand), .evidence = {}};
-    quantity.evidence = described(quantity.observations, feasible(study.plan, quantity.observations));
+    quantity.evidence = described(quantity.observations, feasible(plan, quantity.observations));
     if (quantity.evidence.of_outcomes) {
       std::vector<std::vector<double>> values;
       for (const Group& group : quantity.observations.groups) values.push_back(group.values);

@@ -7,7 +7,6 @@
 #include "experiments/study_writer.hpp"
 #include "numerics/json.hpp"
 #include "tests/catch.hpp"
-#include "tests/contains.hpp"
 #include "tests/experiments/samples.hpp"
 
 using namespace ikbench;
@@ -19,19 +18,21 @@ Study swept(const std::string& toml, const Overrides& overrides = {}) {
   return parse_study(toml, "my.toml", overrides);
 }
 
-std::vector<std::string> labels_of(const Study& study) {
+std::vector<std::string> labels_in(const Study& study) {
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   return labels;
 }
 
+bool has_words(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
 std::string complaint_about(const std::string& toml, const Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { swept(toml, overrides); });
 }
 
-using Labels = std::vector<std::string>;
+using SweptLabels = std::vector<std::string>;
 
-const std::string bats =
+const std::string two_bats =
     "[[solvers]]\nlabel = \"IK-BA\"\nsolver = \"ik_bat\"\n[[solvers]]\nlabel = \"BA\"\nsolver = \"bat\"\n";
 
 }  // namespace
@@ -40,8 +41,8 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
   const Study study = swept(
       "[[solvers]]\nlabel = \"IK-BA\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n"
       "options = { alpha = [0.5, 0.97], bounds = \"clamp\" }\n[[solvers]]\nsolver = \"bat\"\n");
-  CHECK(labels_of(study) == Labels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
-                                   "IK-BA alpha=0.97 population=20", "IK-BA alpha=0.97 population=40", "bat"});
+  CHECK(labels_in(study) == SweptLabels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
+                                        "IK-BA alpha=0.97 population=20", "IK-BA alpha=0.97 population=40", "bat"});
   const SolverEntry& third = study.solvers[2];
   CHECK(third.family == "IK-BA");
   CHECK(third.swept == solvers::Settings{{"alpha", "0.97"}, {"population", "20"}});
@@ -51,18 +52,18 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
 }
 
 TEST_CASE("a key of [sweep] is of every solver that has it, or of the one before the dot", "[sweep]") {
-  const std::string study = bats + "[[solvers]]\nsolver = \"newton\"\n";
-  CHECK(labels_of(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
-        Labels{"IK-BA alpha=0.5", "IK-BA alpha=0.9", "BA alpha=0.5", "BA alpha=0.9", "newton"});
-  const Labels of_one{"IK-BA", "BA alpha=0.5", "BA alpha=0.9", "newton"};
-  CHECK(labels_of(swept(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
-  CHECK(labels_of(swept(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
-  CHECK(labels_of(swept("[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n" + study)) == of_one);
-  CHECK(labels_of(swept("[sweep]\nBA.alpha = [0.5, 0.9]\n" + study)) == of_one);
-  CHECK(labels_of(swept("[sweep]\nBA.alpha = [0.1]\n" + study, {sweep_override("BA.alpha=0.5,0.9")})) == of_one);
+  const std::string study = two_bats + "[[solvers]]\nsolver = \"newton\"\n";
+  CHECK(labels_in(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
+        SweptLabels{"IK-BA alpha=0.5", "IK-BA alpha=0.9", "BA alpha=0.5", "BA alpha=0.9", "newton"});
+  const SweptLabels of_one{"IK-BA", "BA alpha=0.5", "BA alpha=0.9", "newton"};
+  CHECK(labels_in(swept(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
+  CHECK(labels_in(swept(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
+  CHECK(labels_in(swept("[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n" + study)) == of_one);
+  CHECK(labels_in(swept("[sweep]\nBA.alpha = [0.5, 0.9]\n" + study)) == of_one);
+  CHECK(labels_in(swept("[sweep]\nBA.alpha = [0.1]\n" + study, {sweep_override("BA.alpha=0.5,0.9")})) == of_one);
   CHECK(swept(study, {sweep_override("population=10,20")}).solvers.size() == 6);
-  CHECK(labels_of(swept(bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
-        Labels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
+  CHECK(labels_in(swept(two_bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
+        SweptLabels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
 }
 
 TEST_CASE("a swept entry and one written by hand with its label share their solves", "[sweep]") {
@@ -73,22 +74,22 @@ TEST_CASE("a swept entry and one written by hand with its label share their solv
 }
 
 TEST_CASE("a swept study is written with its lists, and read again as it was", "[sweep]") {
-  const Study study = swept(bats, {sweep_override("population=10,20,50"), sweep_override("IK-BA.alpha=0.5,0.9"),
-                                   sweep_override("IK-BA.bounds=clamp,initial")});
+  const Study study = swept(two_bats, {sweep_override("population=10,20,50"), sweep_override("IK-BA.alpha=0.5,0.9"),
+                                       sweep_override("IK-BA.bounds=clamp,initial")});
   const std::string text = to_toml(study);
-  CHECK(contains(text, "population = [10, 20, 50]"));
-  CHECK(contains(text, "alpha = [0.5, 0.9], bounds = [\"clamp\", \"initial\"]"));
+  CHECK(has_words(text, "population = [10, 20, 50]"));
+  CHECK(has_words(text, "alpha = [0.5, 0.9], bounds = [\"clamp\", \"initial\"]"));
   const Study again = swept(text);
   CHECK(to_toml(again) == text);
   CHECK(to_json(again) == to_json(study));
-  CHECK(labels_of(again) == labels_of(study));
+  CHECK(labels_in(again) == labels_in(study));
   const auto json = numerics::parsed_json(to_json(study));
   CHECK(json["swept"]["BA population=10"] ==
         numerics::parsed_json(R"({"family":"BA","settings":{"population":"10"}})"));
 }
 
 TEST_CASE("how an entry was tuned is written and read, and decides no solve", "[sweep]") {
-  Study study = swept(bats);
+  Study study = swept(two_bats);
   const std::string key = series_key(study, study.solvers[0]);
   study.solvers[0].tuned = Tuning{.by = "position error [cm]", .candidates = 9, .solves = 1260, .cpu_seconds = 4.5};
   const Study again = swept(to_toml(study));
@@ -102,17 +103,17 @@ TEST_CASE("how an entry was tuned is written and read, and decides no solve", "[
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
   CHECK(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 0]\n") ==
         "my.toml:3:18: ik_bat.population is 0; expected a whole number from 1 to 100000");
-  CHECK(contains(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\noptions = { alpha = [0.5, 7] }\n"), "alpha"));
-  CHECK(contains(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 20]\n"), "each value once"));
-  CHECK(contains(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = []\n"), "a list of 1 to 200 values"));
-  CHECK(contains(complaint_about("[sweep]\nalpha = 0.5\n" + bats), "a list of 1 to 200 values"));
-  CHECK(contains(complaint_about("[sweep]\nalhpa = [0.5]\n" + bats),
-                 "unknown setting to sweep \"alhpa\"; did you mean \"alpha\"?"));
-  CHECK(contains(complaint_about(bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
-  CHECK(contains(complaint_about(bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
-  CHECK(contains(complaint_about(bats, {sweep_override("population=1,b")}), "a whole number"));
+  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\noptions = { alpha = [0.5, 7] }\n"), "alpha"));
+  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 20]\n"), "each value once"));
+  CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = []\n"), "a list of 1 to 200 values"));
+  CHECK(has_words(complaint_about("[sweep]\nalpha = 0.5\n" + two_bats), "a list of 1 to 200 values"));
+  CHECK(has_words(complaint_about("[sweep]\nalhpa = [0.5]\n" + two_bats),
+                  "unknown setting to sweep \"alhpa\"; did you mean \"alpha\"?"));
+  CHECK(has_words(complaint_about(two_bats, {sweep_override("BB.alpha=0.5")}), "unknown solver \"BB\""));
+  CHECK(has_words(complaint_about(two_bats, {sweep_override("BA.alhpa=0.5")}), "alpha"));
+  CHECK(has_words(complaint_about(two_bats, {sweep_override("population=1,b")}), "a whole number"));
   for (const std::string text : {"population", "=1", "population="})
-    CHECK(contains(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
+    CHECK(has_words(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
 }
 
 TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[sweep]") {
@@ -120,7 +121,8 @@ TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[
   for (int value = 2; value <= 20; ++value) values += "," + std::to_string(value);
   const Overrides both{sweep_override("IK-BA.population=" + values),
                        sweep_override("IK-BA.alpha=0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99")};
-  CHECK(contains(complaint_about(bats, both), "the sweep of IK-BA makes 11 x 20 = 220 entries; expected at most 200"));
+  CHECK(has_words(complaint_about(two_bats, both),
+                  "the sweep of IK-BA makes 11 x 20 = 220 entries; expected at most 200"));
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
-  CHECK(contains(complaint_about(bats, each), "the sweeps make 240 entries of [[solvers]]; expected at most 200"));
+  CHECK(has_words(complaint_about(two_bats, each), "the sweeps make 240 entries of [[solvers]]; expected at most 200"));
 }

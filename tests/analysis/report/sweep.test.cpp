@@ -21,13 +21,14 @@ using namespace ikbench::report;
 namespace {
 
 // A is swept by a and b, two values each. The error of run r is r + 10 a + 100 b, and at both last values 5 more.
-const char* const definition = R"({"stop": {"iterations": 9}, "path": {"kind": "helix"}, "start": "previous", "swept": {
+const char* const swept_by_two =
+    R"({"stop": {"iterations": 9}, "path": {"kind": "helix"}, "start": "previous", "swept": {
   "A a=1 b=0": {"family": "A", "settings": {"a": "1", "b": "0"}},
   "A a=1 b=1": {"family": "A", "settings": {"a": "1", "b": "1"}},
   "A a=50 b=0": {"family": "A", "settings": {"a": "50", "b": "0"}},
   "A a=50 b=1": {"family": "A", "settings": {"a": "50", "b": "1"}}}})";
 
-StudyResults swept_study(const std::string& json = definition) {
+StudyResults swept_study(const std::string& json = swept_by_two) {
   std::vector<SolveRecord> solves = synthetic::solves(
       {.solvers = {"A a=1 b=0", "A a=1 b=1", "A a=50 b=0", "A a=50 b=1", "other"}, .runs = 4, .points = 1});
   for (std::size_t i = 0; i < solves.size(); ++i) {
@@ -39,7 +40,7 @@ StudyResults swept_study(const std::string& json = definition) {
   return study;
 }
 
-const Table& table_named(const std::vector<Table>& tables, const std::string& name) {
+const Table& swept_table_named(const std::vector<Table>& tables, const std::string& name) {
   return *std::ranges::find(tables, name, &Table::name);
 }
 
@@ -54,7 +55,7 @@ std::vector<Figure> sweep_figures(const StudyResults& study, const ShownMetrics&
 
 TEST_CASE("each combination of swept settings is a row, and the best mean of a family is marked", "[sweep]") {
   const std::vector<Table> tables = tables_of(swept_study());
-  const Table& table = table_named(tables, "sweep");
+  const Table& table = swept_table_named(tables, "sweep");
   REQUIRE(table.rows.size() == 4);
   CHECK(table.columns[0] == "family");
   CHECK(table.columns[1] == "a");
@@ -70,7 +71,7 @@ TEST_CASE("each combination of swept settings is a row, and the best mean of a f
 TEST_CASE("an interaction has its F and the difference of differences, by hand", "[sweep]") {
   // The corners differ by 5; each mean has the variance (5 / 3) / 4, so F = 25 / (4 x 5 / 12) = 15 with 1 and 12.
   const std::vector<Table> tables = tables_of(swept_study());
-  const Table& table = table_named(tables, "sweep-interactions");
+  const Table& table = swept_table_named(tables, "sweep-interactions");
   CHECK(readable(cell_at(table, 0, "settings")) == "a, b");
   CHECK(readable(cell_at(table, 0, "depends")) == "yes");
   CHECK(number_at(table, 0, "F") == Approx(15));
@@ -111,7 +112,7 @@ TEST_CASE("a family with combinations missing, or with one member, is shown as i
     "A a=50 b=0": {"family": "A", "settings": {"a": "1e999"}},
     "other": {"family": "\n\"`rm`{", "settings": {"a": "1"}}}})");
   const std::vector<Table> tables = tables_of(study);
-  CHECK(table_named(tables, "sweep").rows.size() == 3);
-  CHECK(contains(readable(cell_at(table_named(tables, "sweep-interactions"), 0, "depends")), "not defined"));
+  CHECK(swept_table_named(tables, "sweep").rows.size() == 3);
+  CHECK(contains(readable(cell_at(swept_table_named(tables, "sweep-interactions"), 0, "depends")), "not defined"));
   for (const Figure& figure : sweep_figures(study, shown_metrics(study))) CHECK_FALSE(contains(figure.plot, "`rm`"));
 }
