@@ -12,6 +12,13 @@
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
 
+// Two functions of pieces/, which have no header.
+namespace ikbench::report {
+std::vector<Table> sweep_tables(const inference::StudyResults& study, const inference::ShownMetrics& metrics);
+std::vector<figures::Figure> sweep_figures(const inference::StudyResults& study,
+                                           const inference::ShownMetrics& metrics);
+}  // namespace ikbench::report
+
 using namespace ikbench;
 using namespace ikbench::results;
 using namespace ikbench::inference;
@@ -32,7 +39,7 @@ StudyResults swept_study(const std::string& json = swept_by_two) {
   std::vector<SolveRecord> solves = synthetic::solves(
       {.solvers = {"A a=1 b=0", "A a=1 b=1", "A a=50 b=0", "A a=50 b=1", "other"}, .runs = 4, .points = 1});
   for (std::size_t i = 0; i < solves.size(); ++i) {
-    const std::size_t cell = i / 4;
+    const int cell = static_cast<int>(i / 4);
     solves[i].position_error_cm = solves[i].run + 10.0 * (cell / 2 % 2) + 100.0 * (cell % 2) + (cell == 3 ? 5 : 0);
   }
   StudyResults study = make_study("swept", std::move(solves));
@@ -47,11 +54,6 @@ const Table& swept_table_named(const std::vector<Table>& tables, const std::stri
 std::vector<Table> tables_of(const StudyResults& study) { return sweep_tables(study, shown_metrics(study)); }
 
 }  // namespace
-
-namespace ikbench::report {
-std::vector<Table> sweep_tables(const StudyResults& study, const ShownMetrics& metrics);
-std::vector<Figure> sweep_figures(const StudyResults& study, const ShownMetrics& metrics);
-}  // namespace ikbench::report
 
 TEST_CASE("each combination of swept settings is a row, and the best mean of a family is marked", "[sweep]") {
   const std::vector<Table> tables = tables_of(swept_study());
