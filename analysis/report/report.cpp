@@ -445,8 +445,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .path = pieces.path,
                         .seen = pieces.seen};
   if (collection.is_together) {
+    content.studied = {fmt::format("{}: {}", study.name, fmt::join(content.studied, " "))};
     for (const StudyResults& companion : others.companions)
-      std::ranges::move(studied(companion, paper), std::back_inserter(content.studied));
+      content.studied.push_back(fmt::format("{}: {}", companion.name, fmt::join(studied(companion, paper), " ")));
   }
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
