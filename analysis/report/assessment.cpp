@@ -278,8 +278,8 @@ Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
   return with_observations(tested(observations, plan), observations);
 }
 
-Assessment assess(const Summaries& summaries, const AnalysisPlan& plan) {
-  return assessment_of(evidence(summaries, plan));
+Assessment assess(const Summaries& summaries, const AnalysisPlan& plan, const Drawn& drawn) {
+  return assessment_of(evidence(summaries, plan), drawn);
 }
 
 Assessment assess(const JudgedStudy& study, Metric metric, Estimand estimand) {
