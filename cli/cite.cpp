@@ -78,7 +78,7 @@ Used used_in(const std::string& name) {
 std::string program_entry() {
   const std::string words = version();
   return fmt::format(
-      "@software{{ikbench,\n  author = {{{{the ikbench authors}}}},\n  title = {{ikbench: which inverse-kinematics solver is "
+      "@misc{{ikbench,\n  author = {{{{the ikbench authors}}}},\n  title = {{ikbench: which inverse-kinematics solver is "
       "better, and does a published claim hold?}},\n  version = {{{}}},\n  year = {{2026}}\n}}\n",
       words);
 }
@@ -102,7 +102,7 @@ std::string cited(const std::string& name) {
       is_wanted = true;
       told.insert(keyword);
     }
-    if (is_wanted) text += fmt::format("\n{}\n", work.entry);
+    if (is_wanted) text += fmt::format("\n{}", work.entry);
   }
   for (const solvers::SolverInfo& info : solvers::all_solvers()) {
     if (wanted.contains(info.name) && !told.contains(info.name))

@@ -71,6 +71,7 @@ std::vector<Version> versions_of(const TrendArguments& arguments) {
   if (arguments.stores.size() < 2 || arguments.stores.size() > most_versions)
     throw std::invalid_argument(fmt::format("{} stores; expected 2 to {}", arguments.stores.size(), most_versions));
   std::vector<Version> versions;
+  versions.reserve(arguments.stores.size());  // the variants refer to their stores
   for (const std::string& file : arguments.stores) {
     versions.push_back({.name = version_name(file), .store = Store(file, Store::Mode::read)});
     Version& version = versions.back();

@@ -3,7 +3,7 @@
 source "$(dirname "$0")/common.sh"
 
 succeeds cite
-has "$out" "@software{ikbench,"
+has "$out" "@misc{ikbench,"
 [ "$(grep -c '^@' <<<"$out")" = 1 ] || fail "the program alone was expected: $out"
 
 succeeds cite slim2023

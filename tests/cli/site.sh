@@ -14,12 +14,12 @@ echo nonsense >none.sqlite
 
 succeeds site store-*/store.sqlite other-study/store.sqlite '<b>&"quoted/store.sqlite' edited-errors/store.sqlite \
   impossible-times/store.sqlite none.sqlite --out public
-has "$err" "edited-errors is not shown: position_error_cm"
-has "$err" "impossible-times is not shown: seconds"
+has "$err" "edited-errors is not shown: Study slim2023: Damaged: position_error_cm"
+has "$err" "impossible-times is not shown: Study slim2023: Damaged: seconds"
 has "$err" "none is not shown:"
 index=$(<public/index.html)
 has "$index" "every answer fits"
-has "$index" "not shown: position_error_cm"
+has "$index" "not shown: Study slim2023: Damaged: position_error_cm"
 has "$index" 'href="study-slim2023.html"'
 has "$index" '&lt;b&gt;&amp;&quot;quoted'
 has_no "$index" '<b>&'

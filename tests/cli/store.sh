@@ -46,4 +46,4 @@ cp $store edited.sqlite
 refused "was changed since it was written" store gc $store
 cmp $store edited.sqlite || fail "a refused store was changed"
 echo nonsense >no.sqlite
-refused "not a store" store ls no.sqlite
+refused "is not an ikbench store" store ls no.sqlite
