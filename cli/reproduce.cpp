@@ -72,11 +72,13 @@ std::vector<std::string> words_on(const std::vector<Fingerprints>& all, bool is_
                                                       : "different from the reference " + reference));
     }
   }
+  const std::size_t without = all.size() - compared;
   lines.insert(lines.begin(),
                compared == 0
                    ? "Fingerprints: no reference for this seed and number of runs"
-                   : fmt::format("Fingerprints: {} of {} equal the reference{}{}", compared - different.size(),
-                                 compared, different.empty() ? "" : "; different: ", fmt::join(different, ", ")));
+                   : fmt::format("Fingerprints: {} of {} equal the reference{}{}{}", compared - different.size(),
+                                 compared, different.empty() ? "" : "; different: ", fmt::join(different, ", "),
+                                 without == 0 ? "" : fmt::format("; {} have none for this number of runs", without)));
   return lines;
 }
 

@@ -83,7 +83,7 @@ finds() {
   while read -r fault number words; do
     export FAULT=$fault
     run_it check-solver --patience 10 "$@"
-    grep '^FAILED' <<<"$out" | grep -v "$([ "$fault" = late ] && echo '^$' || echo 'a budget of 1 ms')" >found
+    sed ':a;N;$!ba;s/\n  / /g' .out | grep '^FAILED' | grep -v "$([ "$fault" = late ] && echo '^$' || echo 'a budget of 1 ms')" >found
     [ "$(wc -l <found)" = "$number" ] || fail "$fault: expected $number failed checks: $(<found) $err"
     [ "$number" = 0 ] || [ "$code" = 1 ] || fail "$fault: exit code $code: $out"
     ! grep -v "$words" found || fail "$fault: expected '$words' alone: $out"

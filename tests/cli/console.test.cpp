@@ -69,7 +69,7 @@ TEST_CASE("lines break between words, and the further ones are indented", "[cons
 TEST_CASE("rows that are too wide wrap the words of their widest columns", "[console]") {
   CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 100) == "A  B\n1  one two\n");
   CHECK(aligned({{"A", "B"}, {"1", "one two"}}, 9) == "A  B\n1  one\n   two\n");
-  CHECK(aligned({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B      C\n1  one    x\n   two\n");
+  CHECK(aligned({{"A", "B", "C"}, {"1", "one two", "x"}}, 10) == "A  B     C\n1  one   x\n   two\n");
   CHECK(aligned({{"A"}, {"longword"}}, 4) == "A\nlongword\n");
   CHECK(aligned({}, 10).empty());
 }

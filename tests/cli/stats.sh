@@ -59,7 +59,7 @@ has "$out" "In short: A is better than B: mean 1.1 vs 2.25, by " # by hand: (1 +
 has_outputs out/stats-pandas error groups tests contrasts
 has_figures out/stats-pandas error observations differences
 [ "$(ls)" = $'out\npandas.csv' ] || fail "something beside out/ was written: $(ls)"
-has "$(<out/stats-pandas/report.md)" "ikbench stats pandas.csv --value error"
+has "$(<out/stats-pandas/report.md)" "ikbench stats --verbose pandas.csv --value error"
 # An interval has two columns, also where no group has one.
 has "$(<out/stats-pandas/tables/statistics-error-groups.csv)" ",bootstrap interval low,bootstrap interval high,"
 # The page has no heading without anything below it.

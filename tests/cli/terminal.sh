@@ -7,7 +7,7 @@ quiet
 has_no "$err" "solves,"
 
 # In one log with the results, a warning stands on its own line, in the order of the messages.
-PATH=/nonexistent "$program" run slim2023 "${small[@]}" --out logged >.log 2>&1 || fail "no figures: $(<.log)"
+PATH=/nonexistent "$program" run slim2023 --verbose "${small[@]}" --out logged >.log 2>&1 || fail "no figures: $(<.log)"
 grep -q '^warning: ' .log || fail "no warning on a line of its own: $(<.log)"
 ! grep -q '.warning: ' .log || fail "a warning within a line: $(grep '.warning: ' .log)"
 [ "$(grep -n '^warning: .*gnuplot' .log | head -n 1 | cut -d: -f1)" -gt "$(grep -n '^slim2023: 36 solves in' .log | cut -d: -f1)" ] ||
