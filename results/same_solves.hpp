@@ -9,9 +9,9 @@
 
 namespace ikbench::results {
 
-// Parts of a definition that decide no solve: how it is judged, which targets are out of reach, and where settings come
-// from.
-constexpr std::array<std::string_view, 6> decide_no_solve{"analysis", "deadline_ms", "out_of_reach",
+// Parts of a definition that decide no solve: how it is judged and drawn, which targets are out of reach, and where
+// settings come from.
+constexpr std::array<std::string_view, 7> decide_no_solve{"analysis", "deadline_ms", "figures", "out_of_reach",
                                                           "repeats",  "swept",       "tuned"};
 
 // The first field in which two definitions (JSON, as the store has them) ask for different solves, with both values:

@@ -9,7 +9,8 @@ namespace ikbench::report {
 using namespace inference;
 using namespace figures;
 
-std::vector<Figure> effort_figures(const StudyResults& study, const ShownMetrics&) {
+std::vector<Figure> effort_figures(const StudyResults& all, const ShownMetrics&) {
+  const StudyResults study = drawn_part(all);
   Figure figure{.name = "effort", .caption = "Error of every solve against its evaluations, on logarithmic axes."};
   figure.settings = "set logscale xy\nset xlabel 'evaluations'\nset ylabel 'position error [cm]'\n";
   std::vector<std::string> clauses;
@@ -18,8 +19,8 @@ std::vector<Figure> effort_figures(const StudyResults& study, const ShownMetrics
     for (const Solve& solve : solves_of(study, solver))
       figure.data += fmt::format("{} {}\n", solve.evaluations, data_number(solve.position_error_cm));
     figure.data += "\n\n";  // ends a block, which gnuplot counts from 0
-    clauses.push_back(fmt::format("'{}.dat' index {} with points title {}", figure.name, clauses.size(),
-                                  gnuplot_string(shortened(solver, longest_label))));
+    clauses.push_back(fmt::format("'{}.dat' index {} with points ls {} title {}", figure.name, clauses.size(),
+                                  style_of(study, solver), gnuplot_string(shortened(solver, longest_label))));
   }
   figure.plot = plot_command(clauses);
   add_legend(figure, study.solvers);
