@@ -78,7 +78,7 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
                                        sweep_override("IK-BA.bounds=clamp,initial")});
   const std::string text = to_toml(study);
   CHECK(has_words(text, "population = [10, 20, 50]"));
-  CHECK(has_words(text, "alpha = [0.5, 0.9], bounds = [\"clamp\", \"initial\"]"));
+  CHECK(has_words(text, "alpha = [0.5, 0.9], bounds = ['clamp', 'initial']"));
   const Study again = swept(text);
   CHECK(to_toml(again) == text);
   CHECK(to_json(again) == to_json(study));
@@ -102,7 +102,7 @@ TEST_CASE("how an entry was tuned is written and read, and decides no solve", "[
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
   CHECK(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 0]\n") ==
-        "my.toml:3:18: ik_bat.population is 0; expected a whole number from 1 to 100000");
+        "my.toml:3:19: ik_bat.population is 0; expected a whole number from 1 to 100000");
   CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\noptions = { alpha = [0.5, 7] }\n"), "alpha"));
   CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 20]\n"), "each value once"));
   CHECK(has_words(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = []\n"), "a list of 1 to 200 values"));
