@@ -13,6 +13,7 @@
 #include "experiments/study_writer.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/toml_table.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
@@ -99,6 +100,8 @@ void write_new(const NewArguments& arguments) {
   if (file.extension() != ".toml") {
     throw std::invalid_argument(fmt::format("a study is a file such as my.toml, but this one is {}", arguments.file));
   }
+  if (!TomlReader::is_plain(file.filename().string()))
+    throw std::invalid_argument(fmt::format("the name of the file is not {}", TomlReader::plain));
   std::error_code error;
   if (!arguments.forced && std::filesystem::exists(file, error)) {
     throw std::invalid_argument(

@@ -252,7 +252,7 @@ void add_overrides(CLI::App& command, Overrides& overrides) {
           [&overrides](const std::vector<std::string>& sweeps) {
             for (const std::string& sweep : sweeps) overrides.push_back(sweep_override(sweep));
           },
-          fmt::format("run every combination of such values: population=10,20,50, IK-BA.alpha=0.5,0.9; at most {} "
+          fmt::format("run every combination of such values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {} "
                       "entries",
                       most_swept))
       ->allow_extra_args(false);

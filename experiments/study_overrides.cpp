@@ -91,7 +91,7 @@ std::string sweep_override(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
     throw std::invalid_argument(
-        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or IK-BA.alpha=0.5,0.9",
+        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or ik_bat.alpha=0.5,0.9",
                     text.substr(0, 100)));
   }
   std::string values;

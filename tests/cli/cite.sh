@@ -21,7 +21,7 @@ if command -v bibtex >/dev/null; then # every entry is one that BibTeX reads
   ! grep -q 'Warning' .log || fail "BibTeX warns: $(<.log)"
   [ "$(grep -c '^\\bibitem' references.bbl)" = "$(grep -c '^@' references.bib)" ] || fail "$(<references.bbl)"
 fi
-refused "unknown study" cite none
+refused "unknown built-in study" cite none
 
 # Each solver that is built in has an entry or its source.
 while read -r solver _; do

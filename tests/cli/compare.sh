@@ -240,7 +240,7 @@ refused '--margin: 5 is not a share from 0 % to 99 %; expected for example 5% or
 refused '--margin: -1% is not a share' compare $base $again --margin=-1%
 refused '--margin: nan is not a share' compare $base $again --margin nan
 refused '--significance: 0.5 is not a number from 0.0001 to 0.2' compare $base $again --significance 0.5
-refused 'expected a file name that ends in .md, .csv or .json' compare $base $again -o table.tex
+refused 'expected a file name that ends in .md, .csv, .json or .xml' compare $base $again -o table.tex
 cp $base base.json
 refused '-o base.json is one of the stores' compare base.json $again -o base.json
 refused "no study 'other'" compare $base $again --study other

@@ -51,7 +51,7 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
   CHECK(study.solvers[4].family.empty());
 }
 
-TEST_CASE("a key of [sweep] is of every solver that has it, or of the one before the dot", "[sweep]") {
+TEST_CASE("a key of the table sweep is of every solver that has it, or of the one before the dot", "[sweep]") {
   const std::string study = two_bats + "[[solvers]]\nsolver = \"newton\"\n";
   CHECK(labels_in(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
         SweptLabels{"IK-BA alpha=0.5", "IK-BA alpha=0.9", "BA alpha=0.5", "BA alpha=0.9", "newton"});
