@@ -100,7 +100,7 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
        content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
-  fill({{"A table for your paper",
+  fill({{"A table for your article",
          "It fits a column of a two-column article, in the size of footnotes: \\input{tables/paper}.",
          {},
          {"paper"}}},

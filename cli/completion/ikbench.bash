@@ -20,6 +20,6 @@ _ikbench() {
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; [[ $word == -* ]] || ((COMP_CWORD == 1)) || compgen -f -- "$word")
 }
 
-_ikbench_names() { "$1" list "$2" 2>/dev/null | sed -n '2,$s/ .*//p'; }
+_ikbench_names() { "$1" list "$2" 2>/dev/null | sed -n '2,$s/^\([a-z][^ ]*\) .*/\1/p'; }
 
 complete -o filenames -F _ikbench ikbench

@@ -56,11 +56,12 @@ succeeds robot ur5e
 has "$out" "reach: at most"
 # All digits: the arm that is written from the printed numbers has the same tool, bit for bit.
 succeeds robot ur5e.urdf --at 10,-20,30.5,40,50,60
-where=$(tail -n 1 .out)
+unwrapped() { sed -z 's/\n  / /g' .out; }
+where=$(unwrapped | tail -n 1)
 {
   echo 'links = ['
   awk '/^[1-9] / { printf "{ limits_deg = [%s, %s], a_m = %s, alpha_deg = %s, d_m = %s, offset_deg = %s },\n", $3, $4, $6, $7, $8, $9 }' .out
-  sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' .out
+  sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' <(unwrapped)
 } >written.toml
 succeeds robot written.toml --at 10,-20,30.5,40,50,60
 [ "$(tail -n 1 .out)" = "$where" ] || fail "another arm than it was written from: $where, and $(tail -n 1 .out)"

@@ -321,7 +321,7 @@ cat >own.js <<'E2'
 const lines = [...document.querySelectorAll('.own li')], texts = lines.map(line => line.textContent);
 return [/^(Smallest|Most often) [^:]+: \w/.test(texts[0]), texts.filter(text => text.includes('error')).length > 0,
   texts.some(text => text.startsWith('Fewest evaluations: damped_least_squares (')), lines.at(-1).getBoundingClientRect().bottom < 900,
-  document.querySelectorAll('.claims').length, /helix|slim|paper|printed/i.test(document.body.innerText)].join(' ');
+  document.querySelectorAll('.claims').length, /helix|slim|the paper|printed/i.test(document.body.innerText)].join(' ');
 E2
 probe own/report.html own contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
 expect own "true true true true 0 false" "the verdict of a study without a paper"

@@ -29,4 +29,4 @@ while read -r solver _; do
     "$solver" >one.toml
   run_it cite one.toml
   [ "$code" != 0 ] || grep -qE '^(@[a-z]*\{[a-z0-9]*,|% ).*' <(tail -n +8 <<<"$out") || fail "nothing is cited for $solver: $out"
-done < <("$program" list solvers | sed 1d)
+done < <("$program" list solvers | sed -n '2,$s/^\([a-z]\)/\1/p')

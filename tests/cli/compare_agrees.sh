@@ -5,7 +5,7 @@
 # so a solve that is timed once proves as much as one that is timed five times, and a budget of 1 ms as much as 5 ms.
 source "$(dirname "$0")/common.sh"
 command -v python3 >/dev/null || { echo "SKIPPED: no python3"; exit 77; }
-names=$("$program" list studies | tail -n +2 | cut -d' ' -f1)
+names=$("$program" list studies | sed -n '2,$s/^\([a-z][^ ]*\) .*/\1/p')
 while read -r study; do
   budget=()
   [[ $study != baselines* ]] || budget=(--set stop.seconds=0.001)

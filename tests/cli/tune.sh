@@ -83,7 +83,7 @@ study fixed 'kind = "circle"
 points = 3
 radius_cm = 20
 centre_cm = [60, 0, 0]' >fixed.toml
-succeeds tune fixed.toml --solver mine --budget 20 --sweep alpha=0.5,0.9 --metric evaluations --no-figures
+succeeds tune fixed.toml --solver mine --budget 20 --sweep alpha=0.5,0.9 --metric evaluations --no-figures --verbose
 has "$err" 'tuning saw them, and only the random numbers are new'
 
 # Ctrl-C loses nothing.

@@ -92,7 +92,7 @@ TEST_CASE("a picture has the dark colours beside its own, and nothing that its l
   const std::string style =
       "<style>@media (prefers-color-scheme: dark){[color=\"black\"]{color:#F2F2F2}"
       "[fill=\"#ffffff\"]{fill:#1E2125}[fill=\"rgb(221, 221, 221)\"]{fill:#3A3D40}"
-      "[stroke=\"rgb( 30, 140, 248)\"]{stroke:#2786FF}}</style>\n";
+      "[stroke=\"rgb( 30, 140, 248)\"]{stroke:#2786FF}[stroke=\"rgb(1, 2, 3)\"]{stroke:#737373}}</style>\n";
   CHECK(both == "<svg><defs/>" + style + svg.substr(12));
   CHECK(with_dark_colours("<svg><script>x</script></svg>") == "<svg><script>x</script></svg>");  // of somebody else
 }

@@ -121,9 +121,9 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     CHECK(std::filesystem::exists(folder.path / target));
     ++links;
   }
-  // Each figure has PDF, SVG, script and data, except the one beside the verdict; each table has three files; then
+  // Each figure has SVG, PDF, PNG, script and data, except the one beside the verdict; each table has three files; then
   // index.md, report.md, solves.csv and statistics.json.
-  CHECK(links == (figures - 1) * 4 + tables * 3 + 4);
+  CHECK(links == (figures - 1) * 5 + tables * 3 + 4);
 }
 
 TEST_CASE("a study with the same targets is shown as a baseline, one with others is not", "[report]") {
