@@ -88,7 +88,7 @@ void add_export(CLI::App& app, Invocation&) {
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
     const auto summary = std::ranges::find(summary_formats, arguments->format, &SummaryFormat::name);
     if (summary != summary_formats.end()) {
-      for (const std::string& damage : damages_of(store, study.name)) say("warning: " + damage);
+      for (const std::string& damage : damages_of(store, study.name)) warn(damage);
       const std::string text = summary->text(inference::JudgedStudy(inference::read_study(store, study)));
       if (arguments->file == "-") return fmt::print("{}", text);
       return write_through(arguments->file, text);

@@ -3,7 +3,7 @@
 #
 #   STUDY=my.toml BASELINE=baseline.sqlite cli/gate.sh
 #
-# MARGIN (5%), METRICS (names separated by spaces; default: those that are the same on every runner), STRICT (true: undecided
+# MARGIN (default: that of the study's plan), METRICS (names separated by spaces; default: those that are the same on every runner), STRICT (true: undecided
 # fails too), OUT (ikbench-gate), IKBENCH (the program). Writes OUT/store.sqlite, OUT/verdict.md, OUT/verdict.json and
 # OUT/verdict.xml (JUnit). Adds the verdict to the job's summary where there is one. Exit codes: 0 passed or no baseline, 3 worse, 4 undecided
 # with STRICT, otherwise that of the command that failed.
@@ -13,13 +13,18 @@ study=${STUDY:?the study, a TOML file or the name of a built-in one}
 
 told() { [[ -z ${GITHUB_OUTPUT:-} ]] || printf '%s\n' "outcome=$1" "store=$out/store.sqlite" >>"$GITHUB_OUTPUT"; }
 
+[[ ${STRICT:-false} =~ ^(true|false)$ ]] || { echo "STRICT is $STRICT; expected true or false" >&2; exit 1; }
+for value in "$study" "$out" "$baseline"; do
+  [[ $value != -* && $value != *$'\n'* ]] || { echo "$value: expected a path or a name" >&2; exit 1; }
+done
 "$program" run "$study" --no-report --out "$out"
 if [[ ! -e $baseline ]]; then
   echo "There is no baseline $baseline. Keep $out/store.sqlite as the baseline: commit it, or store it as an artifact."
   told no-baseline
   exit 0
 fi
-options=(--margin "${MARGIN:-5%}" -o "$out/verdict.md" -o "$out/verdict.json" -o "$out/verdict.xml")
+options=(-o "$out/verdict.md" -o "$out/verdict.json" -o "$out/verdict.xml")
+[[ -z ${MARGIN:-} ]] || options+=(--margin "$MARGIN")
 read -ra metrics <<<"${METRICS:-}"
 for metric in "${metrics[@]}"; do options+=(--metric "$metric"); done
 [[ ${STRICT:-} != true ]] || options+=(--strict)

@@ -448,4 +448,9 @@ Tone tone_of(Relation relation) {
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
 
+std::string store_name(const std::filesystem::path& store) {
+  return (store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename() : store.stem())
+      .string();
+}
+
 }  // namespace ikbench::cli

@@ -120,5 +120,7 @@ Tone tone_of(report::Verdict verdict);
 Tone tone_of(inference::Relation relation);  // of the first
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
+// The name of a store among others: its file's, or its folder's where the file is store.sqlite.
+std::string store_name(const std::filesystem::path& store);
 
 }  // namespace ikbench::cli

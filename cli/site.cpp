@@ -27,11 +27,6 @@ using namespace report;
 
 namespace {
 
-std::string submission_name(const std::filesystem::path& store) {
-  return store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename().string()
-                                                                       : store.stem().string();
-}
-
 // The processors of the sessions that solved the study.
 std::string machine_of(const Store& store, const StudyEntry& study) {
   const std::vector<std::int64_t> of_study = store.sessions_of(study.series);
@@ -46,12 +41,16 @@ std::string machine_of(const Store& store, const StudyEntry& study) {
 
 // Takes a store's rows, or says why none of it is shown: a store with one answer that does not fit is not believed.
 Submission taken(const std::string& file, std::vector<SiteRow>& rows) {
-  Submission submission{.name = submission_name(file)};
+  Submission submission{.name = store_name(file)};
   std::vector<SiteRow> own;
   try {
     const Store store(file, Store::Mode::read);
     for (const StudyEntry& study : store.studies()) {
       submission.studies.push_back(study.name);
+      if (!store.changes({study.name}).are_known) {
+        submission.refused = "its digests were removed, so that a change would not show";
+        return submission;
+      }
       for (const std::string& damage : damages_of(store, study.name)) {
         submission.refused = damage;
         return submission;
@@ -90,9 +89,14 @@ void add_site(CLI::App& app, Invocation&) {
     for (const std::string& file : arguments->stores) {
       submissions.push_back(taken(file, rows));
       if (const Submission& last = submissions.back(); !last.refused.empty())
-        say(fmt::format("warning: {} is not shown: {}", last.name, last.refused));
+        warn(fmt::format("{} is not shown: {}", last.name, last.refused));
     }
     std::filesystem::create_directories(arguments->out);
+    for (const auto& page : std::filesystem::directory_iterator(arguments->out)) {  // of stores that are gone
+      const std::string file = page.path().filename().string();
+      const bool is_ours = file.starts_with("study-") || file.starts_with("solver-") || file.starts_with("arm-");
+      if (is_ours && file.ends_with(".html")) std::filesystem::remove(page.path());
+    }
     const std::size_t pages = write_site(submissions, rows, arguments->out);
     fmt::print("{} pages of {} stores\n{}\n", pages, submissions.size(),
                printable((std::filesystem::path(arguments->out) / "index.html").string()));

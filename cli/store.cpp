@@ -68,6 +68,13 @@ void show(const std::string& file, const std::string& name) {
 }
 
 void remove(const std::string& file, const std::string& study) {
+  {
+    const Store store(file, Store::Mode::read);
+    for (const StudyEntry& each : store.studies()) {
+      for (const std::string& damage : damages_of(store, each.name))
+        throw std::invalid_argument(fmt::format("{} Nothing was removed.", damage));
+    }
+  }
   const auto before = std::filesystem::file_size(file);
   const Unused removed = prune(file, study);
   fmt::print("removed {}{} solves and {} sessions; {:.1f} MB are {:.1f} MB now\n",

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@
 #include "analysis/figures/figure.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/inference/judged_study.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/variant_comparison.hpp"
 #include "analysis/report/variants_table.hpp"
@@ -46,14 +50,16 @@ struct Version {
   std::string name;  // the store's folder, or its file where that has a name of its own
   Store store;
   std::vector<Variant> variants = {};
+  std::map<std::string, Estimate> means = {};  // of the metric, by label
 };
 
 // A label's value in one version, and how it compares with the version where it changed last.
 struct Point {
   std::size_t version = 0;
   Estimate mean = {};
-  std::string verdict = {};  // "better by more than 5 %"; empty for the first
-  std::size_t base = 0;      // the version that it is compared with
+  std::string verdict = {};      // "better by more than 5 %"; empty for the first
+  std::size_t base = 0;          // the version that it is compared with
+  std::string differences = {};  // settings, program and machine that differ from that version
   bool has_changed = false;
 };
 
@@ -62,22 +68,29 @@ struct Trend {
   std::vector<Point> points = {};
 };
 
-std::string version_name(const std::filesystem::path& store) {
-  return store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename().string()
-                                                                       : store.stem().string();
+Metric metric_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Metric metric : all_metrics()) {
+    if (name_of(metric) == name) return metric;
+    names.emplace_back(name_of(metric));
+  }
+  throw std::invalid_argument(unknown_name("metric", name, names));
 }
 
-std::vector<Version> versions_of(const TrendArguments& arguments) {
+std::vector<Version> versions_of(const TrendArguments& arguments, Metric metric) {
   if (arguments.stores.size() < 2 || arguments.stores.size() > most_versions)
     throw std::invalid_argument(fmt::format("{} stores; expected 2 to {}", arguments.stores.size(), most_versions));
   std::vector<Version> versions;
   versions.reserve(arguments.stores.size());  // the variants refer to their stores
   for (const std::string& file : arguments.stores) {
-    versions.push_back({.name = version_name(file), .store = Store(file, Store::Mode::read)});
+    versions.push_back({.name = store_name(file), .store = Store(file, Store::Mode::read)});
     Version& version = versions.back();
     const StudyEntry study = chosen_study(version.store, arguments.study);
     for (const std::string& damage : damages_of(version.store, study.name)) throw std::invalid_argument(damage);
     version.variants = variants(version.store, study);
+    if (version.variants.empty()) throw std::invalid_argument(fmt::format("'{}': the study has no solver", file));
+    const JudgedStudy judged(read_study(version.store, study));
+    for (const GroupEvidence& group : judged.evidence(metric).groups) version.means[group.name] = group.mean;
   }
   return versions;
 }
@@ -95,23 +108,29 @@ std::vector<std::string> labels_of(const std::vector<Version>& versions, const T
   for (const std::string& label : arguments.labels.empty() ? known : arguments.labels) {
     const auto count = std::ranges::count_if(versions, [&](const Version& each) { return find_label(each, label); });
     if (count == 0) throw std::invalid_argument(unknown_name("label", label, known));
-    if (count > 1) labels.push_back(label);
+    const bool is_known = std::ranges::find(labels, label) != labels.end();
+    if (count > 1 && !is_known) labels.push_back(label);
+    if (count == 1 && !arguments.labels.empty())
+      throw std::invalid_argument(fmt::format("--label {}: only one of the stores has it", label));
   }
   if (labels.empty()) throw std::invalid_argument("no label is in two of the stores; name stores of one study");
   return labels;
 }
 
-MetricComparison compared(const Variant& base, const Variant& next, const AnalysisPlan& plan, const std::string& metric,
-                          std::string& verdict) {
+// Compares a version with the one where the label changed last.
+void compare(const Variant& base, const Variant& next, const AnalysisPlan& plan, const std::string& metric,
+             Point& point) {
   const std::vector<VariantStudy> studies{study_of_both(base, next, plan)};
   const std::vector<VariantComparison> comparisons = compare_variants(studies, std::vector{metric});
   const Table table = variants_table(comparisons, plan);
   const auto column = static_cast<std::size_t>(std::ranges::find(table.columns, "B_is") - table.columns.begin());
-  verdict = readable(table.rows.at(0).at(column));
-  return comparisons.at(0).metrics.at(0);
+  const Finding found = comparisons.at(0).metrics.at(0).finding();
+  point.verdict = readable(table.rows.at(0).at(column));
+  point.differences = studies[0].differences;
+  point.has_changed = is_decided(found) && found.is_beyond_margin();
 }
 
-// Compares each version with the one where the label changed last. A change is a difference beyond the margin.
+// A change is a difference beyond the margin.
 Trend trend_of(const std::string& label, const std::vector<Version>& versions, const AnalysisPlan& plan,
                const std::string& metric) {
   Trend trend{.label = label};
@@ -119,16 +138,11 @@ Trend trend_of(const std::string& label, const std::vector<Version>& versions, c
     const Variant* const variant = find_label(versions[i], label);
     if (!variant) continue;
     Point point{.version = i};
+    if (const auto mean = versions[i].means.find(label); mean != versions[i].means.end()) point.mean = mean->second;
     if (!trend.points.empty()) {
       const Point& before = trend.points.back();
-      point.base = before.has_changed || before.verdict.empty() ? before.version : before.base;
-      const MetricComparison found =
-          compared(*find_label(versions[point.base], label), *variant, plan, metric, point.verdict);
-      if (found.is_compared()) {
-        if (before.verdict.empty()) trend.points.back().mean = found.evidence.groups[0].mean;
-        point.mean = found.evidence.groups[1].mean;
-        point.has_changed = is_decided(found.finding()) && found.finding().is_beyond_margin();
-      }
+      point.base = before.has_changed || trend.points.size() == 1 ? before.version : before.base;
+      compare(*find_label(versions[point.base], label), *variant, plan, metric, point);
     }
     trend.points.push_back(std::move(point));
   }
@@ -140,10 +154,20 @@ Table table_of(const std::vector<Trend>& trends, const std::vector<Version>& ver
   Table table{
       .name = "trend",
       .caption = fmt::format("{} over {} versions", capitalised(quantity(metric)), versions.size()),
-      .columns = {"label", "version", "mean", "interval", "compared with", "it is"},
+      .columns = {"label", "version", quantity(metric), percent(1 - plan.significance) + " interval", "compared with",
+                  "it is"},
       .notes = {fmt::format("Each version is compared with the one where the label changed last. All "
                             "comparisons together find a difference where there is none in at most {} of cases.",
                             percent(plan.significance))}};
+  std::set<std::string> differences;
+  for (const Trend& trend : trends) {
+    for (const Point& point : trend.points) {
+      if (point.differences.empty()) continue;
+      differences.insert(
+          fmt::format("{} and {}: {}", versions[point.base].name, versions[point.version].name, point.differences));
+    }
+  }
+  table.notes.insert(table.notes.end(), differences.begin(), differences.end());
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
       table.rows.push_back({trend.label, versions[point.version].name, point.mean.value,
@@ -175,12 +199,12 @@ Figure figure_of(const std::vector<Trend>& trends, const std::vector<Version>& v
     clauses.push_back(fmt::format("data index {} using 1:2 with linespoints ls {} title {}", i, i + 1,
                                   gnuplot_string(labels.back())));
     clauses.push_back(
-        fmt::format("data index {} using 1:($5==1 ? $2 : NaN) with points pt 6 ps 1.6 lw 1.4 ls {}", i, i + 1));
+        fmt::format("data index {} using 1:($5==1 ? $2 : NaN) with points ls {} pt 6 ps 1.6 lw 1.4", i, i + 1));
   }
   const std::size_t step = (versions.size() + 9) / 10;
   std::vector<std::string> ticks;
   for (std::size_t i = 0; i < versions.size(); i += step)
-    ticks.push_back(fmt::format("{} {}", gnuplot_string(tick_label(shortened(versions[i].name, 12))), i + 1));
+    ticks.push_back(fmt::format("{} {}", tick_label(shortened(versions[i].name, 12)), i + 1));
   figure.settings = fmt::format("set xrange [0.5:{}.5]\nset xtics ({}) nomirror\nset ylabel {}\n{}", versions.size(),
                                 fmt::join(ticks, ", "), gnuplot_string(quantity(metric)),
                                 is_positive ? "set logscale y\nset format y '%g'\n" : "");
@@ -202,21 +226,18 @@ void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions
   }
   if (changes == 0) fmt::print("No change beyond the margin was found in {} versions.\n", versions.size());
   fmt::print("\n{}\n", aligned(readable_cells(table)));
-  for (const std::string& note : table.notes) fmt::print("{}\n", note);
+  for (const std::string& note : table.notes) fmt::print("{}\n", wrapped(note));
 }
 
 void show_trend(const TrendArguments& arguments) {
-  const std::vector<Version> versions = versions_of(arguments);
+  const Metric metric = metric_named(arguments.metric);
+  const std::vector<Version> versions = versions_of(arguments, metric);
   const std::vector<std::string> labels = labels_of(versions, arguments);
   AnalysisPlan plan = plan_of(versions.front().variants.front().study);
   if (arguments.margin > 0) plan.margin = arguments.margin;
   AnalysisPlan of_one = plan;  // Bonferroni's level over labels and steps
   of_one.significance /= static_cast<double>(labels.size() * (versions.size() - 1));
   std::vector<Trend> trends;
-  Metric metric = Metric::position_error_cm;
-  for (const Metric each : all_metrics()) {
-    if (name_of(each) == arguments.metric) metric = each;
-  }
   for (const std::string& label : labels) trends.push_back(trend_of(label, versions, of_one, arguments.metric));
   const Table table = table_of(trends, versions, metric, plan);
   tell(trends, versions, table);
@@ -226,7 +247,8 @@ void show_trend(const TrendArguments& arguments) {
   write_file(folder / "trend.csv", to_csv(table));
   write_file(folder / "trend.md", to_markdown(table));
   draw({figure_of(trends, versions, metric)}, folder, {.jobs = 1});
-  fmt::print("{}\n", printable((folder / "trend.svg").string()));
+  const std::filesystem::path picture = folder / "trend.svg";
+  fmt::print("{}\n", printable((exists(picture) ? picture : folder / "trend.md").string()));
 }
 
 }  // namespace

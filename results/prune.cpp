@@ -65,6 +65,10 @@ Unused prune(const std::filesystem::path& store, const std::string& study) {
   return guarded(store.string(), [&] {
     StoreFile file(store, Store::Mode::write);
     SQLite::Database& sqlite = file.sqlite();
+    // This needs the file alone: SQLite refuses it while a run has the store open.
+    if (sqlite.execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")
+      throw std::runtime_error(
+          fmt::format("'{}' is in use; wait until the run that writes it has ended", store.string()));
     SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
     if (!study.empty()) remove_study(sqlite, study);
     const Unused unused = unused_in(file);

@@ -26,17 +26,15 @@ using namespace inference;
 namespace {
 
 // What decides the errors of a study beside its solvers. Two studies that agree in it have comparable errors.
-std::string problem_of(const StudyEntry& entry) {
+std::string problem_of(const StudyEntry& entry, const StudyFacts& facts) {
   const Json definition = Json::parse(entry.definition, nullptr, false);
   Json problem = Json::object();
   for (const char* key : {"arm", "robot", "path", "points", "search", "rotation_weight_m", "limits", "bounds", "start",
                           "near_deg", "initial_deg", "stop", "wrap", "wrist_branch"}) {
     if (definition.contains(key)) problem[key] = definition[key];
   }
-  // Random targets and starts depend on the seed.
   const std::string start = definition.value("start", "");
-  const bool is_drawn = definition.value(Json::json_pointer("/path/targets"), "") == "drawn";
-  if (is_drawn || start == "random" || start == "near") problem["seed"] = definition.value("seed", Json());
+  if (facts.draws_targets || start == "random" || start == "near") problem["seed"] = definition.value("seed", Json());
   return numerics::text_of(problem);
 }
 
@@ -46,11 +44,9 @@ class PageNames {
   std::string of(std::string_view kind, const std::string& what) {
     const auto [found, is_new] = files_.try_emplace({std::string(kind), what});
     if (!is_new) return found->second;
-    std::string name = fmt::format("{}-{}", kind, id_of(what).substr(0, 80));
-    if (!taken_.insert(name).second) {
-      name += fmt::format("-{}", taken_.size());
-      taken_.insert(name);
-    }
+    const std::string plain = fmt::format("{}-{}", kind, id_of(what).substr(0, 80));
+    std::string name = plain;
+    for (int other = 2; !taken_.insert(name).second; ++other) name = fmt::format("{}-{}", plain, other);
     return found->second = name + ".html";
   }
 
@@ -69,7 +65,8 @@ Json cell(std::string text, std::string href = "", std::string_view kind = "", s
 }
 
 bool is_comparable(const SiteRow& a, const SiteRow& b, Metric metric) {
-  return a.problem == b.problem && (info_of(metric).kind != Kind::time || a.machine == b.machine);
+  const bool are_whole = a.solves == a.planned && b.solves == b.planned;
+  return are_whole && a.problem == b.problem && (info_of(metric).kind != Kind::time || a.submission == b.submission);
 }
 
 const SiteValue* value_of(const SiteRow& row, Metric metric) {
@@ -123,7 +120,7 @@ class Site {
                 {"words",
                  {"Every answer in these stores was computed again from its joints before it is shown. Errors "
                   "are compared where arm, targets, starts, limits and stop rule are the same, on any machine. "
-                  "Times are compared on one machine only."}},
+                  "Times are compared within one store only."}},
                 {"sections", std::move(sections)}});
     return pages_;
   }
@@ -181,14 +178,16 @@ class Site {
     Json heads = Json::array();
     for (const char* head : {"study", "solver", "store", "arm", "machine"})
       heads.push_back({{"text", head}, {"right", false}});
-    heads.push_back({{"text", "runs"}, {"right", true}});
+    heads.push_back({{"text", "solves"}, {"right", true}});
     for (const Metric metric : metrics) heads.push_back({{"text", info_of(metric).name}, {"right", true}});
     Json rows = Json::array();
     for (const SiteRow* row : all) {
       Json cells = Json::array({cell(row->study, pages_named_.of("study", row->study)),
                                 cell(row->solver, pages_named_.of("solver", row->algorithm)), cell(row->submission),
                                 cell(row->robot, pages_named_.of("arm", row->robot)), cell(row->machine),
-                                cell(std::to_string(row->runs), "", "", "", true)});
+                                cell(row->solves == row->planned ? std::to_string(row->solves)
+                                                                 : fmt::format("{} of {}", row->solves, row->planned),
+                                     "", row->solves == row->planned ? "" : "refused", "", true)});
       for (const Metric metric : metrics) cells.push_back(value_cell(*row, metric, all));
       rows.push_back({{"cells", std::move(cells)}});
     }
@@ -197,8 +196,9 @@ class Site {
         {{"title", name},
          {"is_inner", true},
          {"words",
-          {"Means of runs with 95 % intervals. Bold: the best of those that are comparable. The small print says with "
-           "how many rows of this page a number is comparable."}},
+          {"Means with the intervals of each study's plan. Bold: the best mean of those that are comparable, which no "
+           "test has judged. The small print says with how many rows of this page a number is comparable: solves of the "
+           "same problems, all of them made, and times within one store only."}},
          {"sections",
           {{{"heading", capitalised(fmt::format("{} {}", kind, name))},
             {"heads", std::move(heads)},
@@ -228,14 +228,16 @@ std::vector<SiteRow> site_rows(const std::string& submission, const StudyEntry& 
   for (const Series& series : entry.series) {
     rows.push_back({.submission = submission,
                     .study = entry.name,
-                    .problem = problem_of(entry),
+                    .problem = problem_of(entry, study.facts),
                     .solver = series.label,
                     .algorithm = series.algorithm,
                     .robot = study.solve_data->robot,
                     .machine = machine,
-                    .runs = study.runs});
+                    .solves = static_cast<std::int64_t>(solves_of(study, series.label).size()),
+                    .planned = std::int64_t{study.runs} * study.points});
   }
   for (const Metric metric : compared_metrics()) {
+    if (!inference::is_comparable(study, metric)) continue;
     for (const GroupEvidence& group : study.evidence(metric).groups) {
       const auto row = std::ranges::find(rows, group.name, &SiteRow::solver);
       if (row != rows.end() && std::isfinite(group.mean.value)) row->values.push_back({metric, group.mean});

@@ -1,6 +1,7 @@
 // Static pages from the stores of many people: studies, solvers, arms. A page needs no server and no script.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct SiteValue {
 // A solver in one study of one store.
 struct SiteRow {
   std::string submission, study, problem, solver, algorithm, robot, machine;
-  int runs = 0;
+  std::int64_t solves = 0, planned = 0;
   std::vector<SiteValue> values = {};
 };
 
@@ -35,8 +36,8 @@ std::vector<SiteRow> site_rows(const std::string& submission, const results::Stu
                                const inference::JudgedStudy& study, const std::string& machine);
 
 // Writes index.html and a page for each study, solver and arm into the folder; returns their number. Errors are
-// compared between rows of one problem, times between those of one machine besides; a cell says with how many others.
-// Throws as write_file does.
+// compared between rows of one problem, times within one store; a cell says with how many others. A row of which solves
+// are missing is compared with none. Throws as write_file does.
 std::size_t write_site(const std::vector<Submission>& submissions, const std::vector<SiteRow>& rows,
                        const std::filesystem::path& folder);
 

@@ -178,7 +178,7 @@ for name in position-error-cm variation-deg seconds; do
   has_outputs published $name groups tests contrasts
   has_figures published $name differences
 done
-of_quantity() { sed -n "/^Statistics: $1\$/,/^Observations/p" .out; }
+of_quantity() { awk -v name="Statistics: $1" '/^Statistics: / { is_it = index($0, name) == 1 } is_it' .out; }
 error=$(of_quantity position_error_cm) variation=$(of_quantity variation_deg) seconds=$(of_quantity seconds)
 # R 4.2.2, aov and oneway.test on the printed means and standard deviations.
 has "$(<published/tables/statistics-position-error-cm-tests.csv)" "One-way ANOVA,F,40.77"

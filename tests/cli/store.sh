@@ -43,7 +43,20 @@ has_no "$err" changed
 # What was edited is not made to look whole.
 sqlite3 $store "UPDATE solves SET run = 9 WHERE run = 2 AND point = 1 AND solver = 'DE'"
 cp $store edited.sqlite
-refused "was changed since it was written" store gc $store
+refused "Nothing was removed." store gc $store
 cmp $store edited.sqlite || fail "a refused store was changed"
+
+# A store that a run writes stays as it is.
+"$program" run slim2023 --set runs=2000 --no-report --out busy >/dev/null 2>&1 &
+writer=$!
+for _ in {1..100}; do [ -e busy/store.sqlite-wal ] && break || sleep 0.1; done
+sleep 0.5
+run_it store rm busy/store.sqlite slim2023
+[ "$code" != 0 ] || fail "a store was emptied while a run wrote it"
+kill -INT $writer
+wait $writer
+succeeds report busy/store.sqlite --no-figures --out busy-report
+has_no "$err" "changed"
+
 echo nonsense >no.sqlite
 refused "is not an ikbench store" store ls no.sqlite
