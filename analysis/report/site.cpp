@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
