@@ -93,7 +93,8 @@ std::string joint_table(const Robot& arm) {
                     number(link.a), number(link.alpha, degree), number(link.d), number(link.offset, degree)});
     if (!names.empty()) rows.back().push_back(names[static_cast<std::size_t>(j)]);
   }
-  return aligned(rows);
+  constexpr std::size_t any_width = 1000;  // digits do not break into lines
+  return aligned(rows, any_width);
 }
 
 std::string reach_text(const Robot& arm) {
@@ -175,14 +176,14 @@ void draw_arm(const Figure& figure, const std::filesystem::path& folder, const O
 }  // namespace
 
 std::string robot_text(const Robot& arm) {
-  std::string text =
-      fmt::format("{}: {}\nfrom {}\n\n{}{}{}\n{}\n{}\nwrist: {}\n", arm.name, arm.summary, arm.source,
-                  frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()), joint_table(arm),
-                  reach_text(arm), family_text(arm.chain),
+  const std::string head = fmt::format("{}: {}\nfrom {}\n\n{}{}", arm.name, arm.summary, arm.source,
+                                       frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
+  std::string rest =
+      fmt::format("\n{}\n{}\nwrist: {}\n", reach_text(arm), family_text(arm.chain),
                   SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
                                                   : "not spherical; search = \"all_joints\" or \"pose\"");
-  for (const std::string& note : arm.notes) text += fmt::format("note: {}\n", note);
-  return wrapped(text);
+  for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);
+  return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
 
 report::Json robot_json(const Robot& arm) {

@@ -249,11 +249,11 @@ refused '\x1b[31m' compare $'\e[31mred' $base
 quiet
 
 # For machines: the outcome as JSON, and JUnit in which what is worse fails; two studies of one store.
-run_it compare $base $fewer --label IK-BA --metric position_error_cm -o verdict.json -o verdict.xml -o verdict.md
+run_it compare $base $fewer --label K-ABC --metric position_error_cm -o verdict.json -o verdict.xml -o verdict.md
 [ "$code" = 3 ] || fail "exit code $code, expected 3"
 grep -q '"outcome": "worse"' verdict.json && grep -q '"exit_code": 3' verdict.json || fail "no outcome: $(<verdict.json)"
-has "$(<verdict.xml)" '<testsuite name="IK-BA" tests="1" failures="1" skipped="0">'
-has "$(<verdict.xml)" '<testcase classname="IK-BA" name="position_error_cm">'
+has "$(<verdict.xml)" '<testsuite name="K-ABC" tests="1" failures="1" skipped="0">'
+has "$(<verdict.xml)" '<testcase classname="K-ABC" name="position_error_cm">'
 has "$(<verdict.xml)" '<failure message="position_error_cm ('
 [ -s verdict.md ] || fail "no verdict.md"
 if command -v python3 >/dev/null; then
