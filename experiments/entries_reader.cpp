@@ -167,9 +167,14 @@ std::vector<SweptKey> swept_keys(TomlReader& study) {
   return keys;
 }
 
-bool is_of(const SweptKey& key, const SolverEntry& entry) {
-  if (!key.owner.empty()) return key.owner == entry.label || key.owner == entry.solver;
-  return key.setting == population_key || options_with(entry, {}).contains(key.setting);
+// How a key names the entry; a later one replaces the values of an earlier one.
+enum class Names { not_it, every_solver, its_solver, its_label };
+
+Names names_of(const SweptKey& key, const SolverEntry& entry) {
+  if (key.owner == entry.label) return Names::its_label;
+  if (key.owner == entry.solver) return Names::its_solver;
+  const bool has_setting = key.setting == population_key || options_with(entry, {}).contains(key.setting);
+  return key.owner.empty() && has_setting ? Names::every_solver : Names::not_it;
 }
 
 void refuse_unused(const TomlReader& study, const std::vector<SweptKey>& keys, const std::vector<SolverEntry>& entries,
@@ -244,10 +249,12 @@ std::vector<SolverEntry> read_solver(TomlReader reader, std::vector<SweptKey>& s
   if (const toml::table* options = reader.subtable("options")) {
     for (const auto& [key, node] : *options) read_setting(settings, entry, axes, std::string(key.str()), node);
   }
-  for (SweptKey& key : sweep) {
-    if (!is_of(key, entry)) continue;
-    axes[key.setting] = values_in(settings, entry, key.setting, *key.values);
-    key.is_used = true;
+  for (const Names names : {Names::every_solver, Names::its_solver, Names::its_label}) {
+    for (SweptKey& key : sweep) {
+      if (names_of(key, entry) != names) continue;
+      axes[key.setting] = values_in(settings, entry, key.setting, *key.values);
+      key.is_used = true;
+    }
   }
   if (const toml::table* tuned = reader.subtable("tuned")) {
     TomlReader tuned_reader = reader.nested(*tuned, entry.label + ".tuned.");
