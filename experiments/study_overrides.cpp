@@ -99,8 +99,11 @@ std::string sweep_override(const std::string& text) {
     const std::size_t end = std::min(text.find(',', from), text.size());
     const std::string value = text.substr(from, end - from);
     const std::optional<double> number = number_from(value);
-    const bool is_number = number && std::isfinite(*number);
-    values += (values.empty() ? "" : ", ") + (is_number ? text_of(*number) : text_of(Json(value)));
+    if (number && !std::isfinite(*number)) {
+      throw std::invalid_argument(fmt::format("--sweep {}: {} is not allowed there; expected finite numbers or words",
+                                              text.substr(0, 100), value.substr(0, 100)));
+    }
+    values += (values.empty() ? "" : ", ") + (number ? text_of(*number) : text_of(Json(value)));
     from = end + 1;
   }
   return fmt::format("sweep.{}=[{}]", text.substr(0, equals), values);

@@ -66,6 +66,15 @@ TEST_CASE("a key of the table sweep is of every solver that has it, or of the on
         SweptLabels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
 }
 
+TEST_CASE("a key with an owner wins over one of every solver, and a label over a solver's name", "[sweep]") {
+  // Keys are read in the order of the alphabet, in which BA.alpha stands before alpha and bat.alpha.
+  const std::string by_owner = "[sweep]\nalpha = [0.1, 0.2]\n\"BA.alpha\" = [0.5, 0.9]\n";
+  CHECK(labels_in(swept(by_owner + two_bats)) ==
+        SweptLabels{"IK-BA alpha=0.1", "IK-BA alpha=0.2", "BA alpha=0.5", "BA alpha=0.9"});
+  const std::string by_label = "[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n\"bat.alpha\" = [0.1, 0.2]\n";
+  CHECK(labels_in(swept(by_label + two_bats)) == SweptLabels{"IK-BA", "BA alpha=0.5", "BA alpha=0.9"});
+}
+
 TEST_CASE("a swept entry and one written by hand with its label share their solves", "[sweep]") {
   const Study study = swept("[[solvers]]\nlabel = \"A\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n");
   const Study by_hand = swept("[[solvers]]\nlabel = \"A population=40\"\nsolver = \"ik_bat\"\npopulation = 40\n");
@@ -114,6 +123,8 @@ TEST_CASE("mistakes in a sweep are told with their place and what was expected",
   CHECK(has_words(complaint_about(two_bats, {sweep_override("population=1,b")}), "a whole number"));
   for (const std::string text : {"population", "=1", "population="})
     CHECK(has_words(complaint<std::invalid_argument>([&] { sweep_override(text); }), "expected setting=values"));
+  CHECK(has_words(complaint<std::invalid_argument>([] { sweep_override("damping=nan,1"); }),
+                  "--sweep damping=nan,1: nan is not allowed there"));
 }
 
 TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[sweep]") {
