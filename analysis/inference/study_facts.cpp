@@ -1,5 +1,6 @@
 #include "analysis/inference/study_facts.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "numerics/json.hpp"
@@ -54,6 +55,14 @@ std::map<std::string, SweptEntry> swept_in(const Json& all) {
   return swept;
 }
 
+// The seed of a training, for which == says whether it is the study's. Two large whole numbers may be one double: then
+// it is the next double.
+double seed_of_training(const Json& entry, const Json& all) {
+  const double seed = number_at(entry, "/seed");
+  const bool differs = value_at(entry, "/seed") != value_at(all, "/seed");
+  return differs && seed == number_at(all, "/seed") ? std::nextafter(seed, 0) : seed;
+}
+
 std::map<std::string, TunedEntry> tuned_in(const Json& all) {
   std::map<std::string, TunedEntry> tuned;
   const Json entries = members_at(all, "/tuned");
@@ -61,7 +70,7 @@ std::map<std::string, TunedEntry> tuned_in(const Json& all) {
     tuned[label] = {.by = text_at(entry, "/by"),
                     .candidates = number_at(entry, "/candidates"),
                     .rounds = number_at(entry, "/rounds"),
-                    .seed = number_at(entry, "/seed"),
+                    .seed = seed_of_training(entry, all),
                     .solves = number_at(entry, "/solves"),
                     .evaluations = number_at(entry, "/evaluations"),
                     .cpu_seconds = number_at(entry, "/cpu_seconds")};
