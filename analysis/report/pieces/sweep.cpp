@@ -22,8 +22,8 @@ using namespace fmt::literals;
 
 namespace {
 
-Cell interval_or_nothing(const Estimate& of) {
-  return std::isfinite(of.low) && std::isfinite(of.high) ? Cell(Range{of.low, of.high}) : Cell();
+Range interval_of(const Estimate& of) {
+  return std::isfinite(of.low) && std::isfinite(of.high) ? Range{of.low, of.high} : Range{};
 }
 
 // The best mean of a family; not if all are equal.
@@ -68,7 +68,7 @@ Table swept_table(const std::vector<SweptFamily>& families, const std::vector<Sw
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         const Estimate mean = quantities[i].of(member.label);
         row.emplace_back(mean.value);
-        row.push_back(interval_or_nothing(mean));
+        row.emplace_back(interval_of(mean));
         if (best[i] == mean.value) best_in += (best_in.empty() ? "" : ", ") + quantities[i].observations.name;
       }
       row.push_back(best_in.empty() ? Cell() : Cell(best_in));
@@ -105,9 +105,10 @@ Table interaction_table(const std::vector<SweptFamily>& families, const std::vec
         std::vector<Cell> row{family.name, settings, quantity.observations.quantity, finding};
         if (found.undefined.empty()) {
           row.insert(row.end(), {found.statistic, found.df, found.df_within, PValue{found.p}});
-          row.insert(row.end(), {corner_words(family, pair), found.corners.value, interval_or_nothing(found.corners)});
+          row.insert(row.end(), {corner_words(family, pair), found.corners.value, interval_of(found.corners)});
         }
         row.resize(table.columns.size());
+        if (!found.undefined.empty()) row.back() = Range{};
         table.rows.push_back(std::move(row));
       }
     }
