@@ -54,6 +54,7 @@ SweptAxis axis_along(const std::vector<SweptFamily>& families, std::size_t curve
   double low = 0, high = 0;
   for (const SweptFamily& family : families) {
     for (const std::string& value : family.settings[axis.setting].values) {
+      if (axis.places.contains(value)) continue;  // of an earlier family
       const double next = static_cast<double>(axis.places.size()) + 1;
       const double place = axis.are_numbers ? *number_from(value) : next;
       low = axis.places.empty() ? place : std::min(low, place);

@@ -95,6 +95,33 @@ TEST_CASE("a figure has a curve for each value of the other setting, and a logar
   CHECK_FALSE(contains(figure.data, "# b 2"));
 }
 
+TEST_CASE("words of several families have places without gaps", "[sweep]") {
+  const StudyResults study = swept_study(R"({"swept": {
+    "A a=1 b=0": {"family": "A", "settings": {"a": "x"}}, "A a=1 b=1": {"family": "A", "settings": {"a": "y"}},
+    "A a=50 b=0": {"family": "B", "settings": {"a": "x"}}, "A a=50 b=1": {"family": "B", "settings": {"a": "y"}}}})");
+  CHECK(contains(sweep_figures(study, shown_metrics(study)).front().settings, "set xrange [0.92:2.08]"));
+}
+
+TEST_CASE("an interval that is not defined has a low and a high end all the same", "[sweep]") {
+  StudyResults study = make_study(
+      "swept",
+      synthetic::solves({.solvers = {"A a=1 b=0", "A a=1 b=1", "A a=50 b=0", "A a=50 b=1"}, .runs = 1, .points = 1}));
+  study.facts = facts_of(swept_by_two);
+  for (const Table& table : tables_of(study)) {
+    if (table.name == "sweep") CHECK(std::holds_alternative<Range>(cell_at(table, 0, "error interval")));
+  }
+}
+
+TEST_CASE("seeds of a study and of a training are compared as whole numbers", "[sweep]") {
+  const auto are_equal = [](const std::string& study, const std::string& training) {
+    const StudyFacts facts = facts_of(R"({"seed": )" + study + R"(, "tuned": {"A": {"seed": )" + training + "}}}");
+    return facts.tuned.at("A").seed == facts.seed;
+  };
+  CHECK(are_equal("9007199254740993", "9007199254740993"));
+  CHECK_FALSE(are_equal("9007199254740992", "9007199254740993"));
+  CHECK_FALSE(are_equal("1", "2"));
+}
+
 TEST_CASE("without a sweep, or with a definition that is none, there are no pieces", "[sweep]") {
   for (const std::string json :
        {R"({"start": "previous"})", R"({"swept": 5})", R"({"swept": {"A a=1 b=0": 7}})",
