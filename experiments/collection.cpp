@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
+#include "experiments/series_key.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/toml_table.hpp"
 
@@ -86,6 +88,21 @@ void check_together(const StudyCollection& collection, const std::string& where)
     throw std::invalid_argument(where + "no two solvers are in all studies; expected two labels that all have");
 }
 
+// Equal keys have equal labels too. `names` are those in the list, one of each study.
+void refuse_shared_solves(const std::vector<Study>& studies, const std::vector<std::string>& names,
+                          const std::string& where) {
+  std::map<std::string, std::size_t> study_of;
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    for (const SolverEntry& entry : studies[i].solvers) {
+      const std::size_t earlier = study_of.emplace(series_key(studies[i], entry), i).first->second;
+      if (earlier == i) continue;
+      throw std::invalid_argument(
+          fmt::format("{}{} and {} ask for the same solves; a collection judges each study as a sample of its own",
+                      where, names[earlier], names[i]));
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<StudyCollection> load_collection(const std::string& file, const Overrides& overrides) {
@@ -112,6 +129,7 @@ std::optional<StudyCollection> load_collection(const std::string& file, const Ov
     collection.studies.push_back(load_study(beside, overrides));
   }
   check_together(collection, where);
+  refuse_shared_solves(collection.studies, names, where);
   return collection;
 }
 

@@ -52,6 +52,9 @@ refused 'they have 4 and 5 runs' run plans.toml
 succeeds run plans.toml --set runs=2 --no-report
 echo 'studies = ["arm.toml", "arm.toml"]' >same.toml
 refused 'two studies have the name arm' run same.toml
+sed 's/"arm"/"again"/; s/^runs = 4/runs = 4 # the same solves/' arm.toml >again.toml
+echo 'studies = ["arm.toml", "again.toml"]' >twice.toml
+refused 'arm.toml and again.toml ask for the same solves; a collection judges each study as a sample of its own' run twice.toml
 echo 'studies = ["arm.toml", "itself.toml"]' >itself.toml
 refused 'itself.toml is a collection itself; expected studies' run itself.toml
 echo 'studies = ["arm.toml", "none.toml"]' >missing.toml
