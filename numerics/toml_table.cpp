@@ -1,6 +1,7 @@
 #include "numerics/toml_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -25,16 +26,21 @@ std::string shown(const toml::node& node) {
 
 std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > largest) {
-    throw std::invalid_argument(
-        fmt::format("{}: expected a file of at most {} MB", file.string(), largest / 1'000'000));
-  }
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream content;
-  content << in.rdbuf();
-  if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
-  return content.str();
+  std::string text;
+  std::array<char, 1 << 16> part;
+  while (in.read(part.data(), part.size()) || in.gcount() > 0) {  // the size of a file may be unknown
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > largest) {
+      throw std::invalid_argument(
+          fmt::format("{}: expected a file of at most {} MB", file.string(), largest / 1'000'000));
+    }
+  }
+  if (!in.is_open() || in.bad()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
+  return text;
 }
 
 void refuse_deep_keys(std::string_view text, std::string_view source) {
