@@ -103,7 +103,7 @@ void write_new(const NewArguments& arguments) {
   if (!TomlReader::is_plain(file.filename().string()))
     throw std::invalid_argument(fmt::format("the name of the file is not {}", TomlReader::plain));
   std::error_code error;
-  if (!arguments.forced && std::filesystem::exists(file, error)) {
+  if (!arguments.forced && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
     throw std::invalid_argument(
         fmt::format("{} is there already; choose another name, or replace it with --force", arguments.file));
   }

@@ -17,6 +17,9 @@ refused 'my.toml is there already; choose another name, or replace it with --for
 cmp my.toml before.toml || fail "a refused study was changed"
 succeeds new my.toml --robot ur5e --solver newton --solver "levenberg_marquardt" --force
 has "$out" "newton, levenberg_marquardt on ur5e"
+ln -s elsewhere.toml link.toml
+refused 'link.toml is there already' new link.toml
+[ ! -e elsewhere.toml ] || fail "written through a link"
 refused 'a study is a file such as my.toml' new my
 refused 'did you mean "newton"' new other.toml --solver newtn
 refused 'did you mean "ur5e"' new other.toml --robot ur5ee
