@@ -112,19 +112,31 @@ fs::path file_beside(const std::string& study) {
 }
 
 void refuse_foreign(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(file, error))) return;
+  if (!fs::is_regular_file(file, error)) {  // a pipe would wait for a writer
+    throw std::invalid_argument(
+        fmt::format("'{}' is no regular file; move it away, because the tuned study goes there", file.string()));
+  }
   const std::optional<std::string> text = read_file(file);
-  if (!text || text->starts_with(mark_of_file)) return;
+  if (text && text->starts_with(mark_of_file)) return;
   throw std::invalid_argument(
       fmt::format("'{}' is there and not written by ikbench tune; move it away, because the tuned study goes there",
                   file.string()));
 }
 
+// Text for people; with --json nothing but the data is printed.
+void tell(const OutputArguments& output, std::string_view text) {
+  if (!output.is_json) fmt::print("{}\n", text);
+}
+
 // The training of all rounds.
 class Training {
  public:
-  Training(const Study& study, std::vector<SolverEntry> candidates, Criterion criterion)
-      : study_(study), criterion_(criterion), left_(std::move(candidates)) {
+  Training(const Study& study, std::vector<SolverEntry> candidates, Criterion criterion, const OutputArguments& output)
+      : study_(study), criterion_(criterion), output_(output), left_(std::move(candidates)) {
     study_.published.clear();
+    study_.figures.solvers.clear();
     study_.analysis.control.clear();
     study_.seed = study.seed == static_cast<std::uint64_t>(no_limit) ? study.seed - 1 : study.seed + 1;
     if (criterion.metric != Metric::seconds) study_.repeats = 1;
@@ -138,7 +150,7 @@ class Training {
     round.name = fmt::format("{}-round-{}", study_.name, number);
     round.solvers = left_;
     round.runs = runs;
-    if (run_and_tell(round, folder, request, {}) == Ended::stopped) return Ended::stopped;
+    if (run_and_tell(round, folder, request, output_) == Ended::stopped) return Ended::stopped;
     const Store store(store_in(folder), Store::Mode::read);
     const StudyEntry entry = store.study(round.name);
     StudyMaker maker(entry, static_cast<std::size_t>(store.solves_of(entry.series)));
@@ -177,30 +189,40 @@ class Training {
     left_ = std::move(kept);
     const double value = sign * standings[places.front()].value;
     const bool is_log = quantity.described.scale == ValueScale::log10;
-    fmt::print("  best so far: {}, mean {} {}\n", printable(left_.front().label), printable(tuning_.by),
-               rounded_number(is_log ? std::pow(10, value) : value, 4));
+    tell(output_, fmt::format("  best so far: {}, mean {} {}", printable(left_.front().label), printable(tuning_.by),
+                              rounded_number(is_log ? std::pow(10, value) : value, 4)));
   }
 
   Study study_;
   Criterion criterion_;
+  OutputArguments output_;
   std::vector<SolverEntry> left_;
   Tuning tuning_ = {};
 };
 
 // The study with the default and the tuned entry.
-Study tuned_study(Study study, SolverEntry own, const Training& training) {
-  SolverEntry tuned = training.best();
+Study tuned_study(Study study, SolverEntry own, SolverEntry tuned, const Tuning& tuning) {
   tuned.label = own.label + " tuned";
   tuned.family.clear();
   tuned.swept.clear();
-  tuned.tuned = training.tuning();
+  tuned.tuned = tuning;
   study.name += "-tuned";
   study.title = fmt::format("{}: {} and its tuned settings", study.title.empty() ? study.name : study.title, own.label);
   study.published.clear();
   study.analysis.control.clear();
+  study.figures.solvers.clear();
   study.solvers = {std::move(own), std::move(tuned)};
   study.left_out.clear();
   return study;
+}
+
+// Reads the tuned study back before hours are spent: a name may be too long by what is added to it.
+void check_is_readable(const Study& tuned, const fs::path& file) {
+  try {
+    static_cast<void>(parse_study(to_toml(tuned), file.string()));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("the tuned study could not be read: {}", error.what()));
+  }
 }
 
 std::string settings_words(const SolverEntry& candidate) {
@@ -226,29 +248,40 @@ Ended tune(const TuneArguments& arguments, const std::string& command) {
   const fs::path folder =
       arguments.run.out.empty() ? default_folder(study.name + "-tuned") : fs::path(arguments.run.out);
   refuse_reproduction(folder);
+  static_cast<void>(styled({}, arguments.report));
   const RunRequest request{.jobs = arguments.run.jobs, .command = command};
-  Training training(study, candidates, criterion);
-  fmt::print("{} candidates, {} rounds, {} solves of training with seed {}\n", candidates.size(), rounds.size(),
-             solves_of(rounds, points), training.tuning().seed);
+  const OutputArguments& output = arguments.report.output;
+  Training training(study, candidates, criterion, output);
+  check_is_readable(tuned_study(study, own, own, training.tuning()), file);
+  tell(output, fmt::format("{} candidates, {} rounds, {} solves of training with seed {}", candidates.size(),
+                           rounds.size(), solves_of(rounds, points), training.tuning().seed));
   for (std::size_t i = 0; i < rounds.size(); ++i) {
-    fmt::print("Round {} of {}: {} candidates with {} run{} each\n", i + 1, rounds.size(), rounds[i].candidates,
-               rounds[i].runs, rounds[i].runs == 1 ? "" : "s");
+    tell(output, fmt::format("Round {} of {}: {} candidates with {} run{} each", i + 1, rounds.size(),
+                             rounds[i].candidates, rounds[i].runs, rounds[i].runs == 1 ? "" : "s"));
     if (training.round(static_cast<int>(i) + 1, rounds[i].runs, folder / "training", request) == Ended::stopped)
       return Ended::stopped;
   }
-  fmt::print("Chosen: {}\n", printable(settings_words(training.best())));
+  const std::string chosen = settings_words(training.best());
+  tell(output, "Chosen: " + printable(chosen));
   if (effective_options(study, training.best()) == effective_options(study, own) &&
       effective_population(study, training.best()) == effective_population(study, own)) {
-    fmt::print("These are the settings that {} has already.\n", printable(own.label));
+    const std::string found = fmt::format("The search found nothing better than the settings that {} has", own.label);
+    if (output.is_json)
+      show_json({{"study", study.name}, {"chosen", chosen}, {"tuned_study", nullptr}, {"found", found}});
+    tell(output, printable(found));
+    return Ended::complete;
   }
-  const std::string text = to_toml(tuned_study(study, own, training));
+  const std::string text = to_toml(tuned_study(study, own, training.best(), training.tuning()));
   write_through(file, fmt::format("{}: the study with the settings that it chose.\n{}", mark_of_file, text));
-  fmt::print("Tuned study: {}\n", printable(file.string()));
+  tell(output, "Tuned study: " + printable(file.string()));
   const Study tuned = load_study(file.string());
-  if (run_and_tell(tuned, folder, request, arguments.report.output) == Ended::stopped) return Ended::stopped;
+  if (run_and_tell(tuned, folder, request, output) == Ended::stopped) return Ended::stopped;
   const Store store(store_in(folder), Store::Mode::read);
   check_is_stored(tuned, store);
-  write_and_announce(store, {.study = tuned.name, .folder = folder, .arguments = arguments.report});
+  write_and_announce(store, {.study = tuned.name,
+                             .folder = folder,
+                             .arguments = arguments.report,
+                             .data = {{"chosen", chosen}, {"tuned_study", file.string()}}});
   return Ended::complete;
 }
 

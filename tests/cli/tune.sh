@@ -45,6 +45,7 @@ has "$out" "'sweep.population=[4, 8]'"
 
 # Mistakes.
 refused 'expected setting=values' run my.toml --sweep population
+refused '--sweep damping=nan,1: nan is not allowed there' run my.toml --sweep damping=nan,1
 refused 'expected a whole number from 1 to 100000' run my.toml --sweep population=4,0
 refused 'unknown setting to sweep "alhpa"; did you mean "alpha"?' run my.toml --sweep alhpa=0.5
 refused 'expected several, such as --sweep population=10,20,50' tune my.toml --solver mine --budget 100
@@ -74,9 +75,38 @@ has "$out" '(24 were already stored)'
 # With the seed of the training it is no test.
 succeeds run my-tuned.toml --no-figures --set seed=2 --out out/seen
 has "$err" 'chosen with the seed of this study'
-# A file that somebody else wrote stays.
+# With --json there is nothing but JSON.
+succeeds "${tune[@]}" --json
+python3 -c 'import json, sys; data = json.load(sys.stdin); assert data["tuned_study"] == "my-tuned.toml", data' <<<"$out" || fail "no JSON: $out"
+# What is no file of tune stays, and is refused before the training.
+rm my-tuned.toml
+fresh=("${tune[@]}" --out fresh)
 echo 'name = "precious"' >my-tuned.toml
-refused 'not written by ikbench tune' "${tune[@]}"
+refused 'not written by ikbench tune' "${fresh[@]}"
+rm my-tuned.toml && mkfifo my-tuned.toml
+refused 'is no regular file' "${fresh[@]}"
+rm my-tuned.toml && mkdir my-tuned.toml
+refused 'is no regular file' "${fresh[@]}"
+rmdir my-tuned.toml && ln -s nowhere my-tuned.toml
+refused 'is no regular file' "${fresh[@]}"
+rm my-tuned.toml
+# So are a style that is none, and names that become too long.
+refused '/dev/zero is no regular file' "${fresh[@]}" --style /dev/zero
+long_text=$(printf 'x%.0s' {1..196})
+refused 'the tuned study could not be read' "${fresh[@]}" --set "title=$long_text"
+refused 'the tuned study could not be read' "${fresh[@]}" --set "name=$long_text"
+[ ! -e fresh ] && [ ! -e my-tuned.toml ] || fail "solved or written before a refusal"
+# Figures of solvers that the tuned study does not have are no mistake.
+succeeds "${fresh[@]}" --set 'figures.solvers=["newton"]'
+rm my-tuned.toml
+
+# Where the solver has the best settings already, nothing is written and nothing else is solved.
+best=(tune my.toml --solver mine --budget 20 --sweep population=6,200 --metric evaluations --no-figures --out best)
+succeeds "${best[@]}"
+has "$out" 'The search found nothing better than the settings that mine has'
+[ ! -e my-tuned.toml ] && [ ! -e best/store.sqlite ] || fail "a study with the settings that the solver has"
+succeeds "${best[@]}" --json
+python3 -c 'import json, sys; assert json.load(sys.stdin)["tuned_study"] is None' <<<"$out" || fail "no JSON: $out"
 
 # Where the path is fixed, tuning saw the targets.
 study fixed 'kind = "circle"
