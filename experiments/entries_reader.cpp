@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -93,7 +94,8 @@ std::string value_in(const TomlReader& settings, const SolverEntry& entry, const
   if (const auto quoted = node.value<std::string>()) {
     if (!TomlReader::is_plain(*quoted)) settings.fail(setting, node, TomlReader::plain);
     if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
-      settings.fail(setting, node, fmt::format("a number, without quotes: {}", *number));
+      settings.fail(setting, node,
+                    std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
     text = *quoted;
   } else if (node.is_integer()) {
     text = fmt::format("{}", *node.value<std::int64_t>());
