@@ -27,14 +27,14 @@ void add_report(CLI::App& app, Invocation&) {
   command
       ->add_option(
           "--solvers", arguments->report.solvers,
-          "report on these solvers alone, by label: IK-BA,DE; fewer pairs are compared, and the report says so")
+          "report on these solvers alone, by label: A,B; fewer pairs are compared, and the report says so")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->footer(
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs --quartiles 7\n"
-      "  ikbench report out/my/store.sqlite --out out/pair --solvers IK-BA,DE\n"
+      "  ikbench report out/my/store.sqlite --out out/pair --solvers mine,newton\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()

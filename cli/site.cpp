@@ -51,8 +51,8 @@ Submission taken(const std::string& file, std::vector<SiteRow>& rows) {
         submission.refused = "its digests were removed, so that a change would not show";
         return submission;
       }
-      for (const std::string& damage : damages_of(store, study.name)) {
-        submission.refused = damage;
+      if (const std::vector<std::string> damages = damages_of(store, study.name); !damages.empty()) {
+        submission.refused = fmt::format("{}", fmt::join(damages, " "));
         return submission;
       }
       const inference::JudgedStudy judged(inference::read_study(store, study));

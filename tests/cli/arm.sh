@@ -64,7 +64,7 @@ where=$(unwrapped | tail -n 1)
   sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' <(unwrapped)
 } >written.toml
 succeeds robot written.toml --at 10,-20,30.5,40,50,60
-[ "$(tail -n 1 .out)" = "$where" ] || fail "another arm than it was written from: $where, and $(tail -n 1 .out)"
+[ "$(unwrapped | tail -n 1)" = "$where" ] || fail "another arm than it was written from: $where, and $(unwrapped | tail -n 1)"
 succeeds robot ur5e --at-rad 0.1,-0.2,0.3,0,0,0
 has "$out" "with the joints at 0.1 rad, -0.2 rad, 0.3 rad"
 refused '--at excludes --at-rad' robot ur5e --at 1,2,3,4,5,6 --at-rad 1,2,3,4,5,6

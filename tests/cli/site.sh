@@ -6,20 +6,23 @@ for i in {1..8}; do
 done
 succeeds run arms-ur5 --set runs=3 --no-report --set path.points=1 --out other-study
 cp -r store-1 edited-errors && cp -r store-2 impossible-times && cp -r store-3 '<b>&"quoted'
-# All digests are gone, as a forger would do.
-sqlite3 edited-errors/store.sqlite "UPDATE solves SET position_error_cm = 1e-6, digest = 0; DELETE FROM meta WHERE key <> 'schema'"
+sqlite3 edited-errors/store.sqlite "UPDATE solves SET position_error_cm = 1e-6"
 sqlite3 impossible-times/store.sqlite "UPDATE solves SET seconds = 1e-9, cpu_seconds = 1e-9, smallest_seconds = 1e-9,
-  largest_seconds = 1e-9, digest = 0; DELETE FROM meta WHERE key <> 'schema'"
+  largest_seconds = 1e-9"
+cp -r store-4 without-digests
+sqlite3 without-digests/store.sqlite "UPDATE solves SET digest = 0; DELETE FROM meta WHERE key <> 'schema'"
 echo nonsense >none.sqlite
 
 succeeds site store-*/store.sqlite other-study/store.sqlite '<b>&"quoted/store.sqlite' edited-errors/store.sqlite \
-  impossible-times/store.sqlite none.sqlite --out public
-has "$err" "edited-errors is not shown: Study slim2023: Damaged: position_error_cm"
-has "$err" "impossible-times is not shown: Study slim2023: Damaged: seconds"
+  impossible-times/store.sqlite without-digests/store.sqlite none.sqlite --out public
+has "$err" "edited-errors is not shown: Study slim2023: Damaged: "
+has "$err" "impossible-times is not shown: Study slim2023: Damaged: "
+has "$err" "without-digests is not shown: its digests were removed"
 has "$err" "none is not shown:"
 index=$(<public/index.html)
 has "$index" "every answer fits"
-has "$index" "not shown: Study slim2023: Damaged: position_error_cm"
+has "$index" "1e-06 is stored"
+has "$index" "less than 1 ns an evaluation"
 has "$index" 'href="study-slim2023.html"'
 has "$index" '&lt;b&gt;&amp;&quot;quoted'
 has_no "$index" '<b>&'
