@@ -25,9 +25,8 @@ void add_report(CLI::App& app, Invocation&) {
       ->check(not_empty());
   add_report_options(*command, arguments->report);
   command
-      ->add_option(
-          "--solvers", arguments->report.solvers,
-          "report on these solvers alone, by label: A,B; fewer pairs are compared, and the report says so")
+      ->add_option("--solvers", arguments->report.solvers,
+                   "report on these solvers alone, by label: A,B; fewer pairs are compared, and the report says so")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->footer(
