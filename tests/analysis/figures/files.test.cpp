@@ -195,7 +195,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
   REQUIRE(write_figures({figure}, folder.path, {.style = style}).outcomes[0].rendered);
   const std::string svg = text_of_file(folder.path / "f.svg");
   for (const char* const part : {"width=\"360\" height=\"144\"",
-                                 "font-family=\"Liberation Serif\"  font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
+                                 "font-family=\"Liberation Serif\" font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
     CAPTURE(part);
     CHECK(svg.find(part) != std::string::npos);
   }
