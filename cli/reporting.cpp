@@ -136,12 +136,17 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
     parts.push_back({.items = {""}});
     parts.push_back(sentences(said, of_sentences));
   } else {
-    constexpr std::size_t of_claims = 21;
+    constexpr std::size_t of_claims = 22;
     constexpr std::array<std::string_view, 4> shown{"here", "printed", "number", "claim"};
+    std::vector<Claim> claims = claims_by(Claimant::paper, report.claims);
+    const std::size_t of_paper = claims.size();
+    std::ranges::move(claims_by(Claimant::us, report.claims), std::back_inserter(claims));
     Tones tones{.column = 0};
-    for (const Claim& claim : report.claims) tones.of_rows.push_back(tone_of(claim.verdict));
+    for (const Claim& claim : claims) tones.of_rows.push_back(tone_of(claim.verdict));
     parts.push_back({.items = {wrapped(first)}});
-    parts.push_back(table_rows(with_columns(verdict_table(report.claims), shown), output, of_claims, tones));
+    Part rows = table_rows(with_columns(verdict_table(claims), shown), output, of_claims, tones);
+    if (of_paper > 0 && of_paper < rows.items.size()) rows.items[of_paper].insert(0, "our own questions:\n");
+    parts.push_back(std::move(rows));
     parts.push_back(sentences(said));
     if (output.is_verbose) parts.push_back(table_rows(report.results, output, 0));
   }
