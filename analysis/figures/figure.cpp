@@ -76,6 +76,13 @@ void name_similar_fonts(std::string& svg) {
   }
 }
 
+// Makes it well-formed: gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text.
+void escape_ends_of_sections(std::string& svg) {
+  for (std::size_t at = svg.find("]]>"); at != std::string::npos; at = svg.find("]]>", at)) {
+    svg.replace(at, 3, "]]&gt;");
+  }
+}
+
 // Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
 // could not, std::runtime_error if a disk is full.
 void draw(const Figure& figure, const std::filesystem::path& workshop, const RenderOptions& options) {
@@ -97,7 +104,10 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
     if (type == Picture::pdf) blank_date(*picture);
-    if (type == Picture::svg) name_similar_fonts(*picture);
+    if (type == Picture::svg) {
+      name_similar_fonts(*picture);
+      escape_ends_of_sections(*picture);
+    }
     write_file(place, *picture);
   }
 }

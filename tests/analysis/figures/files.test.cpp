@@ -194,12 +194,21 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
                           .formats = {Picture::svg}};
   REQUIRE(write_figures({figure}, folder.path, {.style = style}).outcomes[0].rendered);
   const std::string svg = text_of_file(folder.path / "f.svg");
-  for (const char* const part : {"width=\"360\" height=\"144\"",
-                                 "font-family=\"Liberation Serif\" font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
+  for (const char* const part : {"width=\"360\" height=\"144\"", "font-family=\"Liberation Serif\"",
+                                 "font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
     CAPTURE(part);
     CHECK(svg.find(part) != std::string::npos);
   }
   CHECK(!fs::exists(folder.path / "f.png"));  // of the look before
+}
+
+TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {
+  const ScratchFolder folder;
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot x title 'a]]>b'", .data = ""};
+  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}}).outcomes[0].rendered);
+  const std::string svg = text_of_file(folder.path / "f.svg");
+  CHECK(svg.find("a]]&gt;b") != std::string::npos);
+  CHECK(svg.find("]]>") == std::string::npos);
 }
 
 TEST_CASE("a link in the place of a script is no script of the user's", "[files][figure]") {
