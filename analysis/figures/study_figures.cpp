@@ -219,13 +219,17 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
                                has_slides ? " [deg] and positions of slides [cm]" : "",
                                study.facts.draws_targets ? "at each target" : "along the path");
   const std::size_t panels = std::min(solvers.size(), most_panels), columns = std::min<std::size_t>(panels, 3),
-                    rows = (panels + columns - 1) / columns, legend_rows = 1 + (joints - 1) / (has_slides ? 6 : 8);
-  const double more_legend_cm = 0.45 * static_cast<double>(legend_rows - 1);
-  figure.height_cm = 1.6 + more_legend_cm + 4.2 * static_cast<double>(rows);
+                    rows = (panels + columns - 1) / columns;
+  figure.height_cm = 0.94 + 4.2 * static_cast<double>(rows);
+  figure.legend = joints;
+  figure.legend_cm = has_slides ? 2.6 : 1.95;
   figure.settings =
-      point_axis(study.points) +
-      fmt::format("set yrange [{0}:{1}]\n{2}set key at screen 0.5, 0.01 bottom center vertical maxrows {3}\n", -range,
-                  range, range <= 180 ? "set ytics 60\n" : "", legend_rows);
+      point_axis(study.points) + fmt::format(
+                                     "if (width_cm < {0} * text / 8) set xtics {1}\nset yrange [{2}:{3}]\n{4}"
+                                     "set key at screen 0.5, 0.01 bottom center vertical maxrows legend_rows\n",
+                                     text_of(2.0 + 4.0 * static_cast<double>(columns)),
+                                     study.points <= 2 ? 1 : round_step(study.points, 2), -range, range,
+                                     range <= 180 ? "set ytics 60\n" : "");
   std::map<std::pair<double, double>, std::vector<std::size_t>> pairs;  // each once, with the joints that have it
   for (const auto& [joint, lower, upper] : limits_deg(study.facts, joints)) pairs[{lower, upper}].push_back(joint);
   std::vector<std::string> limits;
@@ -254,9 +258,9 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
     if (is_hidden) figure.caption += fmt::format(" Joint {} (wide) moves as joint {} does.", joint, later[joint - 1]);
   }
   figure.plot = fmt::format(
-      "set multiplot layout {}, {} rowsfirst margins 0.1, 0.99, up({}), 1 - up(0.6) spacing 0.03, up(1.2)\n"
-      "set key\n",
-      rows, columns, text_of(1.9 + more_legend_cm));
+      "set multiplot layout {}, {} rowsfirst margins margin(1.7), 1 - margin(0.2), up(1.54 + 0.36 * legend_rows), 1 - up(0.6) "
+      "spacing margin(0.5), up(1.2)\nset key\n",
+      rows, columns);
   for (std::size_t i = 0; i < panels; ++i) {
     const bool is_inner = i % columns > 0;  // the first of its row has the axis of all
     figure.plot += fmt::format(
