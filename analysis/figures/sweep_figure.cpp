@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -126,6 +125,14 @@ std::vector<SweptCurve> curves_of(const std::vector<SweptFamily>& families, std:
   return curves;
 }
 
+// A curve looks as its first entry does in the other figures: the colour of its solver, with a shade, markers and
+// dashes of its own.
+int style_of(const SweptCurve& curve, const Observations& observations) {
+  const int of_no_solver = static_cast<int>(curve.combination) + 1;
+  const auto group = std::ranges::find(observations.groups, curve.members.front()->label, &Group::name);
+  return group == observations.groups.end() ? of_no_solver : group->style.value_or(of_no_solver);
+}
+
 }  // namespace
 
 Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantity& quantity, const std::string& name) {
@@ -156,21 +163,13 @@ Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantit
     figure.data += fmt::format("{}# {}: {}, mean, low, high\n", number == 0 ? "" : "\n\n", one_line(curve.label),
                                one_line(families.front().settings[along].name));
     for (const auto& [place, row] : rows) figure.data += row;
-    // A family has one colour; its curves have markers and dashes. A single family has a colour for each curve.
-    const bool is_single = families.size() == 1;
-    constexpr std::array dashes{1, 11, 12, 13, 14};  // of style.gp
-    const std::string colour = fmt::format("ls {}", (is_single ? curve.combination : curve.family) + 1);
-    const std::string dash = is_single ? "" : fmt::format(" dt {}", dashes[curve.combination % dashes.size()]);
-    const std::string marker =
-        is_single ? "" : fmt::format(" pt int(word(markers, {}))", (curve.combination + 2 * curve.family) % 13 + 1);
+    const std::string look = fmt::format("ls {}", style_of(curve, observations));
     labels.push_back(shortened(curve.label, longest_label));
     const std::string place = fmt::format("data index {0} using (at($1, {0}))", number);
-    clauses.push_back(fmt::format("{}:(shown($2)) with lines {}{}", place, colour, dash));
-    clauses.push_back(
-        fmt::format("{}:(shown($3)):(0):(shown($4)-shown($3)) with vectors nohead {} dt 1", place, colour));
-    clauses.push_back(fmt::format("{}:(shown($2)) with points {}{} dt 1", place, colour, marker));
-    clauses.push_back(
-        fmt::format("keyentry with linespoints {}{}{} title {}", colour, marker, dash, gnuplot_string(labels.back())));
+    clauses.push_back(fmt::format("{}:(shown($2)) with lines {}", place, look));
+    clauses.push_back(fmt::format("{}:(shown($3)):(0):(shown($4)-shown($3)) with vectors nohead {} dt 1", place, look));
+    clauses.push_back(fmt::format("{}:(shown($2)) with points {} dt 1", place, look));
+    clauses.push_back(fmt::format("keyentry with linespoints {} title {}", look, gnuplot_string(labels.back())));
   }
   const NameWithUnit described = split_unit(observations.quantity);
   const bool is_share = quantity.evidence.scale == ValueScale::share;

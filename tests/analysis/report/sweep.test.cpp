@@ -1,6 +1,8 @@
 // The table, the interactions and the figures of swept settings, and how hostile definitions end.
 #include "analysis/inference/sweep.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -93,6 +95,10 @@ TEST_CASE("a figure has a curve for each value of the other setting, and a logar
   CHECK(contains(figure.data, "# b 0: a, mean, low, high\n1 2.5 "));
   CHECK(contains(figure.data, "# b 1: a, mean, low, high\n1 102.5 "));
   CHECK_FALSE(contains(figure.data, "# b 2"));
+  for (const int look : {style_of(study, "A a=1 b=0"), style_of(study, "A a=1 b=1")}) {
+    CAPTURE(look);
+    CHECK(contains(figure.plot, fmt::format("with lines ls {}", look)));
+  }
 }
 
 TEST_CASE("words of several families have places without gaps", "[sweep]") {
