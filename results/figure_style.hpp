@@ -47,7 +47,8 @@ template <class Io>
 void list_fields(Io& io, FigureStyle& style) {
   io.number("width_cm", style.width_cm, 1, {0, 60}, "width of every figure, at least 4; 0: each its own");
   io.number("height_cm", style.height_cm, 1, {0, 60}, "height of every figure, at least 3; 0: each its own");
-  io.text("font", style.font, "a font of this machine: letters, digits, blanks and -");
+  io.text("font", style.font,
+          "a font of this machine (letters, digits, blanks and -); one that it lacks is replaced without a word");
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
   io.texts("palette", style.palette,
            "colours of solvers, in the order in which they are given out: a name or \"#RRGGBB\"");
