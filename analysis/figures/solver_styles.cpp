@@ -56,20 +56,23 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
   const std::size_t own_colours = style.palette.size();
   const bool is_short = own_colours < named_colours.size();
+  const bool is_in_order = is_short && std::ranges::any_of(solvers, &NamedSolver::is_chosen);
   std::map<std::string, std::size_t> places;
   std::map<std::size_t, std::string> owners;  // algorithms, by their place
   for (const NamedSolver& solver : solvers) {
     const auto given = style.colours.find(solver.label);
     if (given != style.colours.end()) {
       places.emplace(solver.label, place_in(style.palette, given->second));
-    } else if (const auto own = own_place(solver.algorithm, own_colours)) {
+    } else if (const auto own = own_place(solver.algorithm, own_colours); own && !is_in_order) {
       const std::string& owner = owners.emplace(*own, solver.algorithm).first->second;
       if (!is_short || owner == solver.algorithm) places.emplace(solver.label, *own);
     }
   }
   std::vector<std::size_t> users(style.palette.size());
   for (const auto& [label, place] : places) ++users[place];
-  for (const NamedSolver& solver : solvers) {
+  std::vector<NamedSolver> in_order = solvers;
+  std::ranges::stable_partition(in_order, &NamedSolver::is_chosen);
+  for (const NamedSolver& solver : in_order) {
     if (places.contains(solver.label)) continue;
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
     places.emplace(solver.label, static_cast<std::size_t>(rarest - users.begin()));
@@ -77,7 +80,7 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   }
   std::map<std::string, int> styles;
   std::ranges::fill(users, 0);
-  for (const NamedSolver& solver : solvers) {
+  for (const NamedSolver& solver : in_order) {
     if (styles.contains(solver.label)) continue;
     const std::size_t place = places.at(solver.label);
     styles.emplace(solver.label, static_cast<int>(1 + place + style.palette.size() * users[place]++));

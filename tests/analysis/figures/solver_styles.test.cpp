@@ -62,6 +62,20 @@ TEST_CASE("variants of a solver have its colour, its shade and other line types"
   CHECK(colour_of(8, style) == colours_and_shades(style).at(7));
 }
 
+TEST_CASE("chosen solvers have the colours of a short palette in their order", "[figure]") {
+  FigureStyle three{.palette = {"#0072B2", "red", "olive"}};
+  const std::vector<NamedSolver> solvers{{"IK-BA", "ik_bat", true},
+                                         {"PSO", "particle_swarm", true},
+                                         {"DE", "differential_evolution", true},
+                                         {"BA", "bat"},
+                                         {"K-ABC", "x"}};
+  const auto styles = line_styles(solvers, three);
+  CHECK(styles.at("IK-BA") == 1);
+  CHECK(styles.at("PSO") == 2);
+  CHECK(styles.at("DE") == 3);
+  CHECK(styles.size() == 5);
+}
+
 TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
   FigureStyle style{.colours = {{"IK-BA", "#abcdef"}, {"mine", "blue"}}};
   const std::vector<NamedSolver> solvers{{"IK-BA", "ik_bat"}, {"mine", "x"}, {"IK-BA 2", "ik_bat"}};
