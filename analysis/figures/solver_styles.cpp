@@ -71,7 +71,7 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   std::vector<std::size_t> users(style.palette.size());
   for (const auto& [label, place] : places) ++users[place];
   std::vector<NamedSolver> in_order = solvers;
-  std::ranges::stable_partition(in_order, &NamedSolver::is_chosen);
+  if (is_in_order) std::ranges::stable_partition(in_order, &NamedSolver::is_chosen);
   for (const NamedSolver& solver : in_order) {
     if (places.contains(solver.label)) continue;
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
