@@ -1,7 +1,11 @@
 // ikbench report: tables and figures from any store, without solving.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <ranges>
+#include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
@@ -10,6 +14,23 @@
 namespace ikbench::cli {
 
 using namespace results;
+
+namespace {
+
+// The labels that the arguments name: a label of the study itself, or several between commas.
+std::vector<std::string> chosen_labels(const std::vector<std::string>& arguments, const StudyEntry& study) {
+  std::vector<std::string> labels;
+  for (const std::string& argument : arguments) {
+    if (std::ranges::count(study.series, argument, &Series::label) > 0) {
+      labels.push_back(argument);
+      continue;
+    }
+    for (const auto part : std::views::split(argument, ',')) labels.emplace_back(part.begin(), part.end());
+  }
+  return labels;
+}
+
+}  // namespace
 
 void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
@@ -25,9 +46,10 @@ void add_report(CLI::App& app, Invocation&) {
       ->check(not_empty());
   add_report_options(*command, arguments->report);
   command
-      ->add_option("--solvers", arguments->report.solvers,
-                   "report on these solvers alone, by label: A,B; fewer pairs are compared, and the report says so")
-      ->delimiter(',')
+      ->add_option(
+          "--solvers", arguments->report.solvers,
+          "report on these solvers alone, by label: A,B, or --solvers once a label, which may have commas; fewer "
+          "pairs are compared, and the report says so")
       ->allow_extra_args(false);
   command->footer(
       "Examples:\n"
@@ -40,9 +62,10 @@ void add_report(CLI::App& app, Invocation&) {
                                                                 : std::filesystem::path(arguments->out);
     const Store store = open_to_look(arguments->store);
     refuse_reproduction(folder.empty() ? "." : folder);
-    write_and_announce(store, {.study = chosen_study(store, arguments->study).name,
-                               .folder = folder.empty() ? "." : folder,
-                               .arguments = arguments->report});
+    const StudyEntry study = chosen_study(store, arguments->study);
+    arguments->report.solvers = chosen_labels(arguments->report.solvers, study);
+    write_and_announce(store,
+                       {.study = study.name, .folder = folder.empty() ? "." : folder, .arguments = arguments->report});
   });
 }
 

@@ -65,6 +65,12 @@ bool is_companion(const std::string& name, const StudyResults& study, const Coll
   });
 }
 
+std::vector<std::string> labels_of(const StudyEntry& entry) {
+  std::vector<std::string> labels;
+  for (const Series& series : entry.series) labels.push_back(series.label);
+  return labels;
+}
+
 // Leaves a study only the chosen solvers, or all if none are chosen. Returns the labels of the others.
 std::vector<std::string> leave_out_others(StudyEntry& entry, const std::vector<std::string>& chosen) {
   std::vector<std::string> others;
@@ -77,8 +83,7 @@ std::vector<std::string> leave_out_others(StudyEntry& entry, const std::vector<s
 
 // Refuses labels that are no solvers of the study, and a choice without its control.
 void check_chosen(const StudyEntry& entry, const ReportRequest& request, const FigureStyle& style) {
-  std::vector<std::string> labels;
-  for (const Series& series : entry.series) labels.push_back(series.label);
+  const std::vector<std::string> labels = labels_of(entry);
   for (const std::vector<std::string>* chosen : {&request.solvers, &style.solvers}) {
     for (const std::string& solver : *chosen) {
       if (std::ranges::count(labels, solver) == 0)
@@ -94,11 +99,17 @@ void check_chosen(const StudyEntry& entry, const ReportRequest& request, const F
 
 // Gives every solver of the store one look in all figures, the study's first, and adds its colours to the style.
 std::map<std::string, int> looks_of(const StudyEntry& entry, const std::vector<StudyEntry>& others,
-                                    FigureStyle& style) {
+                                    const std::vector<std::string>& chosen, FigureStyle& style) {
+  const std::vector<std::string>& drawn = style.solvers.empty() ? chosen : style.solvers;
   std::vector<NamedSolver> solvers;
   for (const Series& series : entry.series) solvers.push_back({series.label, series.algorithm});
   for (const StudyEntry& other : others) {
     for (const Series& series : other.series) solvers.push_back({series.label, series.algorithm});
+  }
+  for (const std::string& label : drawn) {
+    const auto series = std::ranges::find(entry.series, label, &Series::label);
+    if (series == entry.series.end()) continue;
+    if (chosen.empty() || std::ranges::count(chosen, label) > 0) solvers.push_back({label, series->algorithm, true});
   }
   return line_styles(solvers, style);
 }
@@ -320,6 +331,12 @@ Doubts left_out_doubts(const std::vector<std::string>& left_out, const StudyEntr
            .of = all}};
 }
 
+// Claims speak of the whole study: "the most accurate" says nothing of two of six solvers.
+Doubts claims_doubts(const Paper& paper, const std::vector<std::string>& left_out) {
+  if (!paper.claims || left_out.empty()) return {};
+  return {{.kind = DoubtKind::said_elsewhere, .what = std::string(words::claims_need_all)}};
+}
+
 // Adds the companions' doubts. A kind that exists already only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
@@ -396,7 +413,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
   check_chosen(whole, request, style);
   StudyEntry entry = whole;
   const std::vector<std::string> left_out = leave_out_others(entry, request.solvers);
-  CheckedStore checked(store, request, looks_of(whole, entries, style), style.solvers);
+  CheckedStore checked(
+      store, request,
+      looks_of(whole, entries, request.solvers.empty() ? std::vector<std::string>() : labels_of(entry), style),
+      style.solvers);
   const std::vector<Session>& sessions = checked.sessions();
   StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
@@ -437,7 +457,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                         .studied = studied(study, paper),
                         .set_up = set_up_sentences(study, paper, sessions),
                         .solvers = coloured(study, style),
-                        .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
+                        .claims = paper.claims && left_out.empty() ? paper.claims(reported) : std::vector<Claim>(),
                         .audited = paper.audit ? audit_answer(paper.audit()) : "",
                         .summary = summary(reported, paper),
                         .command = command_of(study, sessions),
@@ -454,7 +474,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   content.warnings =
       said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-      missing_doubts(study) + left_out_doubts(left_out, whole) +
+      missing_doubts(study) + left_out_doubts(left_out, whole) + claims_doubts(paper, left_out) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
       plan_changes(whole, sessions, solves_of_sessions(study)) + others.plan_changes + blocks_doubts(study) +
       imported_doubts(entry, study) + tuning_doubts(study) + fairness_doubts(study, reported.companions);
@@ -475,7 +495,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     content.summary.insert(content.summary.begin(), sentences.begin(), sentences.end());
   } else {
     content.answer = pieces.verdict;
-    if (!pieces.verdict.empty()) {
+    if (!pieces.verdict.empty() && (left_out.empty() || !paper.claims)) {
       content.answer.push_back({"", collection.is_together
                                         ? fmt::format(words::together_alone, fmt::arg("study", study.name))
                                         : fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});

@@ -290,6 +290,7 @@ inline constexpr Template together_alone = "What follows is about the study {stu
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
 inline constexpr Template of_one_arm = "What follows is about {arm} alone.";
+inline constexpr std::string_view claims_need_all = "The claims need all solvers of the study.";
 inline constexpr Template over_arms_note =
     "An arm is one observation, so that poses of one arm do not count as many. interval: of the mean over arms. a new arm: where the "
     "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";
@@ -308,7 +309,7 @@ inline constexpr Template ratios_of_times =
 inline constexpr Template outside_chance = "outside, chance gives {range}";
 inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
 inline constexpr Template no_solves = "This study has no solves yet.";
-inline constexpr Template departs_judged = " Only claims that it has the solvers for are judged.";
+inline constexpr Template departs_judged = " Only claims that it has the solvers for can be judged.";
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
 inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
 inline constexpr Template audit_answer = "The paper has {contradictions} and {misprints}.";

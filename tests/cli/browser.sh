@@ -381,7 +381,7 @@ if grep -q 'id="motion-data"' plain/report.html; then
   cat >theirs.js <<'E2'
 document.getElementById('forth').click();
 return [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden,
-  document.querySelector('.view p').textContent.slice(0, 8), /helix|slim|paper|printed/i.test(document.body.innerText)].join('; ');
+  document.querySelector('.view p').textContent.slice(0, 8), /helix|slim|the paper|printed/i.test(document.body.innerText)].join('; ');
 E2
   probe theirs/report.html theirs links -- --window-size=1400,900
   expect theirs "2; false; Point 1:; false" "the arm of a URDF file"

@@ -210,7 +210,7 @@ from_store --no-figures --out dependent
 [ -z "$out" ] && [ "$(wc -l <.err)" = 1 ] || fail "not one line: $out $err"
 has "$err" "share run 1 of IK-BA, and are not replicates; average rows that depend on each other, such as points of a path, with --run run; compare problems that were solved separately within blocks with --block COLUMN --run run; or use --force"
 [ ! -e dependent ] || fail "a refused report was written"
-from_store --run run --no-figures --out means
+from_store --verbose --run run --no-figures --out means
 [ "$code" = 0 ] || fail "--run run: $err"
 has "$out" "with 3 observations each. One observation is the mean of a run over its 3 rows of standard input."
 has_no "$out$err" "Flawed"

@@ -174,10 +174,15 @@ TEST_CASE("of the paper's claims a study is judged by those that it has the solv
   const Report report =
       written_report(store, {.study = "mine", .folder = folder.path / "out", .figures = {.render = false}});
   const std::string text = text_of_file(report.file);
-  CHECK(contains(text, "Only claims that it has the solvers for are judged."));
+  CHECK(contains(text, "Only claims that it has the solvers for can be judged."));
   CHECK(contains(text, "Of 1"));
   for (const char* of_paper : {"The Dobot was simulated", "untestable", "cannot be tested here"})
     CHECK(!contains(text, of_paper));
+  const Report pair = written_report(
+      store,
+      {.study = "mine", .folder = folder.path / "pair", .solvers = {"IK-BA", "BA"}, .figures = {.render = false}});
+  CHECK(pair.claims.empty());
+  CHECK(contains(text_of_file(pair.file), "The claims need all solvers of the study."));
 }
 
 TEST_CASE("a report on some solvers is about these alone, and says what it leaves out", "[report]") {
