@@ -55,7 +55,7 @@ refused '4 candidates take at least 18 solves' tune my.toml --solver mine --budg
 refused 'unknown metric "eror"' tune my.toml --solver mine --budget 100 --sweep alpha=0.1,0.2 --metric eror
 
 # 4 x 2 runs, then 2 x 2 more: 12 runs of 3 points.
-tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures)
+tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures --verbose)
 succeeds "${tune[@]}"
 has "$out" '4 candidates, 2 rounds, 36 solves of training with seed 2'
 has "$out" 'Tuned study: my-tuned.toml'
@@ -73,7 +73,7 @@ cmp -s my-tuned.toml first.toml || fail "the second tuned study is another"
 succeeds run my-tuned.toml --no-figures
 has "$out" '(24 were already stored)'
 # With the seed of the training it is no test.
-succeeds run my-tuned.toml --no-figures --set seed=2 --out out/seen
+succeeds run my-tuned.toml --verbose --no-figures --set seed=2 --out out/seen
 has "$err" 'chosen with the seed of this study'
 # With --json there is nothing but JSON.
 succeeds "${tune[@]}" --json
