@@ -55,8 +55,8 @@ refused '4 candidates take at least 18 solves' tune my.toml --solver mine --budg
 refused 'unknown metric "eror"' tune my.toml --solver mine --budget 100 --sweep alpha=0.1,0.2 --metric eror
 
 # 4 x 2 runs, then 2 x 2 more: 12 runs of 3 points.
-tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures --verbose)
-succeeds "${tune[@]}"
+tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures)
+succeeds "${tune[@]}" --verbose
 has "$out" '4 candidates, 2 rounds, 36 solves of training with seed 2'
 has "$out" 'Tuned study: my-tuned.toml'
 has "$err" 'has the best of 4 settings by position error [cm], found by ikbench tune. The search cost 36 solves'
