@@ -20,6 +20,7 @@
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
+#include "results/export.hpp"
 #include "results/orientation.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
