@@ -25,6 +25,7 @@
 #include "experiments/study_overrides.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/names.hpp"
 #include "results/same_solves.hpp"
 
 namespace ikbench::cli {
@@ -456,6 +457,15 @@ std::filesystem::path store_in(const std::filesystem::path& folder) { return fol
 std::string store_name(const std::filesystem::path& store) {
   return (store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename() : store.stem())
       .string();
+}
+
+inference::Metric metric_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const inference::Metric metric : inference::all_metrics()) {
+    if (inference::name_of(metric) == name) return metric;
+    known.emplace_back(inference::name_of(metric));
+  }
+  throw std::invalid_argument("--metric: " + numerics::unknown_name("metric", name, known));
 }
 
 }  // namespace ikbench::cli

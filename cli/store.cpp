@@ -25,8 +25,6 @@ using namespace experiments;
 
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
 std::string text_in(const Session& session, const char* key) {
   const auto found = session.environment.find(key);
   return found == session.environment.end() ? "" : found->second;

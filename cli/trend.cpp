@@ -68,15 +68,6 @@ struct Trend {
   std::vector<Point> points = {};
 };
 
-Metric metric_named(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Metric metric : all_metrics()) {
-    if (name_of(metric) == name) return metric;
-    names.emplace_back(name_of(metric));
-  }
-  throw std::invalid_argument(unknown_name("metric", name, names));
-}
-
 std::vector<Version> versions_of(const TrendArguments& arguments, Metric metric) {
   if (arguments.stores.size() < 2 || arguments.stores.size() > most_versions)
     throw std::invalid_argument(fmt::format("{} stores; expected 2 to {}", arguments.stores.size(), most_versions));

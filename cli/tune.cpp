@@ -94,14 +94,10 @@ struct Criterion {
   }
 };
 
-Criterion criterion_of(const std::string& metric) {
-  if (metric.empty()) return {};
-  std::vector<std::string> known;
-  for (const Metric each : all_metrics()) {
-    if (name_of(each) == metric) return {.metric = each, .estimand = average_estimand(each)};
-    known.emplace_back(name_of(each));
-  }
-  throw std::invalid_argument("--metric: " + numerics::unknown_name("metric", metric, known));
+Criterion criterion_of(const std::string& name) {
+  if (name.empty()) return {};
+  const Metric metric = metric_named(name);
+  return {.metric = metric, .estimand = average_estimand(metric)};
 }
 
 // The study beside which `ikbench tune` writes another: files that it names are found from there.
