@@ -37,10 +37,15 @@ struct SummaryFormat {
   std::string_view meaning;
   std::string (*text)(const inference::JudgedStudy& study);
 };
-constexpr std::array<SummaryFormat, 2> summary_formats{
-    {{"benchmark-json", "means with their intervals, for github-action-benchmark (customSmallerIsBetter)",
-      benchmark_json},
-     {"bencher-json", "the same for Bencher", bencher_json}}};
+constexpr SummaryFormat summary_formats[]{
+#define EXPORT_TEXT(name, meaning)
+#define EXPORT_FOLDER(name, meaning)
+#define EXPORT_MEANS(function, name, meaning) {name, meaning, function},
+#include "results/export_formats.inc"
+#undef EXPORT_TEXT
+#undef EXPORT_FOLDER
+#undef EXPORT_MEANS
+};
 
 void refuse_store(const std::string& file, const std::string& store) {
   for (const char* part : {"", "-wal", "-shm", "-journal"}) {
@@ -62,14 +67,12 @@ void add_export(CLI::App& app, Invocation&) {
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   std::vector<std::string> names, meanings;
-  for (const ExportFormat& format : export_formats()) {
+  const auto add = [&](const auto& format) {
     names.emplace_back(format.name);
     meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
-  }
-  for (const SummaryFormat& format : summary_formats) {
-    names.emplace_back(format.name);
-    meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
-  }
+  };
+  std::ranges::for_each(export_formats(), add);
+  std::ranges::for_each(summary_formats, add);
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -87,7 +90,7 @@ void add_export(CLI::App& app, Invocation&) {
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
     const auto summary = std::ranges::find(summary_formats, arguments->format, &SummaryFormat::name);
-    if (summary != summary_formats.end()) {
+    if (summary != std::end(summary_formats)) {
       for (const std::string& damage : damages_of(store, study.name)) warn(damage);
       const std::string text = summary->text(inference::JudgedStudy(inference::read_study(store, study)));
       if (arguments->file == "-") return fmt::print("{}", text);

@@ -363,6 +363,11 @@ TEST_CASE("an export format is one line in export_formats.inc and one file of th
     const std::string function = texts.contains(name) ? name + "_text(" : "write_" + name + "(";
     CHECK(text_of("results/formats/" + name + ".cpp").find(' ' + function) != std::string::npos);
   }
+  const std::string of_means = text_of("analysis/report/benchmark_json.cpp");
+  for (const std::string& name : names_in("results/export_formats.inc", "EXPORT_MEANS(")) {
+    INFO(name);
+    CHECK(of_means.find("\nstd::string " + name + "(const JudgedStudy& study)") != std::string::npos);
+  }
 }
 
 TEST_CASE("a table or figure of every study is one line in study_pieces.inc and one function in pieces/",
