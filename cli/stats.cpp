@@ -43,8 +43,9 @@ struct StatsArguments {
 };
 
 // Reads the whole text, or just more than the CSV reader takes: a stream may have no end.
-std::string contents_of(std::istream& stream) {
+std::string contents_of(std::istream& stream, std::size_t expected = 0) {
   std::string text;
+  text.reserve(std::min(expected, results::max_csv_bytes));
   std::array<char, 1 << 16> buffer{};
   while (text.size() <= max_csv_bytes && stream) {
     stream.read(buffer.data(), buffer.size());
@@ -63,7 +64,9 @@ std::string contents_of(const std::string& file) {
   if (!stream) {
     throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));
   }
-  return contents_of(stream);
+  std::error_code error;  // a pipe has no size
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return contents_of(stream, error ? 0 : size);
 }
 
 // A name for the files of a quantity; if two quantities share a name, the later one gets a number.

@@ -346,8 +346,10 @@ Evidence tested(const Observations& given, const AnalysisPlan& plan) {
 Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
   constexpr std::size_t most_values = 2000;  // over all groups: takes about a second
   constexpr std::size_t fewest_values = 5;   // of a group; fewer have too few different resamples
+  std::size_t all = 0;
+  for (const Group& group : observations.groups) all += group.values.size();
+  if (evidence.of_outcomes || all > most_values) return evidence;
   const Samples values = values_of(exact(observations));
-  if (evidence.of_outcomes || pooled(values).size() > most_values) return evidence;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i].size() < fewest_values) continue;
     GroupEvidence& group = evidence.groups[i];

@@ -173,6 +173,7 @@ struct Shared {
 
 Shared shared(const std::vector<Item>& items, Index Item::*field) {
   std::vector<std::pair<Index, Index>> keys;
+  keys.reserve(items.size());
   for (const Item& item : items) {
     if (item.*field != no_label) keys.emplace_back(item.group, item.*field);
   }
@@ -186,6 +187,7 @@ Shared shared(const std::vector<Item>& items, Index Item::*field) {
 std::vector<std::size_t> absent_runs(const Contents& contents) {
   const std::size_t groups = contents.groups.all().size();
   std::vector<std::pair<Index, Index>> keys;  // run and group
+  keys.reserve(contents.items.size());
   for (const Item& item : contents.items) {
     if (item.run != no_label) keys.emplace_back(item.run, item.group);
   }
