@@ -113,10 +113,9 @@ void compare(const Variant& base, const Variant& next, const AnalysisPlan& plan,
              Point& point) {
   const std::vector<VariantStudy> studies{study_of_both(base, next, plan)};
   const std::vector<VariantComparison> comparisons = compare_variants(studies, std::vector{metric});
-  const Table table = variants_table(comparisons, plan);
-  const auto column = static_cast<std::size_t>(std::ranges::find(table.columns, "B_is") - table.columns.begin());
-  const Finding found = comparisons.at(0).metrics.at(0).finding();
-  point.verdict = readable(table.rows.at(0).at(column));
+  const MetricComparison& compared = comparisons.at(0).metrics.at(0);
+  const Finding found = compared.finding();
+  point.verdict = verdict_of(comparisons, compared, plan);
   point.differences = studies[0].differences;
   point.has_changed = is_decided(found) && found.is_beyond_margin();
 }

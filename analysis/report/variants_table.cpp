@@ -231,6 +231,10 @@ Table variants_table(Comparisons comparisons, const AnalysisPlan& plan) {
   return table;
 }
 
+std::string verdict_of(Comparisons comparisons, const MetricComparison& metric, const AnalysisPlan& plan) {
+  return b_is(metric, margin_words(comparisons, plan, metric));
+}
+
 std::vector<std::string> variants_notes(Comparisons comparisons) {
   std::vector<std::string> notes;
   const auto is_of_all = [&](const std::string& note) {
@@ -255,7 +259,7 @@ std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) 
   int count = 0;
   for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      const std::string said = b_is(metric, margin_words(comparisons, plan, metric));
+      const std::string said = verdict_of(comparisons, metric, plan);
       auto found = std::ranges::find(counts, said, &std::pair<std::string, int>::first);
       if (found == counts.end()) found = counts.insert(found, {said, 0});
       ++found->second;
@@ -304,7 +308,7 @@ std::string variants_junit(Comparisons comparisons, const AnalysisPlan& plan) {
     xml.PushAttribute("failures", count(is_regression));
     xml.PushAttribute("skipped", count([](const MetricComparison& metric) { return !metric.is_compared(); }));
     for (const MetricComparison& metric : comparison.metrics) {
-      const std::string verdict = b_is(metric, margin_words(comparisons, plan, metric));
+      const std::string verdict = verdict_of(comparisons, metric, plan);
       xml.OpenElement("testcase");
       xml.PushAttribute("classname", one_line(comparison.label).c_str());
       xml.PushAttribute("name", metric_words(metric).c_str());
