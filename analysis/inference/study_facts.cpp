@@ -55,25 +55,18 @@ std::map<std::string, SweptEntry> swept_in(const Json& all) {
   return swept;
 }
 
-// The seed of a training, for which == says whether it is the study's. Two large whole numbers may be one double: then
-// it is the next double.
-double seed_of_training(const Json& entry, const Json& all) {
-  const double seed = number_at(entry, "/seed");
-  const bool differs = value_at(entry, "/seed") != value_at(all, "/seed");
-  return differs && seed == number_at(all, "/seed") ? std::nextafter(seed, 0) : seed;
-}
-
 std::map<std::string, TunedEntry> tuned_in(const Json& all) {
   std::map<std::string, TunedEntry> tuned;
   const Json entries = members_at(all, "/tuned");
   for (const auto& [label, entry] : entries.items()) {
-    tuned[label] = {.by = text_at(entry, "/by"),
-                    .candidates = number_at(entry, "/candidates"),
-                    .rounds = number_at(entry, "/rounds"),
-                    .seed = seed_of_training(entry, all),
-                    .solves = number_at(entry, "/solves"),
-                    .evaluations = number_at(entry, "/evaluations"),
-                    .cpu_seconds = number_at(entry, "/cpu_seconds")};
+    tuned[label] = {
+        .by = text_at(entry, "/by"),
+        .candidates = number_at(entry, "/candidates"),
+        .seed = number_at(entry, "/seed"),
+        .is_on_seed = value_at(entry, "/seed").is_number() && value_at(entry, "/seed") == value_at(all, "/seed"),
+        .solves = number_at(entry, "/solves"),
+        .evaluations = number_at(entry, "/evaluations"),
+        .cpu_seconds = number_at(entry, "/cpu_seconds")};
   }
   return tuned;
 }

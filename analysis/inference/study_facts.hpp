@@ -26,7 +26,8 @@ struct SweptEntry {
 // How `ikbench tune` chose the settings of an entry.
 struct TunedEntry {
   std::string by;  // the quantity
-  double candidates = not_defined, rounds = not_defined, seed = not_defined;
+  double candidates = not_defined, seed = not_defined;
+  bool is_on_seed = false;  // of the study itself: not from the number, because large seeds may be one double
   double solves = not_defined, evaluations = not_defined, cpu_seconds = not_defined;
 };
 

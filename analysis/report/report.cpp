@@ -293,7 +293,7 @@ Doubts tuning_doubts(const StudyResults& study) {
                       .value = tuned.cpu_seconds,
                       .limit = tuned.seed,
                       .what = one_line(tuned.by)});
-    if (tuned.seed == study.facts.seed)
+    if (tuned.is_on_seed)
       on_seed.push_back({.kind = DoubtKind::tuned_on_seed, .who = {label}});
     else if (!study.facts.draws_targets)
       on_targets.push_back({.kind = DoubtKind::tuned_on_targets, .who = {label}});
