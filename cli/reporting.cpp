@@ -459,13 +459,4 @@ std::string store_name(const std::filesystem::path& store) {
       .string();
 }
 
-inference::Metric metric_named(const std::string& name) {
-  std::vector<std::string> known;
-  for (const inference::Metric metric : inference::all_metrics()) {
-    if (inference::name_of(metric) == name) return metric;
-    known.emplace_back(inference::name_of(metric));
-  }
-  throw std::invalid_argument("--metric: " + numerics::unknown_name("metric", name, known));
-}
-
 }  // namespace ikbench::cli

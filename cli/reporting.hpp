@@ -124,7 +124,4 @@ std::filesystem::path store_in(const std::filesystem::path& folder);
 // The name of a store among others: its file's, or its folder's where the file is store.sqlite.
 std::string store_name(const std::filesystem::path& store);
 
-// The metric of that name (--metric). Throws std::invalid_argument with those there are.
-inference::Metric metric_named(const std::string& name);
-
 }  // namespace ikbench::cli

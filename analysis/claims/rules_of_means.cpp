@@ -33,7 +33,7 @@ std::string not_judged_words(std::string_view what) {
 }
 
 double mean_of(const Evidence& evidence, const std::string& solver) {
-  return std::ranges::find(evidence.groups, solver, &GroupEvidence::name)->described.mean;
+  return group_named(evidence.groups, solver)->described.mean;
 }
 
 // The other solvers by their means, the smallest first.

@@ -129,8 +129,8 @@ std::vector<SweptCurve> curves_of(const std::vector<SweptFamily>& families, std:
 // dashes of its own.
 int style_of(const SweptCurve& curve, const Observations& observations) {
   const int of_no_solver = static_cast<int>(curve.combination) + 1;
-  const auto group = std::ranges::find(observations.groups, curve.members.front()->label, &Group::name);
-  return group == observations.groups.end() ? of_no_solver : group->style.value_or(of_no_solver);
+  const Group* const group = group_named(observations.groups, curve.members.front()->label);
+  return group == nullptr ? of_no_solver : group->style.value_or(of_no_solver);
 }
 
 }  // namespace

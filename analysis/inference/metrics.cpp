@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/inference/study.hpp"
+#include "numerics/names.hpp"
 #include "numerics/units.hpp"
 #include "results/orientation.hpp"
 
@@ -193,6 +196,15 @@ std::vector<Metric> all_metrics() {
   std::vector<Metric> metrics;
   for (std::size_t i = 0; i < infos.size(); ++i) metrics.push_back(Metric{i});
   return metrics;
+}
+
+Metric metric_named(std::string_view column) {
+  std::vector<std::string> known;
+  for (const Metric metric : all_metrics()) {
+    if (name_of(metric) == column) return metric;
+    known.emplace_back(name_of(metric));
+  }
+  throw std::invalid_argument(numerics::unknown_name("metric", column, known));
 }
 
 std::vector<Metric> reported_metrics() { return metrics_shown({ShownIn::everywhere}); }

@@ -66,6 +66,8 @@ bool is_cost(Metric metric);  // true: the effort for an answer; a solver that d
 double value_of(const StudyResults& study, const Solve& solve, Metric metric);
 double value_of(const StudyResults& study, Run run, Metric metric);
 
+// Throws std::invalid_argument if no row has this column.
+Metric metric_named(std::string_view column);
 // All rows, in the order of the table.
 std::vector<Metric> all_metrics();
 // Metrics of every report.

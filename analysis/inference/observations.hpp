@@ -2,9 +2,11 @@
 // summaries of them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/inference/doubt.hpp"
@@ -29,6 +31,13 @@ struct Group {
   std::size_t bits = 0;           // groups with one number have the same bits in every solve; 0 if no other group has
   std::optional<int> style = {};  // a solver's line style in figures; else by its place
 };
+
+// The group of that name; null if there is none.
+template <class AnyGroup>
+const AnyGroup* group_named(const std::vector<AnyGroup>& groups, std::string_view name) {
+  const auto found = std::ranges::find(groups, name, &AnyGroup::name);
+  return found == groups.end() ? nullptr : &*found;
+}
 
 // Returns whether no chance is in the difference of two groups: both are known, or they have the same bits.
 template <class AnyGroup>

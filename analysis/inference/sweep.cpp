@@ -34,11 +34,6 @@ void add_member(SweptFamily& family, const std::string& label, const SweptEntry&
   family.members.push_back(std::move(member));
 }
 
-const Group* group_of(const Observations& observations, const std::string& label) {
-  const auto found = std::ranges::find(observations.groups, label, &Group::name);
-  return found == observations.groups.end() ? nullptr : &*found;
-}
-
 // The observations of the members with these two values: the averages over their other settings, observation by
 // observation; none if they differ in number.
 std::vector<double> cell_of(const SweptFamily& family, const SweptQuantity& quantity, const SettingsInteraction& pair,
@@ -47,7 +42,7 @@ std::vector<double> cell_of(const SweptFamily& family, const SweptQuantity& quan
   double members = 0;
   for (const SweptFamily::Member& member : family.members) {
     if (member.at[pair.first] != first || member.at[pair.second] != second) continue;
-    const Group* group = group_of(quantity.observations, member.label);
+    const Group* group = group_named(quantity.observations.groups, member.label);
     if (group == nullptr || (members > 0 && group->values.size() != sums.size())) return {};
     sums.resize(group->values.size());
     std::ranges::transform(sums, group->values, sums.begin(), std::plus());
@@ -72,8 +67,8 @@ std::vector<SweptFamily> swept_families(const StudyResults& study) {
 }
 
 Estimate SweptQuantity::of(const std::string& label) const {
-  const auto found = std::ranges::find(evidence.groups, label, &GroupEvidence::name);
-  return found == evidence.groups.end() ? Estimate() : found->mean;
+  const GroupEvidence* const group = group_named(evidence.groups, label);
+  return group == nullptr ? Estimate() : group->mean;
 }
 
 bool SweptQuantity::is_better(double one, double other) const {
@@ -123,6 +118,7 @@ std::vector<SettingsInteraction> interactions(const SweptFamily& family, const S
       } else {
         pair.found.undefined = "some combinations have no observations, or another number of them";
       }
+      pair.depends = pair.found.p < quantity.evidence.plan.significance;
       Estimate& corners = pair.found.corners;
       for (double* end : {&corners.value, &corners.low, &corners.high}) *end = is_log ? std::pow(10, *end) : *end;
       all.push_back(std::move(pair));

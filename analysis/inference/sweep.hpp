@@ -47,6 +47,7 @@ std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const Sho
 struct SettingsInteraction {
   std::size_t first, second;           // of the family's settings
   statistics::Interaction found = {};  // of logarithms if the quantity's are compared; corners are a ratio then
+  bool depends = false;                // the plan's significance shows that the effect of one depends on the other
 };
 
 std::vector<SettingsInteraction> interactions(const SweptFamily& family, const SweptQuantity& quantity);

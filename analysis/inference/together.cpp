@@ -21,15 +21,10 @@ using namespace statistics;
 
 namespace {
 
-const Group* group_named(const Observations& observations, const std::string& name) {
-  const auto found = std::ranges::find(observations.groups, name, &Group::name);
-  return found == observations.groups.end() ? nullptr : &*found;
-}
-
 // The groups of one name, one of each study; empty if a study lacks it.
 std::vector<const Group*> groups_named(const std::vector<OfStudy>& all, const std::string& name) {
   std::vector<const Group*> groups;
-  for (const OfStudy& of : all) groups.push_back(group_named(of.observations, name));
+  for (const OfStudy& of : all) groups.push_back(group_named(of.observations.groups, name));
   if (std::ranges::find(groups, nullptr) != groups.end()) groups.clear();
   return groups;
 }
@@ -74,8 +69,8 @@ void add_common_bits(Observations& result, const std::vector<OfStudy>& all) {
     for (std::size_t other = 0; other < i && group.bits == 0; ++other) {
       Group& earlier = result.groups[other];
       const bool are_same = std::ranges::all_of(all, [&](const OfStudy& of) {
-        const Group &one = *group_named(of.observations, earlier.name),
-                    &two = *group_named(of.observations, group.name);
+        const Group &one = *group_named(of.observations.groups, earlier.name),
+                    &two = *group_named(of.observations.groups, group.name);
         return one.bits > 0 && one.bits == two.bits;
       });
       if (are_same) group.bits = earlier.bits = other + 1;
@@ -149,7 +144,7 @@ Observations together(std::vector<OfStudy> all) {
     for (Doubt& flaw : flaws) flaw.studies.push_back(of.study);
     result.flaws = result.flaws + flaws;
     for (const Group& own : of.observations.groups) {
-      if (group_named(result, own.name) != nullptr || std::ranges::count(lacking, own.name) > 0) continue;
+      if (group_named(result.groups, own.name) != nullptr || std::ranges::count(lacking, own.name) > 0) continue;
       const std::vector<const Group*> groups = groups_named(all, own.name);
       if (groups.empty()) {
         lacking.push_back(own.name);
@@ -218,7 +213,7 @@ std::vector<Judged> judged_together(const JudgedStudies& studies) {
 
 AnalysisPlan plan_of_all(const JudgedStudies& studies, const Observations& observations) {
   AnalysisPlan plan = feasible(studies.front().get().plan, observations);
-  if (group_named(observations, plan.control) == nullptr) plan.control.clear();
+  if (group_named(observations.groups, plan.control) == nullptr) plan.control.clear();
   return plan;
 }
 

@@ -32,18 +32,10 @@ std::vector<Metric> by_default(std::span<const VariantStudy> studies) {
 
 // The named metrics, in the order given, each once.
 std::vector<Metric> chosen(std::span<const std::string> names) {
-  const std::vector<Metric> all = all_metrics();
-  const auto column = [](Metric metric) { return name_of(metric); };
   std::vector<Metric> result;
   for (const std::string& name : names) {
-    const auto found = std::ranges::find(all, name, column);
-    if (found == all.end()) {
-      std::vector<std::string_view> known;
-      for (const Metric metric : all) known.push_back(name_of(metric));
-      throw std::invalid_argument(
-          fmt::format("unknown metric \"{}\" (there are: {})", name.substr(0, 100), fmt::join(known, ", ")));
-    }
-    if (std::ranges::find(result, *found) == result.end()) result.push_back(*found);
+    const Metric metric = metric_named(name);
+    if (std::ranges::find(result, metric) == result.end()) result.push_back(metric);
   }
   return result;
 }

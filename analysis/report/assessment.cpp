@@ -293,11 +293,6 @@ std::string table_name(const Evidence& evidence, std::string_view part) {
   return fmt::format("statistics-{}-{}", evidence.name, part);
 }
 
-Cell interval(const Estimate& estimate) {
-  if (!std::isfinite(estimate.low) || !std::isfinite(estimate.high)) return Range{};
-  return Range{estimate.low, estimate.high};
-}
-
 Cell unless_zero(int count) {
   if (count == 0) return {};
   return std::int64_t{count};
@@ -337,9 +332,9 @@ Table groups_table(const Evidence& evidence) {
   for (const GroupEvidence& group : evidence.groups) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
-    table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, interval(group.mean),
-                          interval(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), or_nothing(of.median),
-                          interval(group.median), or_nothing(group.q1), or_nothing(group.q3), or_nothing(of.min),
+    table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, range_of(group.mean),
+                          range_of(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), or_nothing(of.median),
+                          range_of(group.median), or_nothing(group.q1), or_nothing(group.q3), or_nothing(of.min),
                           or_nothing(of.max), or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
   }
   return with_notes(
@@ -409,8 +404,8 @@ Table contrasts_table(const Evidence& evidence) {
   for (const Finding& contrast : evidence.contrasts) {
     std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
         evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),
-        contrast.estimate.value, interval(contrast.estimate), or_nothing(PValue{contrast.p}),
-        or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), interval(contrast.superiority),
+        contrast.estimate.value, range_of(contrast.estimate), or_nothing(PValue{contrast.p}),
+        or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), range_of(contrast.superiority),
         or_nothing(contrast.g)});
     if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
     const Estimate& runs = contrast.runs_to_decide;  // the same range as in the sentence

@@ -227,8 +227,8 @@ Table status_table(const StudyResults& study) {
   for (const SolverCounts& solver : counts(study)) {
     std::vector<Cell> row{solver.solver, solver.expected, std::max<std::int64_t>(0, solver.expected - solver.solves)};
     for (const Status status : statuses) row.push_back(count(solver.of(status)));
-    const auto group = std::ranges::find(analysed.groups, solver.solver, &Group::name);
-    row.push_back(count(group == analysed.groups.end() ? 0 : static_cast<std::int64_t>(group->values.size())));
+    const Group* const group = group_named(analysed.groups, solver.solver);
+    row.push_back(count(group == nullptr ? 0 : static_cast<std::int64_t>(group->values.size())));
     row.push_back(count(solver.outside_limits));
     row.emplace_back(solver.worst_outside_deg);
     table.rows.push_back(std::move(row));

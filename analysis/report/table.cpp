@@ -147,6 +147,10 @@ std::string spread_words(const AverageCell& average) {
                           : fmt::format("[{}, {}]", three_digits(of.front()), three_digits(of.back()));
 }
 
+Range range_of(const statistics::Estimate& of) {
+  return std::isfinite(of.low) && std::isfinite(of.high) ? Range{of.low, of.high} : Range{};
+}
+
 std::string own_digits(const OursAndPrinted& beside) {
   return beside.decimals < 0 ? short_number(beside.ours) : fmt::format("{:.{}f}", beside.ours, beside.decimals);
 }

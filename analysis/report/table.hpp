@@ -23,6 +23,8 @@ struct Range {
   double high = statistics::not_defined;
 };
 
+Range range_of(const statistics::Estimate& of);  // without ends unless both are finite
+
 // Our number beside a printed one, shown as "0.73 (printed 0.4075: 1.8 times, outside our range 0.6872 to 0.7583)"; two
 // columns in CSV, the second "... printed".
 enum class Nearness { unknown, within, near, far };  // a page shows it as a colour

@@ -32,8 +32,8 @@ std::string average_of_column(Estimand estimand) {
 }
 
 Cell average_of_group(const Evidence& evidence, const std::string& solver) {
-  const auto group = std::ranges::find(evidence.groups, solver, &GroupEvidence::name);
-  if (group == evidence.groups.end() || !std::isfinite(group->described.mean)) return {};
+  const GroupEvidence* const group = group_named(evidence.groups, solver);
+  if (group == nullptr || !std::isfinite(group->described.mean)) return {};
   return group->described.mean * (evidence.scale == ValueScale::share ? 100 : 1);
 }
 

@@ -22,10 +22,6 @@ using namespace fmt::literals;
 
 namespace {
 
-Range interval_of(const Estimate& of) {
-  return std::isfinite(of.low) && std::isfinite(of.high) ? Range{of.low, of.high} : Range{};
-}
-
 // The best mean of a family; not if all are equal.
 std::optional<double> best_of(const SweptFamily& family, const SweptQuantity& quantity) {
   std::optional<double> best, worst;
@@ -68,7 +64,7 @@ Table swept_table(const std::vector<SweptFamily>& families, const std::vector<Sw
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         const Estimate mean = quantities[i].of(member.label);
         row.emplace_back(mean.value);
-        row.emplace_back(interval_of(mean));
+        row.emplace_back(range_of(mean));
         if (best[i] == mean.value) best_in += (best_in.empty() ? "" : ", ") + quantities[i].observations.name;
       }
       row.push_back(best_in.empty() ? Cell() : Cell(best_in));
@@ -98,14 +94,13 @@ Table interaction_table(const std::vector<SweptFamily>& families, const std::vec
         const Interaction& found = pair.found;
         const std::string settings =
             fmt::format("{}, {}", family.settings[pair.first].name, family.settings[pair.second].name);
-        const bool depends = found.p < quantity.evidence.plan.significance;
         const std::string finding = !found.undefined.empty() ? "not defined: " + named(found.undefined, "a combination")
-                                    : depends                ? "yes"
+                                    : pair.depends           ? "yes"
                                                              : "not shown";
         std::vector<Cell> row{family.name, settings, quantity.observations.quantity, finding};
         if (found.undefined.empty()) {
           row.insert(row.end(), {found.statistic, found.df, found.df_within, PValue{found.p}});
-          row.insert(row.end(), {corner_words(family, pair), found.corners.value, interval_of(found.corners)});
+          row.insert(row.end(), {corner_words(family, pair), found.corners.value, range_of(found.corners)});
         }
         row.resize(table.columns.size());
         if (!found.undefined.empty()) row.back() = Range{};
