@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
       "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
       "5 more runs are needed (compare --sequential) or solves are missing (merge, status),\n"
       "6 the status of the answer is not ok (solve), 128 + number of the signal (130: Ctrl-C).");
-  app.set_version_flag("--version", "ikbench " + version());
+  app.set_version_flag("--version", program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));

@@ -303,7 +303,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
               .plan = plan,
               .solvers = wanted.arguments.solvers,
               .style = styled(figure_style_of(entry), wanted.arguments),
-              .figures = {.render = !wanted.arguments.without_figures},
+              .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
               .collections = own.empty() ? analysis::collections() : own,
               .extra_tables = std::move(wanted.tables),
               .extra_figures = std::move(wanted.figures),
@@ -344,7 +344,8 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
-          const figures::RenderOptions& options) {
+          figures::RenderOptions options) {
+  options.program = program_name();
   for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options).outcomes) {
     if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
   }

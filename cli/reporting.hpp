@@ -80,9 +80,9 @@ class ReportProgress {
   std::optional<ProgressBar> bar_ = {};
 };
 
-// Writes figures into the folder, draws them, and warns of those that were not drawn.
+// Writes figures into the folder, draws them, with the program's name in them, and warns of those that were not drawn.
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
-          const figures::RenderOptions& options);
+          figures::RenderOptions options);
 
 // The damages of a stored study, in sentences: numbers that do not follow from the answers (experiments/recheck.hpp),
 // changes since it was written, and sessions that the store does not have.

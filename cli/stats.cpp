@@ -20,6 +20,7 @@
 #include "cli/console.hpp"
 #include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 #include "results/csv.hpp"
 
 namespace ikbench::cli {
@@ -286,9 +287,10 @@ void add_stats(CLI::App& app, Invocation& invocation) {
          .command = invocation.command,
          .assessments = assessments},
         arguments->out.empty() ? default_folder("stats-" + stem) : std::filesystem::path(arguments->out),
-        {.render = !arguments->without_figures, .progress = [&](std::int64_t drawn, std::int64_t figures) {
-           progress.show(ReportStep::drawing, drawn, figures);
-         }});
+        {.render = !arguments->without_figures,
+         .progress = [&](std::int64_t drawn,
+                         std::int64_t figures) { progress.show(ReportStep::drawing, drawn, figures); },
+         .program = program_name()});
     progress.end();
     if (!arguments->output.is_json) {
       return show_screen(screen_of(assessments, report, arguments->output), arguments->output,

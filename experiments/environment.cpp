@@ -123,4 +123,6 @@ std::string version() {
   return fmt::format("{} ({}, source {})", build_info::version, build_info::commit, source_digest());
 }
 
+std::string program_name() { return "ikbench " + version(); }
+
 }  // namespace ikbench::experiments

@@ -24,6 +24,7 @@ double waited_seconds(pid_t process);
 double waited_seconds(const std::filesystem::path& task);
 // Times of a debug or sanitized build say nothing about a solver.
 bool is_debug_build();
-std::string version();
+std::string version();       // "1.0.0 (COMMIT, source DIGEST)"
+std::string program_name();  // "ikbench", with its version, for what it writes
 
 }  // namespace ikbench::experiments

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <boost/crc.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -58,13 +59,35 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder, 
   }
 }
 
-// Makes the same figure the same bytes: Cairo writes the time of drawing into a PDF. Fills with blanks, because offsets
-// follow.
-void blank_date(std::string& pdf) {
-  const std::size_t begin = pdf.find("/CreationDate (");
-  if (begin == std::string::npos) return;
-  const std::size_t end = std::min(pdf.find(')', begin), pdf.size() - 1) + 1;
-  std::fill(pdf.begin() + static_cast<std::ptrdiff_t>(begin), pdf.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+// Makes the same figure the same bytes: Cairo writes the time of drawing into a PDF, after its own name. The program
+// takes their place, and blanks what is left of it, because offsets follow.
+void name_program_in_pdf(std::string& pdf, const std::string& program) {
+  const std::size_t date = pdf.find("/CreationDate (");
+  if (date == std::string::npos) return;
+  const std::size_t end = std::min(pdf.find(')', date), pdf.size() - 1) + 1;
+  const std::size_t producer = pdf.rfind("/Producer (", date);
+  const std::string creator = program.empty() ? "" : fmt::format("/Creator ({})", program);
+  const bool fits = producer != std::string::npos && creator.size() <= end - producer && !creator.empty();
+  const std::size_t begin = fits ? producer : date;
+  pdf.replace(begin, end - begin, fmt::format("{:<{}}", fits ? creator : "", end - begin));
+}
+
+void name_program_in_svg(std::string& svg, const std::string& program) {
+  if (const std::size_t end = svg.find("</desc>"); end != std::string::npos) svg.insert(end, "for " + program);
+}
+
+// As a chunk of text, after the header, which has 13 bytes (https://www.w3.org/TR/png/#11tEXt).
+void name_program_in_png(std::string& png, const std::string& program) {
+  constexpr std::size_t end_of_header = 8 + 4 + 4 + 13 + 4;
+  const auto number = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
+    return bytes;
+  };
+  const std::string text = std::string("Software") + '\0' + program, chunk = "tEXt" + text;
+  boost::crc_32_type sum;
+  sum.process_bytes(chunk.data(), chunk.size());
+  png.insert(end_of_header, number(static_cast<std::uint32_t>(text.size())) + chunk + number(sum.checksum()));
 }
 
 // Adds similar fonts: gnuplot names only one, and machines without it would show other letters.
@@ -103,8 +126,10 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
       // gnuplot does not say that a disk is full
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
-    if (type == Picture::pdf) blank_date(*picture);
+    if (type == Picture::pdf) name_program_in_pdf(*picture, options.program);
+    if (type == Picture::png && !options.program.empty()) name_program_in_png(*picture, options.program);
     if (type == Picture::svg) {
+      if (!options.program.empty()) name_program_in_svg(*picture, options.program);
       name_similar_fonts(*picture);
       escape_ends_of_sections(*picture);
     }

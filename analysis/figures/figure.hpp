@@ -41,6 +41,7 @@ struct RenderOptions {
   int jobs = 2;                     // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
+  std::string program = {};  // what writes the report, with its version; it is in the pictures. Empty: not said
 };
 
 struct FigureOutcome {

@@ -37,22 +37,27 @@ std::string json_of(const std::vector<Assessment>& assessments) {
   return fmt::format("[\n{}\n]\n", fmt::join(objects, ",\n"));
 }
 
+std::string latex_comment(const std::string& program) {
+  return program.empty() ? "" : fmt::format("% Made by {}\n", program);
+}
+
 }  // namespace
 
-void write_table(const Table& table, const std::filesystem::path& folder) {
+void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program) {
   write_file(folder / (table.name + ".md"), to_markdown(table));
   write_file(folder / (table.name + ".csv"), to_csv(table));
-  write_file(folder / (table.name + ".tex"), to_latex(table));
+  write_file(folder / (table.name + ".tex"), to_latex(table) + latex_comment(program));
 }
 
 Report publish(ReportContent content, std::vector<Table> tables, std::vector<Figure> figures,
                const std::filesystem::path& folder, const RenderOptions& options) {
+  content.program = options.program;
   for (const Assessment& assessment : content.assessments) {
     std::ranges::copy(assessment.tables, std::back_inserter(tables));
     std::ranges::copy(assessment.figures, std::back_inserter(figures));
   }
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
-  for (const Table& table : tables) write_table(table, folder / "tables");
+  for (const Table& table : tables) write_table(table, folder / "tables", options.program);
   if (!content.assessments.empty()) write_file(folder / "statistics.json", json_of(content.assessments));
   const auto [outcomes, edited] = write_figures(figures, folder / "figures", options);
   if (options.render && !edited.empty()) content.warnings.push_back({.kind = DoubtKind::figures_edited, .who = edited});
@@ -79,7 +84,7 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<Fig
   report.summary.insert(report.summary.begin(), answer.begin(), answer.end());
   write_file(report.file, to_markdown(content));
   write_file(folder / "index.md", index_markdown(content));
-  if (!content.set_up.empty()) write_file(folder / "article.tex", to_article(content));
+  if (!content.set_up.empty()) write_file(folder / "article.tex", to_article(content) + latex_comment(content.program));
   if (!content.claims.empty()) write_file(folder / "verdict.md", verdict_markdown(content));
   write_file(report.page, to_html(content, folder));
   return report;

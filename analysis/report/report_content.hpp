@@ -66,6 +66,7 @@ struct ReportContent {
   std::string audited = {};  // a sentence on what is wrong with the paper's printed numbers; may be empty
   std::vector<std::string> summary;
   inference::Doubts warnings = {};
+  std::string program = {};            // that writes the report, with its version; may be empty
   std::string command;                 // reproduces the numbers; empty if unknown
   std::vector<Section> circumstances;  // what was run, where, and with which status
   std::vector<Section> results;

@@ -328,6 +328,7 @@ Json header_json(const ReportContent& content, Pieces& pieces) {
           {"several", content.warnings.empty() ? "" : warnings_line(content.warnings)},
           {"warnings", list_of(content.warnings)},
           {"command", content.command},
+          {"program", content.program.empty() ? "ikbench" : content.program},
           {"solvers", content.solvers.size() > 1 ? solvers_json(content.solvers) : Json()}};
 }
 

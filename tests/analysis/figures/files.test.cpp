@@ -169,6 +169,40 @@ TEST_CASE("scripts that the user has edited stay, and figures are drawn with the
   CHECK(text_of_file(style).find(own_colour) == std::string::npos);
 }
 
+TEST_CASE("a picture says which program it was made for", "[files][figure]") {
+  const ScratchFolder folder;
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
+  write_figures({figure}, folder.path, {});
+  const std::string plain = text_of_file(folder.path / "f.pdf"), plain_png = text_of_file(folder.path / "f.png");
+  const std::string program = "ikbench 1.0.0 (0123456789ab-dirty, source 0123456789abcdef)";
+  REQUIRE(write_figures({figure}, folder.path, {.program = program}).outcomes[0].rendered);
+  CHECK(text_of_file(folder.path / "f.svg").find("for " + program + "</desc>") != std::string::npos);
+
+  const std::string pdf = text_of_file(folder.path / "f.pdf");
+  const std::size_t at = pdf.find("/Creator (" + program + ")");
+  REQUIRE(at != std::string::npos);
+  REQUIRE(pdf.size() == plain.size());  // offsets follow
+  CHECK(pdf.substr(0, at) == plain.substr(0, at));
+  const std::size_t end = plain.find(">>", at);
+  CHECK(pdf.substr(end) == plain.substr(end));
+  CHECK(pdf.find("CreationDate") == std::string::npos);
+
+  // The CRC of a chunk is that of its type and data, made bit by bit here (PNG, annex D).
+  const std::string png = text_of_file(folder.path / "f.png");
+  const std::string chunk = std::string("tEXtSoftware") + '\0' + program;
+  REQUIRE(png.substr(37, chunk.size()) == chunk);
+  CHECK(png.substr(33, 4) == std::string("\0\0\0", 3) + static_cast<char>(chunk.size() - 4));
+  CHECK(png.substr(0, 33) + png.substr(37 + chunk.size() + 4) == plain_png);
+  std::uint32_t sum = 0xFFFFFFFFu;
+  for (const char c : chunk) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1u) != 0 ? sum >> 1 ^ 0xEDB88320u : sum >> 1;
+  }
+  std::uint32_t stored = 0;
+  for (std::size_t i = 0; i < 4; ++i) stored = stored << 8 | static_cast<unsigned char>(png[37 + chunk.size() + i]);
+  CHECK(stored == ~sum);
+}
+
 TEST_CASE("without drawing all pictures stay, and those of the same data are still shown", "[files][figure]") {
   const ScratchFolder folder;
   Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
