@@ -49,8 +49,8 @@ except ImportError:
 def refuses(words, call):
     try:
         call()
-    except (ValueError, FileNotFoundError) as error:
-        assert words in str(error), error
+    except ikbench.Error as error:
+        assert words in str(error) and "\n" not in str(error), error
     else:
         raise AssertionError("accepted; expected: " + words)
 
@@ -66,6 +66,41 @@ copy[60:64] = (99).to_bytes(4, "big")  # user_version
 with open("later.sqlite", "wb") as file:
     file.write(copy)
 refuses("the store has schema 99", lambda: ikbench.Store("later.sqlite"))
+
+# Damaged rows and files: one sentence that names the file.
+def damaged(sql):
+    import shutil
+
+    shutil.copy("out/small/store.sqlite", "damaged.sqlite")
+    database = sqlite3.connect("damaged.sqlite")
+    database.executescript(sql)
+    database.close()
+    return ikbench.Store("damaged.sqlite")
+
+for sql in (
+    "UPDATE solves SET answer_rad = '[1, 2' WHERE run = 2",
+    "UPDATE solves SET answer_rad = '5' WHERE run = 2",
+    "UPDATE solves SET answer_rad = '[1, \"two\"]' WHERE run = 2",
+    "UPDATE solves SET answer_rad = x'00' WHERE run = 2",
+    "UPDATE solves SET seconds = 'soon' WHERE run = 2",
+    "UPDATE solves SET evaluations = 'many' WHERE run = 2",
+    "UPDATE studies SET definition = '{'",
+    "ALTER TABLE solves DROP COLUMN counted_by",
+    "DROP TABLE series",
+):
+    refuses("damaged.sqlite: it is damaged (", damaged(sql).solves)
+refuses("damaged.sqlite: it is damaged (", damaged("UPDATE studies SET definition = '['").definition)
+refuses("damaged.sqlite: it is damaged (", lambda: damaged("DROP TABLE studies").studies)
+with open("out/small/store.sqlite", "rb") as file:
+    whole = file.read()
+with open("cut.sqlite", "wb") as file:
+    file.write(whole[: len(whole) // 2])
+refuses("cut.sqlite: ", lambda: ikbench.Store("cut.sqlite").solves("slim2023"))
+for text in ("[", "5", '{"a": 1}', "[1]", '[{"contrasts": [1]}]', "[" * 100000):
+    with open("damaged.json", "w") as file:
+        file.write(text)
+    refuses("damaged.json: it is damaged (", lambda: ikbench.findings("damaged.json"))
+refuses("none.json: ", lambda: ikbench.findings("none.json"))
 PYTHON
 python3 compare.py || fail "what Python reads is not what the program tells"
 
