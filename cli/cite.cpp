@@ -1,5 +1,6 @@
 // ikbench cite: what a paper has to cite that uses this program.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -83,7 +84,12 @@ std::string program_entry() {
       words);
 }
 
-std::string cited(const std::string& name) {
+struct Cited {
+  std::vector<std::string> entries;               // BibTeX, the program first
+  report::Json sources = report::Json::object();  // of solvers without an entry
+};
+
+Cited cited(const std::string& name) {
   std::set<std::string, std::less<>> wanted;
   if (!name.empty()) {
     const Used used = used_in(name);
@@ -93,7 +99,7 @@ std::string cited(const std::string& name) {
         wanted.insert(collection.name);
     }
   }
-  std::string text = program_entry();
+  Cited found{.entries = {program_entry()}};
   std::set<std::string_view> told;
   for (const Work& work : works()) {
     bool is_wanted = false;
@@ -102,28 +108,39 @@ std::string cited(const std::string& name) {
       is_wanted = true;
       told.insert(keyword);
     }
-    if (is_wanted) text += fmt::format("\n{}", work.entry);
+    if (is_wanted) found.entries.emplace_back(work.entry);
   }
   for (const solvers::SolverInfo& info : solvers::all_solvers()) {
-    if (wanted.contains(info.name) && !told.contains(info.name))
-      text += fmt::format("\n% {}: {}\n", info.name, info.source);
+    if (wanted.contains(info.name) && !told.contains(info.name)) found.sources[std::string(info.name)] = info.source;
   }
-  return text;
+  return found;
 }
 
 }  // namespace
 
 void add_cite(CLI::App& app, Invocation&) {
-  auto study = std::make_shared<std::string>();
+  struct Arguments {
+    std::string study;
+    OutputArguments output = {};
+  };
+  auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("cite", "Print what to cite: the program, a study's paper, and the papers of its solvers");
-  command->add_option("STUDY", *study,
+  command->add_option("STUDY", arguments->study,
                       "name of a built-in study, a TOML file, or a store.sqlite; default: the program alone");
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench cite slim2023 > references.bib\n"
       "  ikbench cite out/my/store.sqlite");
-  command->callback([study] { fmt::print("{}", printable(cited(*study))); });
+  command->callback([arguments] {
+    const Cited found = cited(arguments->study);
+    if (arguments->output.is_json) return show_json({{"bibtex", found.entries}, {"sources", found.sources}});
+    std::vector<std::string> paragraphs = found.entries;
+    for (const auto& [solver, source] : found.sources.items())
+      paragraphs.push_back(fmt::format("% {}: {}\n", solver, source.get<std::string>()));
+    fmt::print("{}", printable(fmt::format("{}", fmt::join(paragraphs, "\n"))));
+  });
 }
 
 }  // namespace ikbench::cli

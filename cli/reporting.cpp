@@ -326,7 +326,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
       "solves: give these again into another folder");
 }
 
-std::vector<std::string> damages_of(const Store& store, const std::string& study) {
+std::vector<std::string> damages_of(const Store& store, const std::string& study, std::string* unknown) {
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
   {
@@ -339,7 +339,10 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
     });
   }
   std::vector<std::string> damages = check.damages();
-  if (const std::string unknown = check.unknown(); !unknown.empty()) warn(unknown);
+  if (unknown)
+    *unknown = check.unknown();
+  else if (!check.unknown().empty())
+    warn(check.unknown());
   return damages;
 }
 

@@ -86,7 +86,9 @@ void draw(const std::vector<figures::Figure>& figures, const std::filesystem::pa
 
 // The damages of a stored study, in sentences: numbers that do not follow from the answers (experiments/recheck.hpp),
 // changes since it was written, and sessions that the store does not have.
-std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
+// Warns where digests were removed, so that changes may not show, or puts that sentence into `unknown`.
+std::vector<std::string> damages_of(const results::Store& store, const std::string& study,
+                                    std::string* unknown = nullptr);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);

@@ -47,11 +47,13 @@ Submission taken(const std::string& file, std::vector<SiteRow>& rows) {
     const Store store(file, Store::Mode::read);
     for (const StudyEntry& study : store.studies()) {
       submission.studies.push_back(study.name);
-      if (!store.changes({study.name}).are_known) {
+      std::string unknown;
+      const std::vector<std::string> damages = damages_of(store, study.name, &unknown);
+      if (!unknown.empty()) {
         submission.refused = "its digests were removed, so that a change would not show";
         return submission;
       }
-      if (const std::vector<std::string> damages = damages_of(store, study.name); !damages.empty()) {
+      if (!damages.empty()) {
         submission.refused = fmt::format("{}", fmt::join(damages, " "));
         return submission;
       }
@@ -67,17 +69,41 @@ Submission taken(const std::string& file, std::vector<SiteRow>& rows) {
   return submission;
 }
 
+void tell(const std::vector<Submission>& submissions, std::size_t pages, const std::filesystem::path& index,
+          const OutputArguments& output) {
+  std::vector<std::string> said;
+  report::Json refused = report::Json::array();
+  for (const Submission& each : submissions) {
+    if (each.refused.empty()) continue;
+    said.push_back(fmt::format("{} is not shown: {}", each.name, each.refused));
+    refused.push_back({{"store", each.name}, {"why", each.refused}});
+  }
+  if (output.is_json) {
+    for (const std::string& sentence : said) warn(sentence);
+    return show_json(
+        {{"page", index.string()}, {"pages", pages}, {"stores", submissions.size()}, {"refused", refused}});
+  }
+  const std::string answer = said.empty() ? "" : fmt::format(", and {} stores that do not fit", said.size());
+  show_screen(
+      {{.items = {wrapped(fmt::format("{} pages of {} stores{}", pages, submissions.size() - said.size(), answer))}},
+       warnings(said),
+       {.items = {printable(index.string())}}},
+      output, ", and the first page has it");
+}
+
 }  // namespace
 
 void add_site(CLI::App& app, Invocation&) {
   struct Arguments {
     std::vector<std::string> stores;
     std::string out = "public";
+    OutputArguments output = {};
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("site", "Write static pages of the studies, solvers and arms in many stores");
   command->add_option("STORE", arguments->stores, "the stores; each is a submission")->required();
   command->add_option("--out", arguments->out, "folder for the pages")->capture_default_str()->check(not_empty());
+  add_output_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench site submissions/*.sqlite --out public\n\n"
@@ -86,11 +112,7 @@ void add_site(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     std::vector<SiteRow> rows;
     std::vector<Submission> submissions;
-    for (const std::string& file : arguments->stores) {
-      submissions.push_back(taken(file, rows));
-      if (const Submission& last = submissions.back(); !last.refused.empty())
-        warn(fmt::format("{} is not shown: {}", last.name, last.refused));
-    }
+    for (const std::string& file : arguments->stores) submissions.push_back(taken(file, rows));
     std::filesystem::create_directories(arguments->out);
     for (const auto& page : std::filesystem::directory_iterator(arguments->out)) {  // of stores that are gone
       const std::string file = page.path().filename().string();
@@ -98,8 +120,7 @@ void add_site(CLI::App& app, Invocation&) {
       if (is_ours && file.ends_with(".html")) std::filesystem::remove(page.path());
     }
     const std::size_t pages = write_site(submissions, rows, arguments->out);
-    fmt::print("{} pages of {} stores\n{}\n", pages, submissions.size(),
-               printable((std::filesystem::path(arguments->out) / "index.html").string()));
+    tell(submissions, pages, std::filesystem::path(arguments->out) / "index.html", arguments->output);
   });
 }
 

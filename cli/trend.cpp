@@ -44,6 +44,7 @@ struct TrendArguments {
   std::vector<std::string> stores, labels;
   std::string metric = "position_error_cm", study, out;
   double margin = 0;  // 0: the plan's
+  OutputArguments output = {};
 };
 
 struct Version {
@@ -203,20 +204,29 @@ Figure figure_of(const std::vector<Trend>& trends, const std::vector<Version>& v
   return figure;
 }
 
-void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions, const Table& table) {
-  std::size_t changes = 0;
+void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions, const Table& table,
+          const std::filesystem::path& picture, const OutputArguments& output) {
+  std::vector<std::string> said;
+  report::Json changes = report::Json::array();
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
       if (!point.has_changed) continue;
-      ++changes;
-      fmt::print("{}\n",
-                 printable(fmt::format("{} changed in {}: {} than in {}.", trend.label, versions[point.version].name,
-                                       point.verdict, versions[point.base].name)));
+      const std::string &version = versions[point.version].name, &base = versions[point.base].name;
+      said.push_back(fmt::format("{} changed in {}: {} than in {}.", trend.label, version, point.verdict, base));
+      changes.push_back({{"label", trend.label}, {"version", version}, {"is", point.verdict}, {"than_in", base}});
     }
   }
-  if (changes == 0) fmt::print("No change beyond the margin was found in {} versions.\n", versions.size());
-  fmt::print("\n{}\n", aligned(readable_cells(table)));
-  for (const std::string& note : table.notes) fmt::print("{}\n", wrapped(note));
+  if (output.is_json) return show_json({{"changes", changes}, {"rows", rows_json(table)}, {"notes", table.notes}});
+  if (said.empty()) said = {fmt::format("No change beyond the margin was found in {} versions.", versions.size())};
+  constexpr std::size_t of_changes = 8, of_table = 14;
+  std::vector<Part> parts{sentences(said, of_changes),
+                          {.items = {""}},
+                          table_rows(table, output, of_table),
+                          {.items = {""}},
+                          sentences(table.notes),
+                          {}};
+  if (!picture.empty()) parts.back().items = {printable(picture.string())};
+  show_screen(parts, output, picture.empty() ? ", and --out FOLDER writes it" : ", and trend.md has it");
 }
 
 void show_trend(const TrendArguments& arguments) {
@@ -230,15 +240,14 @@ void show_trend(const TrendArguments& arguments) {
   std::vector<Trend> trends;
   for (const std::string& label : labels) trends.push_back(trend_of(label, versions, of_one, arguments.metric));
   const Table table = table_of(trends, versions, metric, plan);
-  tell(trends, versions, table);
-  if (arguments.out.empty()) return;
+  if (arguments.out.empty()) return tell(trends, versions, table, "", arguments.output);
   const std::filesystem::path folder = arguments.out;
   std::filesystem::create_directories(folder);
   write_file(folder / "trend.csv", to_csv(table));
   write_file(folder / "trend.md", to_markdown(table));
   draw({figure_of(trends, versions, metric)}, folder, {.jobs = 1});
   const std::filesystem::path picture = folder / "trend.svg";
-  fmt::print("{}\n", printable((exists(picture) ? picture : folder / "trend.md").string()));
+  tell(trends, versions, table, exists(picture) ? picture : folder / "trend.md", arguments.output);
 }
 
 }  // namespace
@@ -256,6 +265,7 @@ void add_trend(CLI::App& app, Invocation&) {
       ->description("smallest relative change that matters; default: the plan's");
   command->add_option("--out", arguments->out,
                       "also write trend.csv, trend.md and trend.svg, .pdf, .png into this folder");
+  add_output_options(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench trend v1.sqlite v2.sqlite v3.sqlite\n"

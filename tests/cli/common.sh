@@ -95,6 +95,30 @@ quiet() {
   ! LC_ALL=C grep -q $'[\001-\010\013-\037\177]' "$work/.out" "$work/.err" || fail "control characters in: $out $err"
 }
 
+# fits WORDS ARGUMENTS...: what it says is no more than a screen, with the warnings, and begins with the words.
+fits() {
+  local words=$1 lines
+  shift
+  run_it "$@"
+  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $*: exit code $code: $err"
+  lines=$({ cat "$work/.out" && fold -s -w 98 "$work/.err"; } | wc -l)
+  [ "$lines" -le 30 ] && [ "$(wc -L <"$work/.out")" -le 100 ] ||
+    fail "ikbench $*: $lines lines of $(wc -L <"$work/.out") columns: $out $err"
+  [[ $(flat "$out") == "$words"* ]] || fail "ikbench $*: expected '$words' first in: $out"
+  quiet
+}
+
+# as_json EXPRESSION ARGUMENTS...: standard output is JSON, `of`, which the expression holds. Nothing without python3.
+as_json() {
+  local expression=$1
+  shift
+  run_it "$@" --json
+  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $* --json: exit code $code: $err"
+  command -v python3 >/dev/null || return 0
+  python3 -c "import json, sys; of = json.load(open('$work/.out')); sys.exit(not ($expression))" ||
+    fail "ikbench $* --json: not $expression: $out"
+}
+
 # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first.
 study() {
   local name=$1

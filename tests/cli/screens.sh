@@ -13,17 +13,6 @@ succeeds run mine.toml --no-report --out mine
 store=mine/store.sqlite
 cp $store other.sqlite
 
-# fits WORDS ARGUMENTS...: what it says is no more than a screen, with the warnings, and begins with the words.
-fits() {
-  local words=$1 lines
-  shift
-  run_it "$@"
-  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $*: exit code $code: $err"
-  lines=$({ cat .out && fold -s -w 98 .err; } | wc -l)
-  [ "$lines" -le 30 ] && [ "$(wc -L <.out)" -le 100 ] || fail "ikbench $*: $lines lines of $(wc -L <.out) columns: $out $err"
-  [[ $(flat "$out") == "$words"* ]] || fail "ikbench $*: expected '$words' first in: $out"
-  quiet
-}
 fits "Smallest mean error" report $store --no-figures --out reported
 [ "$(tail -n 1 .out)" = "Report: reported/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 [[ $(flat "$out") =~ Not\ shown:\ .*\ --verbose\ shows\ all,\ and\ reported/report.md\ has\ it\. ]] ||
@@ -61,14 +50,6 @@ has_no "$out" "Not shown"
 has "$out" "random_search"
 [ "$(wc -l <.out)" -gt 30 ] || fail "--verbose says no more"
 command -v python3 >/dev/null || exit 77
-# as_json EXPRESSION ARGUMENTS...: standard output is JSON, `of` which the expression holds.
-as_json() {
-  local expression=$1
-  shift
-  run_it "$@" --json
-  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $* --json: exit code $code: $err"
-  python3 -c "import json, sys; of = json.load(open('.out')); sys.exit(not ($expression))" || fail "ikbench $* --json: not $expression: $out"
-}
 as_json 'of["study"] == "mine" and len(of["pairs"]) == 45 and of["pairs"][0]["relation"] and of["results"][0]["algorithm"] == "DLS"' \
   report $store --no-figures --out reported
 as_json 'of["report"] == "mine/report.html" and of["is_damaged"] is False and of["warnings"] is not None' run mine.toml --no-figures --out mine

@@ -14,11 +14,17 @@ sqlite3 without-digests/store.sqlite "UPDATE solves SET digest = 0; DELETE FROM 
 echo nonsense >none.sqlite
 
 succeeds site store-*/store.sqlite other-study/store.sqlite '<b>&"quoted/store.sqlite' edited-errors/store.sqlite \
-  impossible-times/store.sqlite without-digests/store.sqlite none.sqlite --out public
+  impossible-times/store.sqlite without-digests/store.sqlite none.sqlite --out public --verbose
+[[ $out == *" pages of 10 stores, and 4 stores that do not fit"*public/index.html ]] || fail "not the counts and the page: $out"
 has "$err" "edited-errors is not shown: Study slim2023: Damaged: "
 has "$err" "impossible-times is not shown: Study slim2023: Damaged: "
 has "$err" "without-digests is not shown: its digests were removed"
 has "$err" "none is not shown:"
+fits "" site store-*/store.sqlite edited-errors/store.sqlite impossible-times/store.sqlite none.sqlite --out fitting
+[ "$(tail -n 1 .out)" = fitting/index.html ] || fail "the last line is not the page: $out"
+as_json 'of["stores"] == 3 and of["page"] == "two/index.html" and [each["store"] for each in of["refused"]] == ["edited-errors", "none"]' \
+  site store-1/store.sqlite edited-errors/store.sqlite none.sqlite --out two
+has "$err" "edited-errors is not shown: "
 index=$(<public/index.html)
 has "$index" "every answer fits"
 has "$index" "1e-06 is stored"

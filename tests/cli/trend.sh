@@ -10,11 +10,17 @@ version v2 2 30
 version v3 3 3
 version v4 4 3
 
-succeeds trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO --out drawn
+succeeds trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO --out drawn --verbose
 has "$out" "PSO changed in v3: worse by more than 5 % than in v1."
+[[ $(tail -n 1 .out) == drawn/trend.* ]] || fail "the last line is no file: $out"
 ! grep -q ' changed in v[24]:' <<<"$out" || fail "a change where there is none: $out"
 [ "$(grep -cE '^(IK-BA|PSO) +v[1-4] ' <<<"$out")" = 8 ] || fail "a row for each label and version: $out"
 grep -q '^PSO,v4,.*,v3,' drawn/trend.csv || fail "v4 is not compared with v3: $(<drawn/trend.csv)"
+fits "PSO changed in v3: worse by more than 5 % than in v1." trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO
+as_json 'of["changes"] == [{"label": "PSO", "version": "v3", "is": "worse by more than 5 %", "than_in": "v1"}] and
+  [row["version"] for row in of["rows"]] == ["v1", "v2", "v3", "v4"] * 2' trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO
+fits "" trend v{1,2,3,4,1,2,3,4}/store.sqlite
+has "$out" "--verbose shows all, and --out FOLDER writes it."
 [ -s drawn/trend.md ] || fail "no trend.md"
 ! command -v gnuplot >/dev/null || [ -s drawn/trend.svg ] || fail "no figure"
 
