@@ -16,6 +16,16 @@ rm -r ikbench-gate outputs
 bash "$gate" >.out 2>.err || fail "the same solver: exit code $?: $(<.out) $(<.err)"
 has "$(<outputs)" "outcome=passed"
 has "$(<summary.md)" "No regression"
+
+# The same solver in a second session is green with --strict and the metrics by default: times are shown and do not count.
+# Who names them asks for what two sessions cannot decide.
+OUT=second STRICT=true bash "$gate" >.out 2>.err || fail "the same solver, strict: exit code $?: $(<.out) $(<.err)"
+"$program" compare $BASELINE second/store.sqlite --strict --json >strict.json || fail "compare --strict: exit code $?"
+grep -q '"metric": "seconds' strict.json || fail "no row of times: $(<strict.json)"
+code=0
+OUT=times STRICT=true METRICS=seconds bash "$gate" >.out 2>.err || code=$?
+[ "$code" = 4 ] || fail "times of two sessions, strict: exit code $code, expected 4: $(<.out) $(<.err)"
+
 for file in store.sqlite verdict.md verdict.json verdict.xml; do
   [ -s ikbench-gate/$file ] || fail "no $file"
 done
