@@ -7,12 +7,15 @@ cd "$HOME/work"
 ikbench --version
 ikbench reproduce --quick --out reproduced | tail -n 5
 test -s reproduced/report.html && test -s reproduced/figures/figure-10.svg
+ikbench reproduce --out whole | tail -n 5
+test -s whole/report.html && test -s whole/tables/multiverse.csv
 ikbench run slim2023 --set runs=4 --set path.points=3 --set stop.iterations=50 --no-report --out before | tail -n 1
 ikbench run slim2023 --set runs=4 --set path.points=3 --set stop.iterations=50 --set seed=2 --no-report --out after | tail -n 1
-ikbench compare before/store.sqlite after/store.sqlite | head -n 1
+ikbench compare before/store.sqlite after/store.sqlite | sed -n 1p
 examples=/usr/share/doc/ikbench/docs/examples
 ikbench check-solver -- python3 "$examples/pso.py" | tail -n 3
-man ikbench-compare | grep -q SYNOPSIS
+man ikbench | grep SYNOPSIS >/dev/null
+man ikbench-compare | grep SYNOPSIS >/dev/null
 PYTHONPATH=/usr/share/ikbench/python python3 -c 'import ikbench; print(len(ikbench.Store("before").solves()), "solves read in Python")'
 bash -c 'source /usr/share/bash-completion/completions/ikbench
   COMP_WORDS=(ikbench comp) COMP_CWORD=1; _ikbench; [[ ${COMPREPLY[*]} == compare ]]'
