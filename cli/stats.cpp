@@ -79,32 +79,30 @@ std::string distinct(const std::string& name, std::set<std::string>& taken) {
 
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-template <class Of>
-void rename(Of& of, const std::string& quantity) {
-  if (quantity.empty()) return;
-  of.quantity = quantity;
-  of.unit = split_unit(quantity).unit;
-}
-
 std::vector<Assessment> assessments_of(const StatsArguments& arguments, ReportProgress& progress) {
   std::vector<Assessment> result;
   std::set<std::string> names;
   const Better better = arguments.larger ? Better::larger : Better::smaller;
+  const auto add = [&](Observations observations, std::int64_t all) {
+    progress.show(ReportStep::judging, std::ssize(result), all);
+    observations.better = better;
+    observations.name = distinct(observations.name, names);
+    if (!arguments.quantity.empty()) {
+      observations.quantity = arguments.quantity;
+      observations.unit = split_unit(arguments.quantity).unit;
+    }
+    observations.margin = arguments.margin;
+    check_margin(observations, arguments.plan);
+    result.push_back(assess(observations, arguments.plan));
+  };
   if (!arguments.summaries.empty()) {
-    std::vector<Summaries> all = read_summaries(contents_of(arguments.summaries), name_of_source(arguments.summaries));
+    std::vector<Observations> all =
+        read_summaries(contents_of(arguments.summaries), name_of_source(arguments.summaries));
     if (!arguments.quantity.empty() && all.size() > 1) {
       throw std::invalid_argument(
           fmt::format("--quantity names one quantity, but {} has {}", arguments.summaries, all.size()));
     }
-    for (Summaries& summaries : all) {
-      progress.show(ReportStep::judging, std::ssize(result), std::ssize(all));
-      summaries.better = better;
-      summaries.name = distinct(summaries.name, names);
-      rename(summaries, arguments.quantity);
-      summaries.margin = arguments.margin;
-      check_margin(summaries, arguments.plan);
-      result.push_back(assess(summaries, arguments.plan));
-    }
+    for (Observations& summaries : all) add(std::move(summaries), std::ssize(all));
     return result;
   }
   CsvRequest request = arguments.csv;
@@ -117,14 +115,8 @@ std::vector<Assessment> assessments_of(const StatsArguments& arguments, ReportPr
   std::vector<std::string> values = arguments.values;
   if (values.empty()) values.emplace_back();
   for (const std::string& value : values) {
-    progress.show(ReportStep::judging, std::ssize(result), std::ssize(values));
     request.value = value;
-    Observations observations = read_observations(text, name_of_source(arguments.file), request);
-    observations.name = distinct(observations.name, names);
-    rename(observations, arguments.quantity);
-    observations.margin = arguments.margin;
-    check_margin(observations, arguments.plan);
-    result.push_back(assess(observations, arguments.plan));
+    add(read_observations(text, name_of_source(arguments.file), request), std::ssize(values));
   }
   return result;
 }

@@ -40,16 +40,16 @@ std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const StudyResults&
   return is_elsewhere ? std::vector<PrintedRow>() : printed_rows(study.facts.published, file.means, metric);
 }
 
-std::vector<Summaries> printed_summaries(const ClaimsFile& file, const StudyResults& study) {
-  std::vector<Summaries> result;
+std::vector<Observations> printed_summaries(const ClaimsFile& file, const StudyResults& study) {
+  std::vector<Observations> result;
   for (const Metric metric : all_metrics()) {
     const MetricInfo& info = info_of(metric);
-    Summaries printed{.name = fmt::format("printed-{}", info.slug),
-                      .quantity = text_of({fmt::format("{}, as printed", info.name), std::string(info.unit)}),
-                      .unit = std::string(info.unit),
-                      .better = info.better};
+    Observations printed{.name = fmt::format("printed-{}", info.slug),
+                         .quantity = text_of({fmt::format("{}, as printed", info.name), std::string(info.unit)}),
+                         .unit = std::string(info.unit),
+                         .better = info.better};
     for (const PrintedRow& row : printed_rows(file, study, metric))
-      printed.groups.push_back({row.algorithm, row.summary()});
+      printed.groups.push_back({.name = row.algorithm, .summary = row.summary()});
     if (printed.groups.size() >= 2) result.push_back(std::move(printed));
   }
   return result;
@@ -91,8 +91,8 @@ bool Case::has_solver() const {
 }
 
 Evidence Case::printed_evidence(const std::vector<Pair>& pairs) const {
-  Summaries printed;
-  for (const Pair& pair : pairs) printed.groups.push_back({pair.solver, pair.printed});
+  Observations printed;
+  for (const Pair& pair : pairs) printed.groups.push_back({.name = pair.solver, .summary = pair.printed});
   return inference::evidence(printed, feasible(study().plan, printed));
 }
 
@@ -121,7 +121,7 @@ std::optional<Evidence> Case::evidence(Metric metric) const {
     AnalysisPlan plan = feasible(study().plan, observed);
     if (std::ranges::count(observed.groups, plan.control, &Group::name) == 0) plan.control.clear();
     const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
-    found = comparable ? tested(observed, plan) : described(observed, plan);
+    found = comparable ? inference::evidence(observed, plan) : described(observed, plan);
   }
   const bool has_solver = std::ranges::count(found->groups, entry.solver, &GroupEvidence::name) > 0;
   const bool is_complete =

@@ -51,7 +51,7 @@ std::vector<PrintedRow> printed_rows(const ClaimsFile& file, const inference::St
                                      inference::Metric metric);
 
 // The same as summaries of at least two solvers, which the report assesses by its own methods.
-std::vector<inference::Summaries> printed_summaries(const ClaimsFile& file, const inference::StudyResults& study);
+std::vector<inference::Observations> printed_summaries(const ClaimsFile& file, const inference::StudyResults& study);
 
 // Counts of one solver's comparisons with others.
 struct PairCounts {

@@ -73,19 +73,6 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
   evidence.variance_ratio = ratio * ratio;
 }
 
-// Starts the evidence of observations or summaries.
-template <class Given>
-Evidence begin(const Given& given, const AnalysisPlan& plan) {
-  Evidence evidence;
-  evidence.name = given.name;
-  evidence.quantity = one_line(given.quantity);
-  evidence.unit = given.unit;
-  evidence.better = given.better;
-  evidence.margin = std::max(given.margin, evidence.unit == "cm" ? plan.margin_cm : 0);
-  evidence.plan = plan;
-  return evidence;
-}
-
 // Adds mean ranks; 1 is the best.
 void add_mean_ranks(Evidence& evidence, const Samples& ranked) {
   const KruskalWallis test = kruskal_wallis(ranked);
@@ -123,18 +110,31 @@ void add_tests(Evidence& evidence, const Groups& groups) {
   }
 }
 
-GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan) {
-  GroupEvidence result{.name = group.name, .described = describe(group.values)};
+GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan, bool of_outcomes) {
+  GroupEvidence result{
+      .name = group.name, .described = describe(group.values), .copies = group.copies, .bits = group.bits};
+  if (group.summary) result.described = {.n = group.summary->n, .mean = group.summary->mean, .std = group.summary->std};
   const double level = 1 - plan.significance;
   const Description& of = result.described;
   result.mean = mean_interval({.mean = of.mean, .std = of.std, .n = of.n}, level);
+  result.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
   const std::vector<double> ranked = ranked_values(group.values);
   const QuantileType type = quantile_type(plan.quartiles);
   const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
   result.q1 = q1;
   result.q3 = q3;
-  result.median = median_interval(ranked, level);
+  if (of_outcomes) {
+    result.mean = wilson(successes_of(group.values), level);
+  } else {
+    result.median = median_interval(ranked, level);
+  }
   return result;
+}
+
+std::vector<GroupSummary> summaries_of(const Observations& observations) {
+  std::vector<GroupSummary> summaries;
+  for (const Group& group : observations.groups) summaries.push_back(group.summary.value_or(summarise(group.values)));
+  return summaries;
 }
 
 Samples values_of(const Observations& observations) {
@@ -157,6 +157,7 @@ Observations exact(Observations observations) {
   auto next = all.begin();
   for (Group& group : observations.groups) {
     for (double& value : group.values) value = *next++;
+    if (group.summary) group.summary->std = without_rounding(group.summary->std, std::abs(group.summary->mean));
   }
   return observations;
 }
@@ -184,35 +185,9 @@ const TestResult* Evidence::test(std::string_view test_name) const {
   return found == tests.end() ? nullptr : &*found;
 }
 
-Evidence evidence(const Summaries& summaries, const AnalysisPlan& plan) {
-  Evidence result = begin(summaries, plan);
-  result.from_summaries = true;
-  result.notes = summaries.notes;
-  std::vector<GroupSummary> numbers;
-  for (const SummaryGroup& group : summaries.groups) {
-    GroupSummary& summary = numbers.emplace_back(group.summary);
-    summary.std = without_rounding(summary.std, std::abs(summary.mean));
-    result.groups.push_back({.name = group.name,
-                             .described = {.n = summary.n, .mean = summary.mean, .std = summary.std},
-                             .mean = mean_interval(summary, 1 - plan.significance)});
-  }
-  check_control(result);
-  choose_method(result);
-  if (result.groups.size() < 2) return result;
-  compare_variances(result, numbers);
-  const Groups given{.summaries = numbers, .values = {}, .ranked = {}};
-  add_tests(result, given);
-  add_contrasts(result, given);
-  name_groups(result);
-  return result;
-}
-
 AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
   if (needs_blocks(plan.test) && observations.blocks.empty()) plan.test = by_design;
-  return plan;
-}
-
-AnalysisPlan feasible(AnalysisPlan plan, const Summaries&) {
+  if (!observations.are_summaries()) return plan;
   if (plan.test != by_design && results::deciding_test(plan.test).needs != Needs::summaries) plan.test = by_design;
   plan.control.clear();
   return plan;
@@ -222,7 +197,14 @@ namespace {
 
 // Describes the groups of exact() observations.
 Evidence describe_groups(const Observations& observations, const AnalysisPlan& plan) {
-  Evidence result = begin(observations, plan);
+  Evidence result;
+  result.name = observations.name;
+  result.quantity = one_line(observations.quantity);
+  result.unit = observations.unit;
+  result.better = observations.better;
+  result.from_summaries = observations.are_summaries();
+  result.margin = std::max(observations.margin, result.unit == "cm" ? plan.margin_cm : 0);
+  result.plan = plan;
   result.scale = observations.scale;
   result.replicate = observations.replicate;
   result.block = observations.block;
@@ -234,14 +216,8 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.of_outcomes = are_outcomes(observations) &&
                        std::ranges::all_of(observations.groups, [](const Group& group) { return group.copies == 0; });
   if (result.of_outcomes) result.scale = ValueScale::share;
-  std::vector<GroupSummary> summaries;
-  for (const Group& group : observations.groups) {
-    GroupEvidence& described = result.groups.emplace_back(describe_group(group, plan));
-    described.copies = group.copies;
-    described.bits = group.bits;
-    described.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
-    summaries.push_back(summarise(group.values));
-  }
+  for (const Group& group : observations.groups)
+    result.groups.push_back(describe_group(group, plan, result.of_outcomes));
   check_control(result);
   choose_method(result);
   const std::size_t k = result.groups.size();
@@ -249,29 +225,26 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.pairs = k * (k - 1) / 2;
   result.constant = !result.of_outcomes &&
                     std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
-  if (!result.constant) compare_variances(result, summaries);
+  if (!result.constant) compare_variances(result, summaries_of(observations));
   return result;
 }
 
 void make_tests(Evidence& result, const Observations& observations) {
-  const Samples values = values_of(observations);
-  std::vector<GroupSummary> summaries;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    summaries.push_back(summarise(values[i]));
-    if (result.of_outcomes) continue;
-    const Test normal = shapiro_wilk(values[i]);
+  for (std::size_t i = 0; i < result.groups.size() && !result.of_outcomes; ++i) {
+    const Test normal = shapiro_wilk(observations.groups[i].values);
     result.groups[i].normality = normal.p;
     result.groups[i].normality_w = normal.statistic;
   }
-  if (result.of_outcomes) describe_shares(result, values);
   if (result.groups.size() < 2) return;
+  const std::vector<GroupSummary> summaries = summaries_of(observations);
   const Samples comparable = rankable(observations);
   Samples ranked = comparable;
   if (result.better == Better::larger) {
     for (std::vector<double>& group : ranked) std::ranges::transform(group, group.begin(), std::negate());
   }
-  const Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
-  if (!result.of_outcomes) add_mean_ranks(result, ranked);
+  Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
+  if (result.from_summaries) groups.values = groups.ranked = {};
+  if (!result.of_outcomes && !result.from_summaries) add_mean_ranks(result, ranked);
   if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, ranked);
   if (!result.of_outcomes && !result.constant) add_tests(result, groups);
   add_contrasts(result, groups);
@@ -296,14 +269,6 @@ Evidence in_unit_of_values(Evidence found) {
   }
   return found;
 }
-
-}  // namespace
-
-Evidence evidence(const Observations& observations, const AnalysisPlan& plan) {
-  return with_bootstrap(tested(observations, plan), observations);
-}
-
-namespace {
 
 // Judges pairs with values that are not finite, which have no mean.
 void judge_not_finite(Evidence& evidence, const Observations& observations) {
@@ -333,7 +298,7 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
 
 }  // namespace
 
-Evidence tested(const Observations& given, const AnalysisPlan& plan) {
+Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
   const Observations observations = exact(given);
   Evidence result = describe_groups(observations, plan);
   make_tests(result, observations);

@@ -88,17 +88,13 @@ constexpr double no_difference(const Evidence& evidence) { return evidence.scale
 // Throws std::invalid_argument if the control is no group, or the deciding test does not fit the data (Friedman without
 // blocks, ranks from summaries).
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
-Evidence evidence(const Summaries& summaries, const results::AnalysisPlan& plan);
-// tested() is evidence() without the bootstrap's intervals, which take time and decide nothing; with_bootstrap() adds
-// them.
-Evidence tested(const Observations& observations, const results::AnalysisPlan& plan);
+// Adds the bootstrap's intervals of the means, which take time and decide nothing.
 Evidence with_bootstrap(Evidence evidence, const Observations& observations);
 // Describes the groups only: no tests, no bootstrap.
 Evidence described(const Observations& observations, const results::AnalysisPlan& plan);
 
 // Reduces a plan to what the data allow: no Friedman without blocks, no ranks and no control for summaries.
 results::AnalysisPlan feasible(results::AnalysisPlan plan, const Observations& observations);
-results::AnalysisPlan feasible(results::AnalysisPlan plan, const Summaries& summaries);
 
 // Names of the tests of all groups.
 constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",

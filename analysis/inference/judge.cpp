@@ -40,7 +40,8 @@ Finding judge(const Evidence& evidence, std::string_view first, std::string_view
 }
 
 Finding judge(const GroupSummary& first, const GroupSummary& second, Better better, const AnalysisPlan& plan) {
-  const Summaries two{.better = better, .groups = {{"first", first}, {"second", second}}};
+  const Observations two{.better = better,
+                         .groups = {{.name = "first", .summary = first}, {.name = "second", .summary = second}}};
   return judge(evidence(two, feasible(plan, two)), "first", "second");
 }
 

@@ -19,7 +19,8 @@ const Evidence& JudgedStudy::evidence(Metric metric, Estimand estimand) const {
   const Observations observed = observations(*this, metric, estimand);
   const AnalysisPlan possible = feasible(plan, observed);
   return evidence_
-      .emplace(asked, is_comparable(*this, metric) ? tested(observed, possible) : described(observed, possible))
+      .emplace(asked,
+               is_comparable(*this, metric) ? inference::evidence(observed, possible) : described(observed, possible))
       .first->second;
 }
 

@@ -35,36 +35,22 @@ double margin_of(const Evidence& evidence, const Finding& contrast) {
   return has_absolute_margin(evidence) ? std::fmax(relative, evidence.margin) : relative;
 }
 
-namespace {
-
-void refuse_negative(bool has_negative, std::string_view quantity, double absolute, const AnalysisPlan& plan) {
-  if (!has_negative || plan.margin == 0 || absolute > 0) return;
-  throw std::invalid_argument(
-      fmt::format("{} has negative values, and {} of a mean that may be 0 means nothing; expected --margin-absolute "
-                  "DIFFERENCE, in its unit, or --margin 0",
-                  one_line(quantity), percent(plan.margin)));
-}
-
-bool is_negative(double value) { return std::isfinite(value) && value < 0; }
-
-}  // namespace
-
 void check_margin(const Observations& observations, const AnalysisPlan& plan) {
   if (observations.margin > 0 && are_outcomes(observations)) {
     throw std::invalid_argument(
         "all values are 0 or 1, whose margin is a difference of shares; expected --margin 5% for 5 percentage points, and "
         "no --margin-absolute");
   }
-  const bool has_negative =
-      observations.scale == ValueScale::plain && std::ranges::any_of(observations.groups, [](const Group& group) {
-        return std::ranges::any_of(group.values, is_negative);
-      });
-  refuse_negative(has_negative, observations.quantity, observations.margin, plan);
-}
-
-void check_margin(const Summaries& summaries, const AnalysisPlan& plan) {
-  const auto is_below = [](const SummaryGroup& group) { return is_negative(group.summary.mean); };
-  refuse_negative(std::ranges::any_of(summaries.groups, is_below), summaries.quantity, summaries.margin, plan);
+  if (observations.scale != ValueScale::plain || plan.margin == 0 || observations.margin > 0) return;
+  const auto is_negative = [](double value) { return std::isfinite(value) && value < 0; };
+  const bool has_negative = std::ranges::any_of(observations.groups, [&](const Group& group) {
+    return std::ranges::any_of(group.values, is_negative) || (group.summary && is_negative(group.summary->mean));
+  });
+  if (!has_negative) return;
+  throw std::invalid_argument(
+      fmt::format("{} has negative values, and {} of a mean that may be 0 means nothing; expected --margin-absolute "
+                  "DIFFERENCE, in its unit, or --margin 0",
+                  one_line(observations.quantity), percent(plan.margin)));
 }
 
 void measure_extent(const Evidence& evidence, Finding& contrast) {

@@ -20,7 +20,6 @@ std::string margin_words(double margin, double absolute_margin, std::string_view
 
 // Throws std::invalid_argument for a relative margin if values are negative, since a mean may be 0 then.
 void check_margin(const Observations& observations, const results::AnalysisPlan& plan);
-void check_margin(const Summaries& summaries, const results::AnalysisPlan& plan);
 
 // The margin as a difference of a pair's means; NaN if a mean is NaN.
 double margin_of(const Evidence& evidence, const Finding& contrast);

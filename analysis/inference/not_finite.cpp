@@ -30,7 +30,7 @@ Observations finiteness(Observations observations) {
 
 // Doubles p, because each of two tests has half the level.
 Finding doubled_contrast(const Observations& pair, const AnalysisPlan& plan) {
-  Finding result = tested(pair, plan).contrasts.front();
+  Finding result = evidence(pair, plan).contrasts.front();
   if (!std::isnan(result.p)) result.p = std::min(1.0, 2 * result.p);
   return result;
 }

@@ -30,6 +30,8 @@ struct Group {
   int copies = 0;
   std::size_t bits = 0;           // groups with one number have the same bits in every solve; 0 if no other group has
   std::optional<int> style = {};  // a solver's line style in figures; else by its place
+  // All that is known of a group where only its summary was published; `values` are empty then.
+  std::optional<statistics::GroupSummary> summary = {};
 };
 
 // The group of that name; null if there is none.
@@ -62,21 +64,10 @@ struct Observations {
   std::vector<std::string> notes = {};     // missing values, incomplete blocks left out, times that are not clean, ...
   double margin = 0;                       // absolute, in the unit of the values; 0: the plan's margin only
   Doubts flaws = {};  // reasons to doubt them: no replicates, missing values, times that are not clean
-};
 
-struct SummaryGroup {
-  std::string name;
-  statistics::GroupSummary summary;
-};
-
-struct Summaries {
-  std::string name;
-  std::string quantity;
-  std::string unit = {};
-  Better better = Better::smaller;
-  std::vector<SummaryGroup> groups = {};
-  std::vector<std::string> notes = {};
-  double margin = 0;  // as in Observations
+  bool are_summaries() const {
+    return std::ranges::any_of(groups, [](const Group& group) { return group.summary.has_value(); });
+  }
 };
 
 }  // namespace ikbench::inference

@@ -452,14 +452,14 @@ std::size_t expect_column(const CsvFile& file, std::initializer_list<std::string
 
 }  // namespace
 
-std::vector<Summaries> read_summaries(std::string_view text, std::string_view source) {
+std::vector<Observations> read_summaries(std::string_view text, std::string_view source) {
   const CsvFile file(text, source);
   const std::size_t name = expect_column(file, {"name", "group", "solver", "algorithm"});
   const std::size_t mean = expect_column(file, {"mean"}), std = expect_column(file, {"sd", "std", "stddev"});
   const std::size_t n = expect_column(file, {"n", "count"});
   const auto quantity = file.column_like({"metric", "quantity", "variable"});
 
-  std::vector<Summaries> result;
+  std::vector<Observations> result;
   std::size_t groups = 0;
   for (const Index row : file.rows()) {
     const double count = file.number(row, n);
@@ -475,20 +475,20 @@ std::vector<Summaries> read_summaries(std::string_view text, std::string_view so
     }
 
     const std::string of = quantity ? file.name_in(file.cell(row, *quantity)) : "value";
-    auto summaries = std::ranges::find(result, of, &Summaries::quantity);
+    auto summaries = std::ranges::find(result, of, &Observations::quantity);
     if (summaries == result.end()) {
       result.push_back({.name = slug(of), .quantity = of, .unit = split_unit(of).unit});
       summaries = result.end() - 1;
     }
     double all = count;
     std::string group = file.name_in(file.cell(row, name));
-    for (const SummaryGroup& other : summaries->groups) {
+    for (const Group& other : summaries->groups) {
       if (other.name == group) file.refuse_cell(row, name, "given twice; expected each group once per metric");
-      all += other.summary.n;
+      all += other.summary->n;
     }
     if (all > std::numeric_limits<int>::max()) file.refuse_cell(row, n, "expected at most 2147483647 in all groups");
     if (++groups > max_groups) file.refuse(fmt::format("expected at most {} groups", max_groups));
-    summaries->groups.push_back({std::move(group), summary});
+    summaries->groups.push_back({.name = std::move(group), .summary = summary});
   }
   return result;
 }

@@ -36,7 +36,7 @@ struct CsvRequest {
 Observations read_observations(std::string_view text, std::string_view source, const CsvRequest& request);
 
 // Columns, in any case: name (or group, solver, algorithm), mean, sd (or std, stddev), n (or count); and for several
-// quantities metric (or quantity, variable). Returns one Summaries per quantity, in the order of first rows.
-std::vector<Summaries> read_summaries(std::string_view text, std::string_view source);
+// quantities metric (or quantity, variable). Returns the summaries of each quantity, in the order of first rows.
+std::vector<Observations> read_summaries(std::string_view text, std::string_view source);
 
 }  // namespace ikbench::inference

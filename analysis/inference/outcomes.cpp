@@ -96,13 +96,6 @@ Estimate solve_rate(const StudyResults& study, std::string_view solver, double l
   return wilson(count, level);
 }
 
-void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    evidence.groups[i].mean = wilson(successes_of(values[i]), 1 - evidence.plan.significance);
-    evidence.groups[i].median = {};
-  }
-}
-
 std::string rare_failures_words(int observations, std::string_view of_what, double significance) {
   return fmt::format("{} {} can miss what happens in up to {} % of them", observations, of_what,
                      rounded_number(100 * statistics::most_without_success(observations, significance), 2));

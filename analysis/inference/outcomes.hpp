@@ -23,9 +23,6 @@ Estimate solve_rate(const StudyResults& study, std::string_view solver, double l
 statistics::Successes successes_of(const std::vector<double>& values);
 statistics::PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second);
 
-// Replaces means by shares with Wilson's intervals.
-void describe_shares(Evidence& evidence, std::span<const std::vector<double>> values);
-
 // Observations needed to find a difference of shares as large as the margin (Finding::runs_to_decide).
 Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
                                std::span<const std::vector<double>> values);

@@ -7,7 +7,6 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
-#include "analysis/inference/outcomes.hpp"
 
 namespace ikbench::inference {
 
@@ -82,11 +81,6 @@ std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const Sho
   const auto add = [&](Metric metric, Estimand estimand) {
     SweptQuantity quantity{.observations = observations(study, metric, estimand), .evidence = {}};
     quantity.evidence = described(quantity.observations, feasible(plan, quantity.observations));
-    if (quantity.evidence.of_outcomes) {
-      std::vector<std::vector<double>> values;
-      for (const Group& group : quantity.observations.groups) values.push_back(group.values);
-      describe_shares(quantity.evidence, values);
-    }
     quantities.push_back(std::move(quantity));
   };
   if (primary_estimand(study) == Estimand::reliability) add(Metric::position_error_cm, Estimand::reliability);

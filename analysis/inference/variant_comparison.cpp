@@ -49,7 +49,7 @@ struct Open {
     constexpr double least_level = 1e-6;  // the bootstrap resolves no smaller one, and 1 - level must be below 1
     if (level >= least_level) {
       plan.significance = level;
-      row->evidence = tested(row->observed, plan);
+      row->evidence = evidence(row->observed, plan);
       return;
     }
     row->evidence = described(row->observed, plan);
@@ -89,7 +89,7 @@ std::optional<AnalysisPlan> examine(MetricComparison& row, const VariantStudy& o
   }
   const AnalysisPlan plan = feasible(study.plan, observed);
   if (!is_fact(observed.groups.front(), observed.groups.back())) return plan;
-  row.evidence = tested(observed, plan);
+  row.evidence = evidence(observed, plan);
   return std::nullopt;
 }
 

@@ -91,7 +91,7 @@ bool is_worth_drawing(const Evidence& evidence) {
          }) > 1;
 }
 
-Assessment assessment_of(const Evidence& evidence, const Drawn& drawn = {}) {
+Assessment assessment_of(const Evidence& evidence, const Drawn& drawn) {
   Assessment result{.name = evidence.name,
                     .quantity = evidence.quantity,
                     .unit = evidence.unit,
@@ -127,10 +127,10 @@ Observations drawn_part(Observations observations, const Drawn& drawn) {
   return observations;
 }
 
-Assessment with_observations(const Evidence& evidence, const Observations& observations, const Drawn& drawn = {}) {
+Assessment with_observations(const Evidence& evidence, const Observations& observations, const Drawn& drawn) {
   const Evidence found = with_bootstrap(evidence, observations);
   Assessment result = assessment_of(found, drawn);
-  if (is_worth_drawing(found) && !found.of_outcomes) {
+  if (is_worth_drawing(found) && !found.of_outcomes && !found.from_summaries) {
     result.figures.insert(result.figures.begin(),
                           box_figure(drawn_part(in_unit(observations), drawn), quantile_type(found.plan.quartiles),
                                      figure_name(found, "observations")));
@@ -274,12 +274,8 @@ std::string heading_of(const Assessment& assessment) {
   return "Statistics: " + quantity_words(assessment.quantity, assessment.unit);
 }
 
-Assessment assess(const Observations& observations, const AnalysisPlan& plan) {
-  return with_observations(tested(observations, plan), observations);
-}
-
-Assessment assess(const Summaries& summaries, const AnalysisPlan& plan, const Drawn& drawn) {
-  return assessment_of(evidence(summaries, plan), drawn);
+Assessment assess(const Observations& observations, const AnalysisPlan& plan, const Drawn& drawn) {
+  return with_observations(evidence(observations, plan), observations, drawn);
 }
 
 Assessment assess(const JudgedStudy& study, Metric metric, Estimand estimand) {

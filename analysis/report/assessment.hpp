@@ -36,9 +36,8 @@ struct Assessment {
 // "Statistics: position error [cm]"
 std::string heading_of(const Assessment& assessment);
 
-Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan);
 // Figures show the groups in `drawn`; all if it is empty.
-Assessment assess(const inference::Summaries& summaries, const results::AnalysisPlan& plan,
+Assessment assess(const inference::Observations& observations, const results::AnalysisPlan& plan,
                   const std::vector<std::string>& drawn = {});
 // Assesses a metric of a study by the study's plan. Times that are not comparable are shown, but not ranked, tested or
 // compared.

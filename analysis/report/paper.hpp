@@ -57,7 +57,7 @@ struct Paper {
   std::function<StudyPieces(const Reported&)> rows = {};  // tables rows-*, and a sentence on how many agree
   std::optional<Lock> lock = {};
   // Returns the printed summaries that the same methods can assess.
-  std::function<std::vector<inference::Summaries>(const inference::StudyResults&)> printed = {};
+  std::function<std::vector<inference::Observations>(const inference::StudyResults&)> printed = {};
   std::function<std::vector<AuditItem>()> audit = {};
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
   // Makes the table of the universes with at most one choice that is not the default.

@@ -233,7 +233,7 @@ const Collection& collection_of(const StudyResults& study, std::span<const Colle
 std::vector<Assessment> printed_assessments(const StudyResults& study, const Paper& paper) {
   std::vector<Assessment> result;
   if (!paper.printed) return result;
-  for (const Summaries& printed : paper.printed(study))
+  for (const Observations& printed : paper.printed(study))
     result.push_back(assess(printed, feasible(study.plan, printed), study.drawn_solvers));
   return result;
 }

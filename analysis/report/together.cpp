@@ -50,7 +50,7 @@ std::string set_up_of(const JudgedStudy& study) {
 
 Evidence judged_over(const JudgedStudies& studies, const Judged& of) {
   const Observations observations = together(studies, of.metric, of.estimand);
-  return tested(observations, plan_of_all(studies, observations));
+  return evidence(observations, plan_of_all(studies, observations));
 }
 
 Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors) {

@@ -88,7 +88,7 @@ Shares shares(const Scenario& scenario, const std::string& test, Counts counts, 
   tbb::parallel_for(0, simulations, [&](int simulation) {
     Random random(fmt::format("{}{}", scenario.name, scenario.n()), simulation);
     found[static_cast<std::size_t>(simulation)] =
-        found_pairs(tested(observations_of(scenario, random), {.test = test}), counts);
+        found_pairs(evidence(observations_of(scenario, random), {.test = test}), counts);
   });
   Shares result;
   for (const auto share : Shares::all) {

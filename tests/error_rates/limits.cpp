@@ -94,7 +94,7 @@ void print_blocks(int simulations) {
                                          if (scale == ValueScale::log10) value = std::log10(std::max(value, 1e-7));
                                        }
                                      }
-                                     return any_is_better(tested(sets, {.test = test}));
+                                     return any_is_better(evidence(sets, {.test = test}));
                                    }),
                           simulations);
       };
@@ -115,7 +115,7 @@ void print_same(int simulations) {
     const std::string row = fmt::format("{}{}", name, n);
     const double in_stats = share_of(row, simulations, [&](Random& random) {
       return any_is_the_same(
-          tested(observed(drawn(random, {2, n}, draw), are_shares ? Better::larger : Better::smaller), {}));
+          evidence(observed(drawn(random, {2, n}, draw), are_shares ? Better::larger : Better::smaller), {}));
     });
     fmt::print("| {} | {} | {} | {} | {:.2g} % |\n", name, n, are_shares ? with_error(in_stats, simulations) : "-",
                are_shares ? "-" : with_error(in_stats, simulations), 100 * statistics::most_without_success(n, 0.05));
@@ -139,7 +139,7 @@ void print_rare(int simulations) {
   for (const int n : {5, 10, 20, 50}) {
     const double found = share_of(fmt::format("rare{}", n), simulations, [&](Random& random) {
       const Draw draw = [](Random& r, int g) { return 0.01 * r.normal() + (g == 0 ? failing(r, 0.05, 3) : 1.1); };
-      return any_is_better(tested(observed(drawn(random, {2, n}, draw)), {}));
+      return any_is_better(evidence(observed(drawn(random, {2, n}, draw)), {}));
     });
     fmt::print("| three times the value | {} | {} | {:.2g} % |\n", n, with_error(found, simulations),
                100 * statistics::most_without_success(n, 0.05));
@@ -156,7 +156,7 @@ void print_looks(int simulations) {
     for (const auto& group : all) values.emplace_back(group.begin(), group.begin() + n);
     return values;
   };
-  const auto in_stats = [](const Values& values) { return any_is_better(tested(observed(values), {})); };
+  const auto in_stats = [](const Values& values) { return any_is_better(evidence(observed(values), {})); };
   const auto print = [&](const std::string& name, int n, const std::function<bool(const Values&)>& finds) {
     const auto looks = [&](int most) {
       return with_error(share_of(fmt::format("looks{}", n), simulations,
@@ -184,7 +184,7 @@ void print_sensitivity(int simulations) {
     const Draw draw = [least](Random& r, int g) { return 100 + (g == 0 ? least : 0) + r.normal(); };
     const auto finds = [&](const std::string& test) {
       return share_of(fmt::format("least{}{}", groups, n), simulations, [&](Random& random) {
-        return is_decided(tested(observed(drawn(random, {groups, n}, draw)), {.test = test}).contrasts[0]);
+        return is_decided(evidence(observed(drawn(random, {groups, n}, draw)), {.test = test}).contrasts[0]);
       });
     };
     fmt::print("| one group is higher | {} | {} | {:.2f} | {:.3f} | {:.3f} |\n", groups, n, least,

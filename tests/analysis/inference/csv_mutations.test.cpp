@@ -158,7 +158,7 @@ TEST_CASE("whatever is in a CSV, its statistics are words or one sentence that r
       const std::string text = mutator.mutated(summary_rows);
       CAPTURE(i, text);
       expect([&] {
-        for (const Summaries& each : read_summaries(text, "m.csv")) expect_words(assess(each, plan));
+        for (const Observations& each : read_summaries(text, "m.csv")) expect_words(assess(each, plan));
       });
       continue;
     }

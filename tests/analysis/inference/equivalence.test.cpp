@@ -166,7 +166,7 @@ TEST_CASE("groups whose means differ by more than the margin are rarely called t
         const double share = 0.1 * static_cast<double>(group + 1);
         for (int i = 0; i < 2; ++i) values[group].push_back(noise.next() < share ? 2 : 1);
       }
-      wrong += any_is_the_same(tested(blocked ? in_blocks(values) : with(values), {})) ? 1 : 0;
+      wrong += any_is_the_same(evidence(blocked ? in_blocks(values) : with(values), {})) ? 1 : 0;
     }
     CAPTURE(blocked);
     CHECK(wrong <= 20 + 18);

@@ -293,16 +293,16 @@ TEST_CASE("the margin of shares is percentage points, whether they are outcomes 
     shares.groups[0].values.push_back(0.50 + chance);
     shares.groups[1].values.push_back(0.53 - chance);
   }
-  const Evidence judged = tested(shares, {});  // by means: 5 % of 0.5 would be 2.5 points
+  const Evidence judged = evidence(shares, {});  // by means: 5 % of 0.5 would be 2.5 points
   CHECK(judged.contrasts.front().is_within_margin());
   CHECK(report::verdict_words(judged, judged.contrasts.front()) == "B is better by less than 5 percentage points");
-  const Evidence across = tested(shares, {.margin = 0.03});
+  const Evidence across = evidence(shares, {.margin = 0.03});
   CHECK(contains(report::verdict_words(across, across.contrasts.front()),
                  " percentage points (margin 3 percentage points)"));
   for (Group& group : shares.groups) {
     for (double& value : group.values) value = 1;
   }
-  const Evidence outcomes = tested(shares, {});
+  const Evidence outcomes = evidence(shares, {});
   CHECK(outcomes.of_outcomes);
   CHECK(outcomes.contrasts.front().relation == Relation::undecided);
   CHECK(report::verdict_words(outcomes, outcomes.contrasts.front()) == "undecided");
@@ -314,7 +314,7 @@ TEST_CASE("logarithms of 1 and 10 are no outcomes", "[estimand]") {
       .quantity = "typical x",
       .scale = ValueScale::log10,
       .groups = {{.name = "A", .values = {0, 1, 0, 1, 1}}, {.name = "B", .values = {1, 0, 1, 1, 1}}}};
-  CHECK(!tested(logarithms, {}).of_outcomes);
+  CHECK(!evidence(logarithms, {}).of_outcomes);
 }
 
 TEST_CASE("who gives up on dear targets is not cheaper, also without a limit", "[estimand]") {

@@ -429,14 +429,14 @@ TEST_CASE("a name for files and anchors is made of any column's name", "[csv]") 
 }
 
 TEST_CASE("published summaries are read under their usual names", "[csv]") {
-  const Summaries seen =
+  const Observations seen =
       read_summaries("Solver,Mean,STD,count,median\nIK-BA,1.5,0.5,20,1\nBA,2,,1,2\n", "file.csv").front();
   REQUIRE(seen.groups.size() == 2);
   CHECK(seen.groups[0].name == "IK-BA");
-  CHECK(seen.groups[0].summary.mean == 1.5);
-  CHECK(seen.groups[0].summary.std == 0.5);
-  CHECK(seen.groups[0].summary.n == 20);
-  CHECK(std::isnan(seen.groups[1].summary.std));  // one value has no spread
+  CHECK(seen.groups[0].summary->mean == 1.5);
+  CHECK(seen.groups[0].summary->std == 0.5);
+  CHECK(seen.groups[0].summary->n == 20);
+  CHECK(std::isnan(seen.groups[1].summary->std));  // one value has no spread
 }
 
 TEST_CASE("more observations in all than can be counted are refused", "[csv]") {

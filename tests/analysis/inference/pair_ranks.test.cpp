@@ -47,7 +47,7 @@ bool any_differs(const Evidence& found) { return std::ranges::any_of(found.contr
 TEST_CASE("twenty values that are all below twenty others are found among six groups", "[pair_ranks]") {
   Sets values(6);
   for (int i = 0; i < 120; ++i) values[static_cast<std::size_t>(i / 20)].push_back(i);
-  const Evidence found = tested(named_sets(values), by_ranks);
+  const Evidence found = evidence(named_sets(values), by_ranks);
   const Finding& pair = found.contrasts[0];
   CHECK(pair.superiority.value == 1);
   CHECK(pair.relation == Relation::better);
@@ -61,7 +61,9 @@ TEST_CASE("the p of two groups does not depend on the others, but for the number
   for (const bool blocked : {false, true}) {
     const AnalysisPlan plan{.test = blocked ? "friedman" : "kruskal_wallis", .adjustment = Adjustment::bonferroni};
     const auto p_of = [&](Sets values) {
-      return tested(blocked ? named_in_blocks(std::move(values)) : named_sets(std::move(values)), plan).contrasts[0].p;
+      return evidence(blocked ? named_in_blocks(std::move(values)) : named_sets(std::move(values)), plan)
+          .contrasts[0]
+          .p;
     };
     CAPTURE(blocked);
     const double alone = p_of({a, b});
@@ -73,7 +75,7 @@ TEST_CASE("the p of two groups does not depend on the others, but for the number
 
 TEST_CASE("a pair that cannot be tested still counts among those that p is corrected for", "[pair_ranks]") {
   const Sets values{{1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11, 12, 13, 14}, {}};
-  const Evidence found = tested(named_sets(values), by_ranks);
+  const Evidence found = evidence(named_sets(values), by_ranks);
   CHECK(found.contrasts[0].p == Approx(3 * 2.0 / 3432));  // 14! / 7!^2 = 3432 arrangements
   CHECK(found.contrasts[1].relation == Relation::undefined);
 }
@@ -87,19 +89,19 @@ TEST_CASE("where no outcome of so few observations could differ, it is said", "[
   };
   // Three pairs of four values: 3 * 2 / 70 > 0.05; of five 3 * 2 / 252 is below.
   const Sets four{{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}};
-  CHECK(says(tested(named_sets(four), by_ranks), "It takes at least 5 observations per group, and here are 4."));
-  CHECK(tested(named_sets(four), by_ranks).contrasts[0].runs_to_decide.value >= 5);
+  CHECK(says(evidence(named_sets(four), by_ranks), "It takes at least 5 observations per group, and here are 4."));
+  CHECK(evidence(named_sets(four), by_ranks).contrasts[0].runs_to_decide.value >= 5);
   Sets five = four;
   for (std::size_t i = 0; i < 3; ++i) five[i].push_back(5.0 + 4 * static_cast<double>(i) - 0.5);
-  CHECK_FALSE(says(tested(named_sets(five), by_ranks), "It takes at least"));
-  CHECK(any_differs(tested(named_sets(five), by_ranks)));
+  CHECK_FALSE(says(evidence(named_sets(five), by_ranks), "It takes at least"));
+  CHECK(any_differs(evidence(named_sets(five), by_ranks)));
   // In blocks 2 / 2^n: three times that is below 0.05 from seven.
   const AnalysisPlan in_blocks{.test = "friedman"};
-  CHECK(says(tested(named_in_blocks(four), in_blocks), "It takes at least 7 blocks, and here are 4."));
+  CHECK(says(evidence(named_in_blocks(four), in_blocks), "It takes at least 7 blocks, and here are 4."));
   const Sets seven{{1, 2, 3, 4, 5, 6, 7}, {2, 3.1, 4.2, 5.3, 6.4, 7.5, 8.6}, {4, 4.5, 5, 5.6, 6.8, 8.2, 9.9}};
-  CHECK(says(tested(named_in_blocks(seven), in_blocks), "by ranks within blocks than g1 and g2"));
-  CHECK(says(tested(named_in_blocks(seven), in_blocks), "than g1 and g2 (p at most 0.047). Against "));  // 6 / 128
-  CHECK(says(tested(named_in_blocks(seven), in_blocks), "which ranks do not compare)"));
+  CHECK(says(evidence(named_in_blocks(seven), in_blocks), "by ranks within blocks than g1 and g2"));
+  CHECK(says(evidence(named_in_blocks(seven), in_blocks), "than g1 and g2 (p at most 0.047). Against "));  // 6 / 128
+  CHECK(says(evidence(named_in_blocks(seven), in_blocks), "which ranks do not compare)"));
 }
 
 TEST_CASE("ranks within blocks know no scale", "[pair_ranks]") {
@@ -112,12 +114,12 @@ TEST_CASE("ranks within blocks know no scale", "[pair_ranks]") {
     values[2].push_back(scale * (i % 2 == 0 ? 1.7 : 0.9));
   }
   const AnalysisPlan plan{.test = "friedman"};
-  const Evidence before = tested(named_in_blocks(values), plan);
+  const Evidence before = evidence(named_in_blocks(values), plan);
   CHECK(before.contrasts[0].relation == Relation::better);
   for (const std::size_t block : {std::size_t{4}, std::size_t{9}}) {
     Sets scaled = values;
     for (std::vector<double>& group : scaled) group[block] *= 1e6;
-    const Evidence after = tested(named_in_blocks(scaled), plan);
+    const Evidence after = evidence(named_in_blocks(scaled), plan);
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(after.contrasts[i].p == before.contrasts[i].p);
       CHECK(after.contrasts[i].relation == before.contrasts[i].relation);
@@ -139,7 +141,7 @@ TEST_CASE("groups that differ in spread alone are rarely called better by ranks"
         values[group].push_back(std::exp2(static_cast<double>(group)) * symmetric());
       }
     }
-    const Evidence found = tested(named_sets(values), by_ranks);
+    const Evidence found = evidence(named_sets(values), by_ranks);
     wrong += any_differs(found) ? 1 : 0;
     const auto differ = [&](const Finding& pair) {
       return 6 * mann_whitney(values[pair.first], values[pair.second]).p < 0.05;  // six pairs, by Bonferroni
@@ -155,7 +157,7 @@ TEST_CASE("ties do not make ranks call the same what differs", "[pair_ranks]") {
   Sets values{std::vector<double>(40, 1.0), std::vector<double>(40, 1.0)};
   values[0][0] = 2;
   for (std::size_t i = 0; i < 5; ++i) values[1][i] = 100;
-  const Finding pair = tested(named_sets(values), by_ranks).contrasts.front();
+  const Finding pair = evidence(named_sets(values), by_ranks).contrasts.front();
   CHECK(pair.relation == Relation::undecided);
   CHECK(pair.ratio.value == 1);
   CHECK(std::isnan(pair.ratio.low));

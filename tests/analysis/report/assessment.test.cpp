@@ -49,8 +49,8 @@ Observations demsar() {
           .block = "a data set"};
 }
 
-Summaries printed_table_3(const std::string& metric) {
-  for (Summaries& summaries : read_summaries(to_csv(published::table("slim2023", "table-3")), "table-3.csv")) {
+Observations printed_table_3(const std::string& metric) {
+  for (Observations& summaries : read_summaries(to_csv(published::table("slim2023", "table-3")), "table-3.csv")) {
     if (summaries.quantity == metric) return summaries;
   }
   FAIL("no such metric");
@@ -506,7 +506,7 @@ TEST_CASE("p does not depend on the level that it is held against", "[assessment
       for (std::size_t i = 0; in_blocks && i < sets[0].size(); ++i) given.blocks.push_back(std::to_string(i));
       const auto p_at = [&](double level) {
         std::vector<std::string> all;
-        for (const Finding& pair : tested(given, {.significance = level}).contrasts)
+        for (const Finding& pair : evidence(given, {.significance = level}).contrasts)
           all.push_back(std::to_string(pair.p));
         return all;
       };
