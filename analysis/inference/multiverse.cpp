@@ -1,17 +1,17 @@
 #include "analysis/inference/multiverse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/multiple_comparisons.hpp"
 #include "analysis/statistics/studentized_range.hpp"
-#include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {
 
@@ -35,10 +35,10 @@ class PairJudge {
   Relation operator()(const GroupSummary& first, const GroupSummary& second) const {
     const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
     if (is_number != other_is_number) return is_number ? Relation::better : Relation::worse;
-    const Test test = welch(first, second);
-    const double p = range_.upper_tail(std::abs(test.statistic) * std::numbers::sqrt2, test.df);
+    const MeanDifference pair = tamhane(std::array{first, second}, 1 - plan_.significance).front();
+    const double p = range_.upper_tail(pair.q, pair.df);
     if (std::isnan(p)) return Relation::undecided;
-    return relation_of(-sign_of(test.statistic), p, plan_.significance);
+    return relation_of(-sign_of(pair.difference.value), p, plan_.significance);
   }
 
  private:

@@ -1,7 +1,7 @@
 // All pairs of means compared at one level for the whole family: Tukey-Kramer (Kramer, Biometrics 12 (1956) 307), which
 // pools the variances; Games-Howell (J. Educational Statistics 1 (1976) 113) and Tamhane's T2 (JASA 74 (1979) 471),
 // which do not. With few values Games-Howell finds too much; T2 finds no more than Welch's test of each pair, corrected
-// by Sidak's inequality.
+// by Sidak's inequality. Of two groups both are Welch's test (Biometrika 34 (1947) 28).
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -28,35 +26,6 @@ Reason undefined_spread(const GroupSummary& group, std::size_t index) {
 }
 
 }  // namespace
-
-Test welch(const GroupSummary& a, const GroupSummary& b) {
-  Test test;
-  if (a.n < 2 || b.n < 2) {
-    test.undefined = "a group of fewer than two values has no spread";
-    return test;
-  }
-  if (!std::isfinite(a.mean) || !std::isfinite(a.std) || !std::isfinite(b.mean) || !std::isfinite(b.std)) {
-    test.undefined = "a mean or a standard deviation is not defined";
-    return test;
-  }
-  if (a.std == 0 && b.std == 0) {
-    test.undefined = "both groups are constant";
-    return test;
-  }
-  const double unit = power_of_two_below(std::array{a.std, b.std});
-  const double va = square(a.std / unit) / a.n;
-  const double vb = square(b.std / unit) / b.n;
-  const double a_part = va / (va + vb);
-  const double b_part = vb / (va + vb);
-  test.statistic = (a.mean - b.mean) / unit / std::sqrt(va + vb);
-  test.df = 1 / (a_part * a_part / (a.n - 1) + b_part * b_part / (b.n - 1));
-  if (!std::isfinite(test.statistic) || !std::isfinite(test.df)) {
-    test = {.undefined = "the difference is too large for double precision"};
-    return test;
-  }
-  test.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(test.df), std::abs(test.statistic)));
-  return test;
-}
 
 Test welch_anova(std::span<const GroupSummary> groups) {
   Test test;

@@ -1,5 +1,5 @@
-// Tests of means: Welch's for groups of unequal variance, two (Biometrika 34 (1947) 28) or several; Student's for
-// pairs, and his interval of a mean (Biometrika 6 (1908) 1).
+// Tests of means: Welch's analysis of groups of unequal variance; Student's for pairs, and his interval of a mean
+// (Biometrika 6 (1908) 1). Welch's test of two groups is multiple_comparisons.hpp's.
 #pragma once
 
 #include <span>
@@ -7,9 +7,6 @@
 #include "analysis/statistics/anova.hpp"
 
 namespace ikbench::statistics {
-
-// The statistic is t, with the degrees of freedom of Welch and Satterthwaite.
-Test welch(const GroupSummary& a, const GroupSummary& b);
 
 // Welch's analysis of variance, by F: tests whether groups of unequal variances have the same mean (Biometrika 38
 // (1951) 330).

@@ -97,13 +97,13 @@ TEST_CASE("on Table 3 pooling hides what Games-Howell finds", "[multiple_compari
 
 TEST_CASE("two groups compared by Games-Howell are Welch's test, by Tukey Student's", "[multiple_comparisons]") {
   const std::vector<GroupSummary> groups{{0.75, 1.789010, 10}, {2.33, 2.002249, 12}};
-  CHECK(games_howell(groups, 0.95)[0].p == Approx(welch(groups[0], groups[1]).p).epsilon(1e-11));
-  CHECK(tamhane(groups, 0.95)[0].p == Approx(welch(groups[0], groups[1]).p).epsilon(1e-11));
+  CHECK(games_howell(groups, 0.95)[0].p == Approx(welch_anova(groups).p).epsilon(1e-11));
+  CHECK(tamhane(groups, 0.95)[0].p == Approx(welch_anova(groups).p).epsilon(1e-11));
   for (const auto method : {tukey, games_howell, tamhane}) {  // of two groups nothing is corrected
     CHECK(method(groups, 0.95, std::nullopt)[0].p_alone ==
           Approx(method(groups, 0.95, std::nullopt)[0].p).epsilon(1e-9));
   }
-  CHECK(games_howell(groups, 0.95)[0].df == Approx(welch(groups[0], groups[1]).df).epsilon(1e-12));
+  CHECK(games_howell(groups, 0.95)[0].df == Approx(welch_anova(groups).df_within).epsilon(1e-12));
   // One-way analysis of variance of two groups is the square of Student's t.
   CHECK(tukey(groups, 0.95)[0].p == Approx(anova_from_summaries(groups).p).epsilon(1e-11));
 }
