@@ -17,7 +17,7 @@
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/statistics/equal_variances.hpp"
-#include "analysis/statistics/p_adjust.hpp"
+#include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::claims {
 
@@ -329,7 +329,7 @@ struct Spread {
 Verdict verdict_on_spreads(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
   std::vector<double> p;
   for (const Spread& spread : spreads) p.push_back(spread.p);
-  p = adjusted(p, Correction::holm);
+  p = adjusted(p, Adjustment::holm);
   PairCounts found;
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     spreads[i].p = p[i];

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
-#include "analysis/statistics/p_adjust.hpp"
 #include "analysis/statistics/studentized_bootstrap.hpp"
 
 namespace ikbench::inference {
@@ -16,8 +16,6 @@ using namespace results;
 using namespace statistics;
 
 namespace {
-
-static_assert(static_cast<Correction>(Adjustment::benjamini_hochberg) == Correction::benjamini_hochberg);
 
 const std::array all_methods{
 #define IKBENCH_DECIDING_TEST(name, needs, meaning) &name##_method,
@@ -50,6 +48,20 @@ void refuse_missing(const Method& method, const Evidence& evidence) {
                                           method.name, fmt::join(others, ", ")));
 }
 
+// The factor for the p of the given rank, 1 for the smallest, among m.
+double factor(Adjustment adjustment, double rank, double m) {
+  switch (adjustment) {
+    case Adjustment::holm:
+    case Adjustment::hochberg:
+      return m - rank + 1;
+    case Adjustment::bonferroni:
+      return m;
+    case Adjustment::benjamini_hochberg:
+      return m / rank;
+  }
+  return m;
+}
+
 }  // namespace
 
 std::span<const Method* const> methods() { return all_methods; }
@@ -72,11 +84,38 @@ const Method& rank_method(const Evidence& evidence) {
   return evidence.blocks > 0 ? friedman_method : kruskal_wallis_method;
 }
 
+std::vector<double> adjusted(std::span<const double> p, Adjustment adjustment) {
+  std::vector<double> result(p.begin(), p.end());
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (std::isnan(p[i])) continue;
+    if (p[i] < 0 || p[i] > 1) throw std::invalid_argument(fmt::format("p-value {}: expected 0 to 1", p[i]));
+    order.push_back(i);
+  }
+  std::ranges::sort(order, {}, [&](std::size_t i) { return p[i]; });
+  const double m = static_cast<double>(order.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    double& value = result[order[rank]];
+    value = std::min(1.0, factor(adjustment, static_cast<double>(rank) + 1, m) * value);
+  }
+  // An adjusted p is never below that of a smaller p: Holm steps down from the smallest, the others up from the
+  // largest.
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (adjustment == Adjustment::holm) {
+      result[order[i]] = std::max(result[order[i]], result[order[i - 1]]);
+    } else {
+      const std::size_t rank = order.size() - 1 - i;
+      result[order[rank]] = std::min(result[order[rank]], result[order[rank + 1]]);
+    }
+  }
+  return result;
+}
+
 void correct(const Evidence& evidence, std::vector<double>& p) {
   std::vector<double> raw;
   for (const double each : p) raw.push_back(std::isnan(each) ? 1 : each);
   raw.resize(std::max(raw.size(), evidence.family()), 1);
-  const std::vector<double> corrected = adjusted(raw, static_cast<Correction>(evidence.plan.adjustment));
+  const std::vector<double> corrected = adjusted(raw, evidence.plan.adjustment);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isnan(p[i])) p[i] = corrected[i];
   }

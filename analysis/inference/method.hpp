@@ -62,6 +62,12 @@ Compares compares(std::string_view test);
 // The rank test shown beside a test of means: within blocks if there are any.
 const Method& rank_method(const Evidence& evidence);
 
+// Adjusts p-values for several tests, in the given order, as R's p.adjust does: Holm (Scandinavian J. Statistics 6
+// (1979) 65), Hochberg (Biometrika 75 (1988) 800), Bonferroni, and Benjamini and Hochberg (J. Royal Statistical Society
+// B 57 (1995) 289). A p that is NaN (a test that could not be made) stays NaN and does not count. The others must be 0
+// to 1; anything else throws std::invalid_argument.
+std::vector<double> adjusted(std::span<const double> p, results::Adjustment adjustment);
+
 // Corrects p-values as planned. A pair of the family that is not among these, or has no p, counts as one that does not
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
