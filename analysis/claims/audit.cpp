@@ -59,7 +59,7 @@ double anova_slack(const Rows& rows) {
     mean_moved[i].mean += rows[i][3];
     std_moved[i].std += rows[i][4];
     for (const auto& moved : {mean_moved, std_moved})
-      slack += std::abs(anova_from_summaries(moved).F - anova_from_summaries(groups).F);
+      slack += std::abs(anova_from_summaries(moved).statistic - anova_from_summaries(groups).statistic);
   }
   return slack;
 }
@@ -72,7 +72,7 @@ double p_of_pair(const Rows& rows, const std::vector<MeanDifference>& pairs) {
 }
 
 constexpr Function of_groups[]{
-    {"anova_f", 3, [](const Rows& rows) { return anova_from_summaries(groups_of(rows)).F; }},
+    {"anova_f", 3, [](const Rows& rows) { return anova_from_summaries(groups_of(rows)).statistic; }},
     {"anova_level", 3, [](const Rows& rows) { return level_of_anova(groups_of(rows), 0.05); }},
     {"anova_slack", 5, anova_slack},
     {"welch_f", 3, [](const Rows& rows) { return welch_anova(groups_of(rows)).statistic; }},

@@ -103,11 +103,11 @@ std::optional<AnovaTable> comparable_anova(const StudyResults& study, const std:
   printed.ss_between = table.number(between, "ss");
   printed.ss_within = table.number(within, "ss");
   printed.ss_total = table.number(total, "ss");
-  printed.df_between = static_cast<int>(table.number(between, "df"));
-  printed.df_within = static_cast<int>(table.number(within, "df"));
+  printed.df = table.number(between, "df");
+  printed.df_within = table.number(within, "df");
   printed.ms_between = table.number(between, "ms");
   printed.ms_within = table.number(within, "ms");
-  printed.F = table.number(between, "f");
+  printed.statistic = table.number(between, "f");
   printed.p = table.number(between, "p");
   return printed;
 }

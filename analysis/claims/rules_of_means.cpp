@@ -306,8 +306,8 @@ Claims differ(const Case& of) {
     const AnovaTable table = anova(study, metric).table;
     if (!std::isfinite(table.p)) return {};
     here.push_back(verdict_of(table.p < study.plan.significance));
-    list.push_back(fmt::format("{}: F({}, {}) = {}, {}", title(metric), table.df_between, table.df_within,
-                               short_number(table.F), p_words(table.p)));
+    list.push_back(fmt::format("{}: F({}, {}) = {}, {}", title(metric), table.df, table.df_within,
+                               short_number(table.statistic), p_words(table.p)));
   }
   Claim claim = of.begun();
   claim.verdict = verdict_on(here);

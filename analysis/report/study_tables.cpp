@@ -126,9 +126,10 @@ StudyAnova anova(const StudyResults& study, Metric metric) {
 }
 
 std::array<std::vector<Cell>, 3> anova_cells(const AnovaTable& table) {
-  return {{{table.ss_between, count(table.df_between), table.ms_between, table.F, PValue{table.p}},
-           {table.ss_within, count(table.df_within), table.ms_within, {}, {}},
-           {table.ss_total, count(table.df_total()), {}, {}, {}}}};
+  const auto df = [](double number) { return count(static_cast<std::int64_t>(number)); };
+  return {{{table.ss_between, df(table.df), table.ms_between, table.statistic, PValue{table.p}},
+           {table.ss_within, df(table.df_within), table.ms_within, {}, {}},
+           {table.ss_total, df(table.df + table.df_within), {}, {}, {}}}};
 }
 
 Table anova_table(const StudyResults& study, Metric metric) {

@@ -23,6 +23,7 @@ constexpr const char* too_large = "the sums of squares are too large for double 
 
 AnovaTable from_moments(const std::vector<Moments>& groups) {
   AnovaTable table;
+  table.df = table.df_within = 0;
   double n = 0;
   for (const Moments& group : groups) n += group.n;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -38,8 +39,8 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   table.undefined = too_few_groups(groups.size());
   if (!table.undefined.empty()) return table;
 
-  table.df_between = static_cast<int>(groups.size()) - 1;
-  table.df_within = static_cast<int>(n) - static_cast<int>(groups.size());
+  table.df = static_cast<double>(groups.size()) - 1;
+  table.df_within = n - static_cast<double>(groups.size());
   double grand_mean = 0;
   for (const Moments& group : groups) grand_mean += group.n / n * group.shifted_mean;
   table.ss_between = 0;
@@ -50,7 +51,7 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
     table.ss_within += group.squares;
   }
   table.ss_total = table.ss_between + table.ss_within;
-  table.ms_between = table.ss_between / table.df_between;
+  table.ms_between = table.ss_between / table.df;
   if (table.ss_total > 0) table.r_squared = table.ss_between / table.ss_total;
   if (table.df_within < 1) {
     table.undefined = "every group has a single value, so there is no spread within groups to compare with";
@@ -63,8 +64,8 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
                                  : "every group is constant, so there is no spread within groups to compare with";
     return table;
   }
-  table.F = table.ms_between / table.ms_within;
-  table.p = f_upper_tail(table.F, table.df_between, table.df_within);
+  table.statistic = table.ms_between / table.ms_within;
+  table.p = f_upper_tail(table.statistic, table.df, table.df_within);
   if (!std::isfinite(table.p)) table.undefined = too_large;
   return table;
 }

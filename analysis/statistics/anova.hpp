@@ -9,20 +9,13 @@
 
 namespace ikbench::statistics {
 
-struct AnovaTable {
+struct AnovaTable : Test {  // the statistic is F, p its upper tail, df are between and within the groups
   double ss_between = not_defined;
   double ss_within = not_defined;
   double ss_total = not_defined;
-  int df_between = 0;
-  int df_within = 0;
   double ms_between = not_defined;
   double ms_within = not_defined;
-  double F = not_defined;
-  double p = not_defined;  // upper tail of the F distribution
   double r_squared = not_defined;
-  Reason undefined = {};  // why F and p are not defined; empty if they are
-
-  int df_total() const { return df_between + df_within; }
 };
 
 AnovaTable anova(std::span<const std::vector<double>> groups);

@@ -59,7 +59,7 @@ double finite(double value) { return std::isfinite(value) ? value : not_defined;
 }  // namespace
 
 double omega_squared(const AnovaTable& table) {
-  return finite((table.ss_between - table.df_between * table.ms_within) / (table.ss_total + table.ms_within));
+  return finite((table.ss_between - table.df * table.ms_within) / (table.ss_total + table.ms_within));
 }
 
 double hedges_g(const GroupSummary& a, const GroupSummary& b) {

@@ -59,15 +59,8 @@ Test brown_forsythe(std::span<const std::vector<double>> groups) {
     }
     deviations.push_back(without_rounding(own, sizes));
   }
-  const AnovaTable table = anova(deviations);
-  Test test{.statistic = table.F,
-            .df = static_cast<double>(table.df_between),
-            .df_within = static_cast<double>(table.df_within),
-            .p = table.p};
-  if (!table.undefined.empty()) {
-    test.undefined = table.undefined;
-    test.undefined.insert(0, "one-way ANOVA of the deviations from the medians: ");
-  }
+  Test test = anova(deviations);
+  if (!test.undefined.empty()) test.undefined.insert(0, "one-way ANOVA of the deviations from the medians: ");
   return test;
 }
 

@@ -15,12 +15,7 @@ std::vector<Finding> anova_pairs(const Evidence& evidence, const Groups& groups)
 
 std::optional<TestResult> anova_of_all(const Evidence&, const Groups& groups) {
   const AnovaTable table = groups.values.empty() ? anova_from_summaries(groups.summaries) : anova(groups.values);
-  const Test test{.statistic = table.F,
-                  .df = static_cast<double>(table.df_between),
-                  .df_within = static_cast<double>(table.df_within),
-                  .p = table.p,
-                  .undefined = table.undefined};
-  return TestResult{test, std::string(anova_name), "F", Role::paper, "omega^2", omega_squared(table)};
+  return TestResult{table, std::string(anova_name), "F", Role::paper, "omega^2", omega_squared(table)};
 }
 
 }  // namespace
