@@ -154,7 +154,7 @@ Figure box_figure(const StudyResults& all, Metric metric, const std::string& nam
                            : is_of_run(metric)            ? "that of a run"
                                                           : fmt::format("the {} of a run", average_name(metric));
   if (info_of(metric).kind == Kind::time) observations.flaws = times_doubts(study);
-  return box_figure(observations, quantile_type(study.plan.quartiles), name, marks);
+  return box_figure(observations, QuantileType{study.plan.quartiles}, name, marks);
 }
 
 }  // namespace ikbench::figures

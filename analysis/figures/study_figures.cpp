@@ -116,7 +116,7 @@ Figure curves_figure(const StudyResults& measured, Metric metric, const std::str
     HoverTexts texts{.series = shortened(solver, longest_label)};
     for (const std::vector<double>& values : values_by_point(study, solver, metric)) {
       const std::vector<double> ranked = ranked_values(values);
-      const auto quartile = [&](double p) { return quantile(ranked, p, quantile_type(study.plan.quartiles)); };
+      const auto quartile = [&](double p) { return quantile(ranked, p, QuantileType{study.plan.quartiles}); };
       const Estimate average{quartile(0.5), quartile(0.25), quartile(0.75)};
       curve.add(static_cast<double>(curve.count + 1), average);
       all.push_back(average.value);

@@ -119,7 +119,7 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan, bool 
   result.mean = mean_interval({.mean = of.mean, .std = of.std, .n = of.n}, level);
   result.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
   const std::vector<double> ranked = ranked_values(group.values);
-  const QuantileType type = quantile_type(plan.quartiles);
+  const QuantileType type{plan.quartiles};
   const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
   result.q1 = q1;
   result.q3 = q3;

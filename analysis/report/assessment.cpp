@@ -132,7 +132,7 @@ Assessment with_observations(const Evidence& evidence, const Observations& obser
   Assessment result = assessment_of(found, drawn);
   if (is_worth_drawing(found) && !found.of_outcomes && !found.from_summaries) {
     result.figures.insert(result.figures.begin(),
-                          box_figure(drawn_part(in_unit(observations), drawn), quantile_type(found.plan.quartiles),
+                          box_figure(drawn_part(in_unit(observations), drawn), QuantileType{found.plan.quartiles},
                                      figure_name(found, "observations")));
   }
   return result;

@@ -199,7 +199,7 @@ Table times_table(const StudyResults& study) {
     const std::vector<double> ranked = ranked_values(seconds);
     std::vector<Cell> row{solver};
     for (const double p : {0.5, 0.95, 0.99, 1.0}) {
-      row.emplace_back(ms_per_second * quantile(ranked, p, quantile_type(study.plan.quartiles)));
+      row.emplace_back(ms_per_second * quantile(ranked, p, QuantileType{study.plan.quartiles}));
     }
     const auto late = std::ranges::count_if(seconds, [&](double time) { return !(time <= deadline); });
     row.push_back(std::isfinite(deadline) && !seconds.empty()

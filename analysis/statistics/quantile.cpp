@@ -14,13 +14,6 @@
 
 namespace ikbench::statistics {
 
-QuantileType quantile_type(int number) {
-  if (number < 1 || number > 9) {
-    throw std::invalid_argument(fmt::format("quantile type {}: expected 1 to 9 (Hyndman and Fan)", number));
-  }
-  return static_cast<QuantileType>(number);
-}
-
 std::vector<double> ranked_values(std::span<const double> values) {
   std::vector<double> ranked(values.begin(), values.end());
   for (double& value : ranked) {

@@ -11,9 +11,6 @@ namespace ikbench::statistics {
 
 enum class QuantileType { type_1 = 1, type_2, type_3, type_4, type_5, type_6, type_7, type_8, type_9 };
 
-// The type of a number 1 to 9; anything else is std::invalid_argument.
-QuantileType quantile_type(int number);
-
 // The rank of NaN, if smaller is better.
 constexpr double worse_than_every_number = std::numeric_limits<double>::infinity();
 
