@@ -56,11 +56,10 @@ std::string sensitivity(const Evidence& evidence) {
   const PowerGoal goal{.power = evidence.plan.power,
                        .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
   const bool in_blocks = evidence.decides_within_blocks();
-  return ' ' +
-         fmt::format(
-             words::sensitivity, "n"_a = n, "of"_a = replicates_words(evidence),
-             "least"_a = rounded_number(in_blocks ? least_mean_difference(n, goal) : least_difference(n, goal), 2),
-             "of_differences"_a = in_blocks ? " of the differences" : "", "power"_a = percent(evidence.plan.power));
+  return ' ' + fmt::format(words::sensitivity, "n"_a = n, "of"_a = replicates_words(evidence),
+                           "least"_a = rounded_number(least_difference(n, in_blocks, goal), 2),
+                           "of_differences"_a = in_blocks ? " of the differences" : "",
+                           "power"_a = percent(evidence.plan.power));
 }
 
 Sentence methods(const Evidence& evidence) {

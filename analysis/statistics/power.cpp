@@ -44,18 +44,6 @@ bool can_be_seen(double difference, double spread) {
   return std::isfinite(spread) && spread > 0 && !std::isnan(difference) && difference != 0;
 }
 
-// The difference at which power reaches the goal; power rises with the difference.
-template <class Power>
-double least(double goal, Power power_at) {
-  const auto excess = [&](double apart) { return power_at(apart) - goal; };
-  double enough = 1;
-  while (excess(enough) < 0) enough *= 2;
-  std::uintmax_t evaluations = 200;
-  const auto [below, above] = boost::math::tools::toms748_solve(
-      excess, 0.0, enough, boost::math::tools::eps_tolerance<double>(40), evaluations);
-  return (below + above) / 2;
-}
-
 }  // namespace
 
 double smallest_number(double guess, const std::function<bool(double)>& is_enough) {
@@ -76,17 +64,19 @@ double smallest_number(double guess, const std::function<bool(double)>& is_enoug
   return enough;
 }
 
-double least_difference(int n, const PowerGoal& goal) {
+double least_difference(int n, bool is_paired, const PowerGoal& goal) {
   check(goal);
   if (n < 2) return not_defined;
-  return least(goal.power,
-               [&](double apart) { return two_sided_power(apart * std::sqrt(n / 2.0), 2.0 * n - 2, goal.alpha); });
-}
-
-double least_mean_difference(int n, const PowerGoal& goal) {
-  check(goal);
-  if (n < 2) return not_defined;
-  return least(goal.power, [&](double apart) { return two_sided_power(apart * std::sqrt(n), n - 1.0, goal.alpha); });
+  const double size = is_paired ? n : n / 2.0, df = is_paired ? n - 1.0 : 2.0 * n - 2;
+  const auto excess = [&](double apart) {
+    return two_sided_power(apart * std::sqrt(size), df, goal.alpha) - goal.power;
+  };
+  double enough = 1;
+  while (excess(enough) < 0) enough *= 2;
+  std::uintmax_t evaluations = 200;
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      excess, 0.0, enough, boost::math::tools::eps_tolerance<double>(40), evaluations);
+  return (below + above) / 2;
 }
 
 double plausible_deviation(double std, int n, double probability) {

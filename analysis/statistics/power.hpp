@@ -27,9 +27,8 @@ double runs_to_see(const GroupSummary& a, const GroupSummary& b, double differen
 double pairs_to_see(double std, double difference, const PowerGoal& goal);
 
 // The least difference of two means of n values each, in their standard deviations, that Student's test shows with that
-// power; and the least mean of n differences, in their standard deviation. NaN for fewer than two.
-double least_difference(int n, const PowerGoal& goal);
-double least_mean_difference(int n, const PowerGoal& goal);
+// power; of pairs the least mean of n differences, in their standard deviation. NaN for fewer than two.
+double least_difference(int n, bool is_paired, const PowerGoal& goal);
 
 // The standard deviation that is below the true one with that probability, if n normal values have `std`.
 double plausible_deviation(double std, int n, double probability);

@@ -180,7 +180,7 @@ void print_sensitivity(int simulations) {
       "Tamhane |\n|---|---|---|---|---|---|\n");
   for (const auto& [groups, n] : {std::pair(2, 5), {2, 10}, {2, 20}, {6, 5}, {6, 10}, {6, 20}}) {
     const double pairs = groups * (groups - 1) / 2.0;
-    const double least = statistics::least_difference(n, {.alpha = 0.05 / pairs});
+    const double least = statistics::least_difference(n, false, {.alpha = 0.05 / pairs});
     const Draw draw = [least](Random& r, int g) { return 100 + (g == 0 ? least : 0) + r.normal(); };
     const auto finds = [&](const std::string& test) {
       return share_of(fmt::format("least{}{}", groups, n), simulations, [&](Random& random) {

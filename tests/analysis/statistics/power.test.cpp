@@ -57,14 +57,14 @@ TEST_CASE("where no number of runs will do there is none", "[power]") {
 
 TEST_CASE("the least difference that n values show is that of R's power.t.test", "[power]") {
   // The n of a difference has that difference as its least one: two groups of 64 see half a deviation (Cohen 1988).
-  CHECK(least_difference(64, {}) == Approx(0.5).margin(0.003));
-  CHECK(least_mean_difference(34, {}) == Approx(0.5).margin(0.008));
+  CHECK(least_difference(64, false, {}) == Approx(0.5).margin(0.003));
+  CHECK(least_difference(34, true, {}) == Approx(0.5).margin(0.008));
   for (const int n : {3, 5, 20}) {
-    const double least = least_difference(n, {.alpha = 0.05 / 15});
+    const double least = least_difference(n, false, {.alpha = 0.05 / 15});
     CHECK(runs_to_see({.std = 1, .n = n}, {.std = 1, .n = n}, least * (1 + 1e-9), {.alpha = 0.05 / 15}) == n);
-    CHECK(pairs_to_see(1, least_mean_difference(n, {}) * (1 + 1e-9), {}) == n);
+    CHECK(pairs_to_see(1, least_difference(n, true, {}) * (1 + 1e-9), {}) == n);
   }
-  CHECK(std::isnan(least_difference(1, {})));
+  CHECK(std::isnan(least_difference(1, false, {})));
 }
 
 TEST_CASE("a standard deviation is plausible from one end of its interval to the other", "[power]") {
