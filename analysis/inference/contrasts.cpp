@@ -7,7 +7,7 @@
 #include "analysis/inference/margin.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/statistics/effect_size.hpp"
-#include "analysis/statistics/hodges_lehmann.hpp"
+#include "analysis/statistics/mann_whitney.hpp"
 #include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/quantile.hpp"

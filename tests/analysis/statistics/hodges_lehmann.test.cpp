@@ -1,5 +1,3 @@
-#include "analysis/statistics/hodges_lehmann.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
