@@ -4,19 +4,39 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/inference/clusters.hpp"
-#include "analysis/statistics/running_time.hpp"
 
 namespace ikbench::inference {
 
+// The cost of reaching a tolerance if some trials never do: expected running time (Hansen, Auger, Ros, Finck, Posik,
+// GECCO companion (2010) 1689).
+// Sums over trials, or over a bootstrap sample of them.
+struct RunningTime {
+  double trials = 0;
+  double successes = 0;
+  double spent = 0;  // in evaluations or seconds, until a trial reached the tolerance or was given up (censored)
+
+  void add(double cost, bool is_success) {
+    ++trials;
+    successes += is_success ? 1 : 0;
+    spent += cost;
+  }
+  // Infinite without a success, not defined without trials.
+  double expected() const {
+    if (trials == 0) return statistics::not_defined;
+    return successes > 0 ? spent / successes : std::numeric_limits<double>::infinity();
+  }
+};
+
 struct SolverCost {
-  statistics::RunningTime time = {};
-  std::vector<statistics::RunningTime> replicates = {};  // empty if there are too few clusters
-  std::string undefined = {};                            // the reason if there is no running time
+  RunningTime time = {};
+  std::vector<RunningTime> replicates = {};  // empty if there are too few clusters
+  std::string undefined = {};                // the reason if there is no running time
 
   Estimate expected(const Clusters& clusters) const;  // expected running time
 };

@@ -1,13 +1,12 @@
-#include "analysis/statistics/running_time.hpp"
-
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "analysis/inference/costs.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
-using namespace ikbench::statistics;
+using namespace ikbench::inference;
 
 namespace {
 
