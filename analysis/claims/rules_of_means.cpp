@@ -11,7 +11,6 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
-#include "analysis/inference/ranking.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/study_tables.hpp"
@@ -34,6 +33,19 @@ std::string not_judged_words(std::string_view what) {
 
 double mean_of(const Evidence& evidence, const std::string& solver) {
   return group_named(evidence.groups, solver)->described.mean;
+}
+
+struct RankedSolver {
+  std::string solver;
+  double mean;
+};
+
+// By their means, the smallest first; those that are not finite come last.
+std::vector<RankedSolver> ranked(std::vector<RankedSolver> solvers) {
+  std::ranges::stable_sort(solvers, {}, [](const RankedSolver& each) {
+    return std::isfinite(each.mean) ? each.mean : worse_than_every_number;
+  });
+  return solvers;
 }
 
 // The other solvers by their means, the smallest first.
