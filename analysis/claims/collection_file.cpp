@@ -9,7 +9,6 @@
 
 #include "analysis/claims/audit.hpp"
 #include "analysis/claims/multiverse.hpp"
-#include "analysis/claims/one_at_a_time.hpp"
 #include "analysis/claims/row_agreement.hpp"
 #include "analysis/claims/rules.hpp"
 #include "analysis/claims/tables_of.hpp"

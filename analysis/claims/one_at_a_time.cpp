@@ -1,5 +1,3 @@
-#include "analysis/claims/one_at_a_time.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -6,9 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "analysis/claims/rules_of_means.hpp"
-#include "analysis/claims/rules_of_solves.hpp"
-
 namespace ikbench::claims {
 
 using namespace inference;

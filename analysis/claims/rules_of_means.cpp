@@ -1,5 +1,3 @@
-#include "analysis/claims/rules_of_means.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"

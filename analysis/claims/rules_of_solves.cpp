@@ -1,5 +1,3 @@
-#include "analysis/claims/rules_of_solves.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include <map>
 #include <span>
 
+#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/text.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/claims/rules_of_solves.hpp"
+#include "analysis/claims/rules.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
