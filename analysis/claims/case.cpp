@@ -118,12 +118,11 @@ std::optional<Evidence> Case::evidence(Metric metric) const {
     std::erase_if(observed.groups, [&](const Group& group) {
       return !entry.against.empty() && group.name != entry.solver && group.name != entry.against;
     });
-    AnalysisPlan plan = feasible(study().plan, observed);
-    if (std::ranges::count(observed.groups, plan.control, &Group::name) == 0) plan.control.clear();
+    const AnalysisPlan plan = feasible(study().plan, observed);
     const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
     found = comparable ? inference::evidence(observed, plan) : described(observed, plan);
   }
-  const bool has_solver = std::ranges::count(found->groups, entry.solver, &GroupEvidence::name) > 0;
+  const bool has_solver = group_named(found->groups, entry.solver) != nullptr;
   const bool is_complete =
       std::ranges::none_of(found->groups, [](const GroupEvidence& group) { return group.described.n == 0; });
   return found->groups.size() >= 2 && has_solver && is_complete ? found : std::nullopt;

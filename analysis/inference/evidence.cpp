@@ -43,9 +43,7 @@ void name_groups(Evidence& evidence) {
 }
 
 void check_control(const Evidence& evidence) {
-  if (evidence.plan.control.empty()) return;
-  const auto found = std::ranges::find(evidence.groups, evidence.plan.control, &GroupEvidence::name);
-  if (found != evidence.groups.end()) return;
+  if (evidence.plan.control.empty() || group_named(evidence.groups, evidence.plan.control) != nullptr) return;
   std::vector<std::string> names;
   for (const GroupEvidence& group : evidence.groups) names.push_back(group.name);
   throw std::invalid_argument(
@@ -187,6 +185,7 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 
 AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
   if (needs_blocks(plan.test) && observations.blocks.empty()) plan.test = by_design;
+  if (group_named(observations.groups, plan.control) == nullptr) plan.control.clear();
   if (!observations.are_summaries()) return plan;
   if (plan.test != by_design && results::deciding_test(plan.test).needs != Needs::summaries) plan.test = by_design;
   plan.control.clear();

@@ -93,7 +93,8 @@ Evidence with_bootstrap(Evidence evidence, const Observations& observations);
 // Describes the groups only: no tests, no bootstrap.
 Evidence described(const Observations& observations, const results::AnalysisPlan& plan);
 
-// Reduces a plan to what the data allow: no Friedman without blocks, no ranks and no control for summaries.
+// Reduces a plan to what the data allow: no Friedman without blocks, no ranks and no control for summaries, no control
+// that is no group.
 results::AnalysisPlan feasible(results::AnalysisPlan plan, const Observations& observations);
 
 // Names of the tests of all groups.

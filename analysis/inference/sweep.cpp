@@ -66,8 +66,8 @@ std::vector<SweptFamily> swept_families(const StudyResults& study) {
 }
 
 Estimate SweptQuantity::of(const std::string& label) const {
-  const GroupEvidence* const group = group_named(evidence.groups, label);
-  return group == nullptr ? Estimate() : group->mean;
+  const GroupEvidence* const found = group_named(evidence.groups, label);
+  return found == nullptr ? Estimate() : found->mean;
 }
 
 bool SweptQuantity::is_better(double one, double other) const {
@@ -76,11 +76,9 @@ bool SweptQuantity::is_better(double one, double other) const {
 
 std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics) {
   std::vector<SweptQuantity> quantities;
-  AnalysisPlan plan = study.plan;
-  plan.control.clear();  // nothing is compared with it here
   const auto add = [&](Metric metric, Estimand estimand) {
     SweptQuantity quantity{.observations = observations(study, metric, estimand), .evidence = {}};
-    quantity.evidence = described(quantity.observations, feasible(plan, quantity.observations));
+    quantity.evidence = described(quantity.observations, feasible(study.plan, quantity.observations));
     quantities.push_back(std::move(quantity));
   };
   if (primary_estimand(study) == Estimand::reliability) add(Metric::position_error_cm, Estimand::reliability);

@@ -11,7 +11,6 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
-#include "analysis/inference/evidence.hpp"
 #include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
@@ -209,12 +208,6 @@ std::vector<Judged> judged_together(const JudgedStudies& studies) {
   std::ranges::stable_partition(
       judged, [&](const Judged& each) { return each.metric == Metric::position_error_cm && each.estimand == wanted; });
   return judged;
-}
-
-AnalysisPlan plan_of_all(const JudgedStudies& studies, const Observations& observations) {
-  AnalysisPlan plan = feasible(studies.front().get().plan, observations);
-  if (group_named(observations.groups, plan.control) == nullptr) plan.control.clear();
-  return plan;
 }
 
 }  // namespace ikbench::inference

@@ -30,7 +30,4 @@ struct Judged {
 };
 std::vector<Judged> judged_together(const JudgedStudies& studies);
 
-// The plan of the first study, which is that of all. A control that not all have is none.
-results::AnalysisPlan plan_of_all(const JudgedStudies& studies, const Observations& observations);
-
 }  // namespace ikbench::inference

@@ -50,7 +50,7 @@ std::string set_up_of(const JudgedStudy& study) {
 
 Evidence judged_over(const JudgedStudies& studies, const Judged& of) {
   const Observations observations = together(studies, of.metric, of.estimand);
-  return evidence(observations, plan_of_all(studies, observations));
+  return evidence(observations, feasible(studies.front().get().plan, observations));
 }
 
 Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors) {
@@ -107,7 +107,7 @@ std::vector<Assessment> together_assessments(const Reported& reported) {
   if (studies.size() < 2) return result;
   for (const Judged& of : judged_together(studies)) {
     const Observations observations = together(studies, of.metric, of.estimand);
-    result.push_back(assess(observations, plan_of_all(studies, observations)));
+    result.push_back(assess(observations, feasible(studies.front().get().plan, observations)));
   }
   return result;
 }
