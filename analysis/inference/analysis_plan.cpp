@@ -11,6 +11,7 @@
 
 #include "analysis/inference/text.hpp"
 #include "numerics/json.hpp"
+#include "numerics/toml_table.hpp"
 #include "results/analysis_plan_fields.hpp"
 
 namespace ikbench::inference {
@@ -21,72 +22,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Visits the fields of a plan, and takes those that JSON has. Refuses others than the program writes.
-class JsonReader {
- public:
-  JsonReader(const Json& object, std::string_view what) : object_(object), what_(what) {}
-
-  void text(const char* key, std::string& field, std::string_view) {
-    take(key, [&](const Json& value) {
-      field = value.get<std::string>();
-      return true;
-    });
-  }
-  template <class Enum>
-  void choice(const char* key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
-              std::string_view) {
-    take(key, [&](const Json& value) {
-      const auto found = std::ranges::find_if(choices, [&](const auto& choice) { return value == choice.first; });
-      if (found != choices.end()) field = found->second;
-      return found != choices.end();
-    });
-  }
-  template <class Enum>
-  void chosen(const char* key, std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>& choices,
-              std::string_view) {
-    take(key, [&](const Json& value) {
-      field.clear();
-      for (const auto& [name, choice] : choices) {
-        if (std::ranges::count(value, Json(name)) == 1) field.push_back(choice);
-      }
-      return value.is_array() && !field.empty() && field.size() == value.size();
-    });
-  }
-  void texts(const char* key, std::vector<std::string>& field, std::string_view) {
-    take(key, [&](const Json& value) {
-      field = value.get<std::vector<std::string>>();
-      return true;
-    });
-  }
-  void whole(const char* key, int& field, std::pair<int, int> range, std::string_view meaning) {
-    double value = field;
-    number(key, value, 1, range, meaning);
-    take(key, [&](const Json& given) { return given.is_number_integer(); });
-    field = static_cast<int>(value);
-  }
-  void number(const char* key, double& field, double unit, std::pair<double, double> range, std::string_view) {
-    take(key, [&](const Json& value) {
-      const auto number = value.get<double>();
-      field = number * unit;
-      return number >= range.first && number <= range.second;
-    });
-  }
-
- private:
-  template <class Read>
-  void take(const char* key, Read read) {
-    const auto found = object_.find(key);
-    if (found == object_.end()) return;
-    try {
-      if (read(*found)) return;
-    } catch (const Json::exception&) {  // another type
-    }
-    throw std::invalid_argument(fmt::format("{} of a study is damaged: {} {}", what_, key, found->dump()));
-  }
-
-  const Json& object_;
-  std::string_view what_;
-};
+// Reads the fields of a stored plan or style like those of a study file. Leaves other keys alone.
+template <class Of>
+void read_fields(const Json& object, std::string_view source, Of& of) {
+  const toml::table table = numerics::parse_toml("stored = " + numerics::toml_of(object), source);
+  numerics::TomlReader reader(*table.get("stored")->as_table(), source, "");
+  list_fields(reader, of);
+}
 
 class Lister {
  public:
@@ -123,8 +65,7 @@ class Lister {
 std::optional<AnalysisPlan> plan_in(const Json& json) {
   if (!json.is_object()) return std::nullopt;
   AnalysisPlan plan;
-  JsonReader reader(json, "the analysis plan");
-  list_fields(reader, plan);
+  read_fields(json, "the analysis plan of a study", plan);
   return plan;
 }
 
@@ -183,17 +124,16 @@ FigureStyle figure_style_of(const StudyEntry& entry) {
   const Json definition = numerics::parsed_json(entry.definition);
   FigureStyle style;
   if (!definition.is_object() || !definition.contains("figures") || !definition["figures"].is_object()) return style;
-  constexpr std::string_view what = "the look of figures";
-  const Json& figures = definition["figures"];
-  JsonReader reader(figures, what);
-  list_fields(reader, style);
+  constexpr std::string_view source = "the look of figures of a study";
+  Json figures = definition["figures"];
+  if (figures.contains("solvers") && figures["solvers"].empty()) figures.erase("solvers");  // all, which no file lists
+  read_fields(figures, source, style);
   const Json& colours = figures.contains("colours") ? figures["colours"] : Json::object();
   for (const auto& [label, colour] : colours.items()) {
     if (colour.is_string()) style.colours.emplace(label, colour.get<std::string>());
   }
   if (const auto mistake = mistake_in(style)) {
-    throw std::invalid_argument(
-        fmt::format("{} of a study is damaged: {}; expected {}", what, mistake->first, mistake->second));
+    throw std::invalid_argument(fmt::format("{}: {}; expected {}", source, mistake->first, mistake->second));
   }
   return style;
 }

@@ -77,7 +77,7 @@ TEST_CASE("a store without a plan is judged by the defaults, and one with a dama
     CHECK_THROWS_AS(plan_of(entry_with(nonsense)), std::invalid_argument);
   }
   CHECK_THROWS_WITH(plan_of(entry_with(R"({"quartiles": -3})")),
-                    "the analysis plan of a study is damaged: quartiles -3");
+                    "the analysis plan of a study:1:25: quartiles is -3; expected a whole number from 1 to 9");
 }
 
 TEST_CASE("a plan that was there before the first solve is said to be so", "[analysis_plan]") {
