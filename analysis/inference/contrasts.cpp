@@ -21,8 +21,6 @@ using namespace statistics;
 
 namespace {
 
-using Values = std::span<const std::vector<double>>;
-
 // The group whose pairs are shown if not all pairs are.
 std::optional<std::size_t> reference_of(const Evidence& evidence) {
   const auto& groups = evidence.groups;
@@ -123,11 +121,6 @@ double chance_of_order(const Evidence& evidence, const Finding& contrast) {
   return chance;
 }
 
-// The largest share of failures that so many observations without a failure do not exclude.
-double unseen_failures(const Evidence& evidence, int observations) {
-  return most_without_success(observations, evidence.plan.significance / static_cast<double>(evidence.family()));
-}
-
 // Returns whether two equal constants may be shares: both 0 or both 1, where all groups are in the unit interval.
 bool may_be_shares(const Evidence& evidence, double value) {
   const auto is_in_unit = [](const GroupEvidence& group) {
@@ -165,16 +158,15 @@ void judge_constants(const Evidence& evidence, Finding& contrast) {
   contrast.why.clear();
   contrast.estimate = {.value = difference};
   contrast.relation = Relation::undecided;
-  const double level = evidence.plan.significance / static_cast<double>(evidence.family());
   const double fewest = fewest_in_order(evidence);
   contrast.runs_to_decide.value =
-      are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), level), fewest) : fewest;
+      are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), evidence.alpha()), fewest) : fewest;
   if (by_chance >= evidence.plan.significance) return;
   contrast.estimate = {difference, difference, difference};
   if (are_shares) {
-    const auto unseen = [&](std::size_t group) {
+    const auto unseen = [&](std::size_t group) {  // the largest share of failures that is not excluded
       const GroupEvidence& of = evidence.groups[group];
-      return of.copies > 0 ? 0 : unseen_failures(evidence, of.described.n);
+      return of.copies > 0 ? 0 : most_without_success(of.described.n, evidence.alpha());
     };
     contrast.estimate.low = -unseen(contrast.first);
     contrast.estimate.high = unseen(contrast.second);
@@ -257,8 +249,7 @@ Estimate runs_to_decide(const Evidence& evidence, const Finding& contrast, const
   if (to_see == 0) return {};  // no number of runs sees it
   if (evidence.ranks_decide() && evidence.decides_within_blocks())
     return {.value = static_cast<double>(evidence.fewest)};
-  const PowerGoal goal{.power = evidence.plan.power,
-                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
   const auto runs = [&](double probability) {
     GroupSummary first = summaries[contrast.first], second = summaries[contrast.second];
     if (evidence.decides_within_blocks()) {
@@ -314,7 +305,7 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
     return result;
   };
   const std::vector<double> one = logarithms(first), other = logarithms(second);
-  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
+  const double level = 1 - evidence.alpha();
   const auto varies = [](const std::vector<double>& values) {
     return std::ranges::any_of(values, [&](double value) { return value != values.front(); });
   };

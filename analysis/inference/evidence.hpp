@@ -80,6 +80,8 @@ struct Evidence {
   bool decides_within_blocks() const;
   // Number of pairs that p-values and intervals are corrected for: those with the control, else all.
   std::size_t family() const { return plan.control.empty() ? pairs : groups.size() - 1; }
+  // The significance of one pair by itself if that of the family is the plan's (Bonferroni).
+  double alpha() const { return plan.significance / static_cast<double>(family()); }
 };
 
 // The difference of equal groups: 0, or the ratio 1 on a log10 scale.

@@ -54,8 +54,7 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
 Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
                                std::span<const std::vector<double>> values) {
   const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
-  const PowerGoal goal{.power = evidence.plan.power,
-                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
   double fewest = evidence.fewest;
   const Description &one = evidence.groups[contrast.first].described,
                     &other = evidence.groups[contrast.second].described;

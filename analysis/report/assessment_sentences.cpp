@@ -53,8 +53,7 @@ std::string sensitivity(const Evidence& evidence) {
   const int n =
       std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
   if (n < 2 || evidence.constant || !too_few(evidence).text.empty()) return "";
-  const PowerGoal goal{.power = evidence.plan.power,
-                       .alpha = evidence.plan.significance / static_cast<double>(evidence.family())};
+  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
   const bool in_blocks = evidence.decides_within_blocks();
   return ' ' + fmt::format(words::sensitivity, "n"_a = n, "of"_a = replicates_words(evidence),
                            "least"_a = rounded_number(least_difference(n, in_blocks, goal), 2),

@@ -36,8 +36,8 @@ std::vector<Finding> paired(const Evidence& evidence, const Groups& groups) {
   const auto family = static_cast<double>(evidence.family());
   std::vector<MeanDifference> result;
   for (const Finding& contrast : evidence.contrasts) {
-    const PairedTest test = paired_t(groups.values[contrast.first], groups.values[contrast.second],
-                                     1 - evidence.plan.significance / family);
+    const PairedTest test =
+        paired_t(groups.values[contrast.first], groups.values[contrast.second], 1 - evidence.alpha());
     result.push_back({.first = contrast.first,
                       .second = contrast.second,
                       .difference = test.difference,

@@ -12,15 +12,15 @@ using namespace statistics;
 namespace {
 
 std::vector<Finding> friedman_pairs(const Evidence& evidence, const Groups& groups) {
-  const double level = 1 - evidence.plan.significance / static_cast<double>(evidence.family());
   std::vector<Finding> result;
   for (const Finding& contrast : evidence.contrasts) {
     const std::size_t first = contrast.first, second = contrast.second;
     Test test = sign_test(groups.ranked[first], groups.ranked[second]);
-    result.push_back({.p_alone = test.p,
-                      .ahead = -test.direction,
-                      .estimate = paired_t(groups.values[first], groups.values[second], level).difference,
-                      .why = std::move(test.undefined)});
+    result.push_back(
+        {.p_alone = test.p,
+         .ahead = -test.direction,
+         .estimate = paired_t(groups.values[first], groups.values[second], 1 - evidence.alpha()).difference,
+         .why = std::move(test.undefined)});
   }
   correct(evidence, result);
   return result;

@@ -16,11 +16,11 @@ namespace {
 // Compares shares pair by pair, with p and interval of each pair at the family's level.
 template <class Compare>
 std::vector<Finding> share_pairs(const Evidence& evidence, const Groups& groups, Compare compare) {
-  const double alpha = evidence.plan.significance / static_cast<double>(evidence.family());
   const int sign = evidence.better == Better::smaller ? -1 : 1;
   std::vector<Finding> result;
   for (const Finding& contrast : evidence.contrasts) {
-    const auto [alone, difference] = compare(groups.values[contrast.first], groups.values[contrast.second], alpha);
+    const auto [alone, difference] =
+        compare(groups.values[contrast.first], groups.values[contrast.second], evidence.alpha());
     result.push_back({.p_alone = alone, .ahead = sign * sign_of(difference.value), .estimate = difference});
   }
   correct(evidence, result);
