@@ -81,18 +81,11 @@ void sort(std::vector<SolveRecord>& solves, const std::vector<std::string>& solv
       solves, {}, [&](const SolveRecord& solve) { return std::tuple(place.at(solve.solver), solve.run, solve.point); });
 }
 
-StudyResults made(StudyMaker maker, const std::vector<SolveRecord>& solves, const std::vector<Session>& sessions) {
-  for (const SolveRecord& solve : solves) maker.add(solve);
-  return maker.finish(sessions);
-}
-
 }  // namespace
 
 StudyMaker::StudyMaker(const StudyEntry& entry, std::size_t solves) : study_(of_entry(entry)), series_(entry.series) {
   solves_.reserve(solves);
 }
-
-StudyMaker::StudyMaker(std::string name) : study_{.name = std::move(name)} {}
 
 void StudyMaker::check(const SolveRecord& record) const {
   const auto refuse = [&](const std::string& what) {
@@ -162,12 +155,13 @@ StudyResults make_study(const StudyEntry& entry, std::vector<SolveRecord> solves
   std::vector<std::string> labels;
   for (const Series& series : entry.series) labels.push_back(series.label);
   sort(solves, labels);
-  return made(StudyMaker(entry), solves, sessions);
+  StudyMaker maker(entry);
+  for (const SolveRecord& solve : solves) maker.add(solve);
+  return maker.finish(sessions);
 }
 
 StudyResults make_study(std::string name, std::vector<SolveRecord> solves) {
-  sort(solves, {});
-  return made(StudyMaker(std::move(name)), solves, {});
+  return make_study(StudyEntry{.name = std::move(name), .definition = {}, .series = {}}, std::move(solves));
 }
 
 StudyResults read_study(const Store& store, const StudyEntry& entry) {

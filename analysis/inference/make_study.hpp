@@ -21,22 +21,17 @@ class StudyMaker {
  public:
   // Reserves memory for `solves` solves.
   explicit StudyMaker(const results::StudyEntry& entry, std::size_t solves = 0);
-  explicit StudyMaker(std::string name);  // without a definition (a CSV of solves)
 
   void add(const results::SolveRecord& record);
   StudyResults finish(const std::vector<results::Session>& sessions = {});
 
  private:
-  struct TargetOfSolve {
-    std::vector<double> position_m, rotation;
-  };
   void check(const results::SolveRecord& record) const;
   std::uint16_t number_of(const std::string& solver);
   // Takes the facts from a record (solve_data.cpp).
   Solve condensed(const results::SolveRecord& record, std::uint16_t solver);
   bool is_following(const results::SolveRecord& record, std::uint16_t solver) const;
-  void look_at_times(const results::SolveRecord& record, std::uint16_t solver);
-  void look_at_answer(const results::SolveRecord& record, std::uint16_t solver);
+  void look_at(const results::SolveRecord& record, std::uint16_t solver);
   void keep_drawn(const results::SolveRecord& record, bool is_first_of_solver);
   std::uint16_t session_number(std::int64_t session);
   void end_run();
@@ -45,14 +40,12 @@ class StudyMaker {
   std::vector<results::Series> series_ = {};  // from the study's definition
   std::vector<Solve> solves_;
   SolveData data_;
-  // These belong to the current run.
-  std::vector<std::vector<double>> answers_;
-  TargetOfSolve first_, last_;
+  std::vector<std::vector<double>> answers_;  // of the current run
 };
 
 StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,
                         const std::vector<results::Session>& sessions = {});
-// Orders solvers by their first solve.
+// Without a definition (a CSV of solves). Orders solvers by their first solve.
 StudyResults make_study(std::string name, std::vector<results::SolveRecord> solves);
 // Reads all solves of the study from the store.
 StudyResults read_study(const results::Store& store, const results::StudyEntry& entry);

@@ -38,7 +38,7 @@ std::uint32_t digest_of(std::vector<double> numbers) {
   return digest == no_digest ? 1 : digest;
 }
 
-bool is_near(const std::vector<double>& a, const std::vector<double>& b) {
+bool is_near(std::span<const double> a, std::span<const double> b) {
   return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= 1e-9; });
 }
 
@@ -154,7 +154,7 @@ std::uint16_t StudyMaker::session_number(std::int64_t session) {
   return static_cast<std::uint16_t>(known.size() - 1);
 }
 
-void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) {
+void StudyMaker::look_at(const SolveRecord& record, std::uint16_t solver) {
   SolverFacts& own = data_.of_solver[solver];
   if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
     own.transport_shares.push_back(transport / record.seconds);
@@ -162,10 +162,6 @@ void StudyMaker::look_at_times(const SolveRecord& record, std::uint16_t solver) 
   own.largest_batch = std::max(own.largest_batch, record.batch);
   const double longest = std::fmax(record.seconds, record.largest_seconds);
   own.uneven_repeats += has_repeats(record) && longest > much_longer * record.smallest_seconds ? 1 : 0;
-}
-
-void StudyMaker::look_at_answer(const SolveRecord& record, std::uint16_t solver) {
-  SolverFacts& own = data_.of_solver[solver];
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);
   data_.joints.insert({record.answer_rad.size(), record.start_rad.size()});
 }
@@ -185,8 +181,10 @@ void StudyMaker::end_run() {
         .solver = solves_.back().solver, .run = solves_.back().run, .points = static_cast<int>(answers_.size())};
     add_second_differences(shape, answers_, study_.facts.slides);
     const std::vector<double>&first = answers_.front(), &last = answers_.back();
-    if (first.size() == last.size() && is_near(first_.position_m, last_.position_m) &&
-        is_near(first_.rotation, last_.rotation)) {
+    const Problem asked_first = data_.problems[solves_[solves_.size() - answers_.size()].problem],
+                  asked_last = data_.problems[solves_.back().problem];
+    if (first.size() == last.size() && is_near(asked_first.target_position_m, asked_last.target_position_m) &&
+        is_near(asked_first.target_rotation, asked_last.target_rotation)) {
       shape.return_deg =
           norm_deg(first.size(), study_.facts.slides, [&](std::size_t joint) { return last[joint] - first[joint]; });
     }
@@ -199,13 +197,9 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
   const bool is_first_of_solver = solves_.empty() || solver != solves_.back().solver;
   if (data_.of_solver.size() <= solver) data_.of_solver.resize(solver + std::size_t{1});
   const bool is_following = this->is_following(record, solver);
-  if (is_first_of_solver || record.run != solves_.back().run) {
-    end_run();
-    first_ = {record.target_position_m, record.target_rotation};
-  }
+  if (is_first_of_solver || record.run != solves_.back().run) end_run();
   if (data_.robot.empty()) data_.robot = record.robot;
-  look_at_times(record, solver);
-  look_at_answer(record, solver);
+  look_at(record, solver);
   keep_drawn(record, is_first_of_solver);
   Solve solve{.position_error_cm = record.position_error_cm,
               .orientation_error = record.orientation_error,
@@ -245,7 +239,6 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
     solve.extras = &data_.extras.back();
   }
   answers_.push_back(record.answer_rad);
-  last_ = {record.target_position_m, record.target_rotation};
   return solve;
 }
 
