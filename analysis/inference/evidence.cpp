@@ -86,7 +86,7 @@ void add_average_ranks(Evidence& evidence, const Samples& ranked) {
   if (!test.undefined.empty()) return;
   const auto k = static_cast<double>(evidence.groups.size());
   const double q =
-      studentized_range_quantile(1 - evidence.plan.significance, k, std::numeric_limits<double>::infinity());
+      StudentizedRange(k).quantile(1 - evidence.plan.significance, std::numeric_limits<double>::infinity());
   evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
 }
 

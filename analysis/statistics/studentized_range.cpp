@@ -203,6 +203,4 @@ double studentized_range_upper_tail(double q, double k, double df) {
   return averaged(q, k, df, [&](double w) { return range.tail(w); });
 }
 
-double studentized_range_quantile(double p, double k, double df) { return StudentizedRange(k).quantile(p, df); }
-
 }  // namespace ikbench::statistics

@@ -14,16 +14,14 @@ namespace ikbench::statistics {
 // and a quadrature in thirty digits); below some 1e-265 it is 0. A twentieth to a few tenths of a millisecond.
 double studentized_range_upper_tail(double q, double k, double df);
 
-// The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for 0 < p < 1e-9, which 1 - p does not resolve.
-double studentized_range_quantile(double p, double k, double df);
-
-// The same two functions for many calls with one k: the range of k normal variables is tabulated (some tenths of a
+// The same for many calls with one k, and quantiles: the range of k normal variables is tabulated (some tenths of a
 // millisecond; to k = 6 once for all), after which a tail costs some microseconds. Relative error below 1e-10 to k =
 // 400, 3e-10 to k = 1000.
 class StudentizedRange {
  public:
   explicit StudentizedRange(double k);
   double upper_tail(double q, double df) const;
+  // The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for 0 < p < 1e-9, which 1 - p does not resolve.
   double quantile(double p, double df) const;
 
  private:

@@ -50,8 +50,8 @@ TEST_CASE("quantiles of the studentized range at infinite df are the critical va
   for (std::size_t i = 0; i < at_95.size(); ++i) {
     const double k = static_cast<double>(i) + 2;
     CAPTURE(k);
-    CHECK(studentized_range_quantile(0.95, k, infinite) / std::sqrt(2.0) == Approx(at_95[i]).epsilon(1e-6));
-    CHECK(studentized_range_quantile(0.90, k, infinite) / std::sqrt(2.0) == Approx(at_90[i]).epsilon(1e-6));
+    CHECK(StudentizedRange(k).quantile(0.95, infinite) / std::sqrt(2.0) == Approx(at_95[i]).epsilon(1e-6));
+    CHECK(StudentizedRange(k).quantile(0.90, infinite) / std::sqrt(2.0) == Approx(at_90[i]).epsilon(1e-6));
   }
 }
 
@@ -119,21 +119,21 @@ TEST_CASE("no argument of the studentized range crashes it", "[studentized_range
   CHECK(studentized_range_upper_tail(1e308, 3, infinite) == 0);
   CHECK(studentized_range_upper_tail(1e308, 3, 1e308) == 0);
   CHECK(studentized_range_upper_tail(1e308, 200, 1) >= 0);
-  CHECK(studentized_range_quantile(0, 3, 5) == 0);
-  CHECK(std::isinf(studentized_range_quantile(1, 3, 5)));
-  CHECK(std::isnan(studentized_range_quantile(1e-300, 3, 5)));
-  CHECK(studentized_range_quantile(1e-9, 1000, 1) > 0);
-  CHECK(studentized_range_quantile(1e-9, 2, 1) > 0);
-  CHECK(studentized_range_quantile(std::nextafter(1.0, 0.0), 3, 1) > 1e15);
+  CHECK(StudentizedRange(3).quantile(0, 5) == 0);
+  CHECK(std::isinf(StudentizedRange(3).quantile(1, 5)));
+  CHECK(std::isnan(StudentizedRange(3).quantile(1e-300, 5)));
+  CHECK(StudentizedRange(1000).quantile(1e-9, 1) > 0);
+  CHECK(StudentizedRange(2).quantile(1e-9, 1) > 0);
+  CHECK(StudentizedRange(3).quantile(std::nextafter(1.0, 0.0), 1) > 1e15);
   for (const double bad : {not_defined, -1.0, 0.0, 1.0, 2.5, 1e308, infinite}) {
     CHECK(std::isnan(studentized_range_upper_tail(1, bad, 5)));
-    CHECK(std::isnan(studentized_range_quantile(0.95, bad, 5)));
+    CHECK(std::isnan(StudentizedRange(bad).quantile(0.95, 5)));
   }
   for (const double bad : {not_defined, -1.0, 0.0, 0.5}) {
     CHECK(std::isnan(studentized_range_upper_tail(1, 3, bad)));
-    CHECK(std::isnan(studentized_range_quantile(0.95, 3, bad)));
+    CHECK(std::isnan(StudentizedRange(3).quantile(0.95, bad)));
   }
   CHECK(std::isnan(studentized_range_upper_tail(not_defined, 3, 5)));
-  CHECK(std::isnan(studentized_range_quantile(1.5, 3, 5)));
-  CHECK(std::isnan(studentized_range_quantile(not_defined, 3, 5)));
+  CHECK(std::isnan(StudentizedRange(3).quantile(1.5, 5)));
+  CHECK(std::isnan(StudentizedRange(3).quantile(not_defined, 5)));
 }
