@@ -52,7 +52,6 @@ AnovaTable from_moments(const std::vector<Moments>& groups) {
   }
   table.ss_total = table.ss_between + table.ss_within;
   table.ms_between = table.ss_between / table.df;
-  if (table.ss_total > 0) table.r_squared = table.ss_between / table.ss_total;
   if (table.df_within < 1) {
     table.undefined = "every group has a single value, so there is no spread within groups to compare with";
     return table;

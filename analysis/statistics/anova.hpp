@@ -15,7 +15,6 @@ struct AnovaTable : Test {  // the statistic is F, p its upper tail, df are betw
   double ss_total = not_defined;
   double ms_between = not_defined;
   double ms_within = not_defined;
-  double r_squared = not_defined;
 };
 
 AnovaTable anova(std::span<const std::vector<double>> groups);

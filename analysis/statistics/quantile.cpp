@@ -71,8 +71,6 @@ double quantile(std::span<const double> sorted, double p, QuantileType type) {
   return (1 - w) * lower + w * upper;
 }
 
-bool Box::drawable() const { return std::isfinite(q1) && std::isfinite(median) && std::isfinite(q3); }
-
 double decades(std::span<const double> values) {
   const std::vector<double> ranked = ranked_values(values);
   const double low = quantile(ranked, 0.05, QuantileType::type_7), high = quantile(ranked, 0.95, QuantileType::type_7);
@@ -87,20 +85,14 @@ Box box(std::span<const double> values, QuantileType type) {
   result.median = quantile(ranked, 0.5, type);
   result.q3 = quantile(ranked, 0.75, type);
   result.not_finite = static_cast<int>(std::erase_if(ranked, [](double value) { return !std::isfinite(value); }));
-  if (!result.drawable()) {
-    result.outliers = ranked;  // no box, but every drawable value
-    return result;
-  }
+  if (!std::isfinite(result.q1) || !std::isfinite(result.q3)) return result;
   const double reach = 1.5 * (result.q3 - result.q1);
   result.whisker_low = result.q1;  // used if no value lies between the fence and the box
   result.whisker_high = result.q3;
   for (const double value : ranked) {
-    if (value < result.q1 - reach || value > result.q3 + reach) {
-      result.outliers.push_back(value);
-    } else {
-      result.whisker_low = std::min(result.whisker_low, value);
-      result.whisker_high = std::max(result.whisker_high, value);
-    }
+    if (value < result.q1 - reach || value > result.q3 + reach) continue;
+    result.whisker_low = std::min(result.whisker_low, value);
+    result.whisker_high = std::max(result.whisker_high, value);
   }
   return result;
 }

@@ -33,9 +33,6 @@ struct Box {
   double q3 = std::numeric_limits<double>::quiet_NaN();
   double whisker_low = std::numeric_limits<double>::quiet_NaN();
   double whisker_high = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> outliers;  // finite ones, ascending
-
-  bool drawable() const;  // the whole box is finite
 };
 
 Box box(std::span<const double> values, QuantileType type);
