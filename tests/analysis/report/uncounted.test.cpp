@@ -63,6 +63,15 @@ Table table_named(const std::vector<Table>& tables, const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("where the control is left out of a metric, the others are compared with each other", "[uncounted]") {
+  StudyResults study = study_without_counts();
+  study.plan.control = "program";
+  const JudgedStudy judged(std::move(study));
+  CHECK(judged.evidence(Metric::evaluations).plan.control.empty());
+  CHECK(judged.evidence(Metric::evaluations).contrasts.size() == 1);
+  CHECK(judged.evidence(Metric::position_error_cm).plan.control == "program");
+}
+
 TEST_CASE("evaluations that nobody counted are in no comparison and no table of costs", "[uncounted]") {
   const StudyResults study = study_without_counts();
   const Observations observed = observations(study, Metric::evaluations, results::Estimand::mean);
