@@ -1,7 +1,5 @@
 #include "analysis/claims/collection_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <memory>
 #include <string>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/margin.hpp"

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "analysis/inference/make_study.hpp"
 #include "numerics/units.hpp"

@@ -1,7 +1,5 @@
 #include "analysis/statistics/anova.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "analysis/statistics/equal_variances.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

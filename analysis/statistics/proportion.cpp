@@ -1,11 +1,8 @@
 #include "analysis/statistics/proportion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "analysis/statistics/tails.hpp"

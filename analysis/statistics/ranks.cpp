@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <utility>
 
 #include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/proportion.hpp"

@@ -1,6 +1,5 @@
 // If every observation is 0 or 1, shares are compared, whatever test the plan names.
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/outcomes.hpp"
