@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/collection.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/embedded_file.hpp"
@@ -57,22 +59,26 @@ std::vector<Work> works() {
   }
 }
 
-// The solvers of a study, and the collection that it belongs to.
+// Studies and their solvers.
 struct Used {
-  std::string study;
-  std::vector<std::string> solvers;
+  std::vector<std::string> studies, solvers;
 };
 
 Used used_in(const std::string& name) {
   if (std::filesystem::path(name).extension() == ".sqlite") {
-    const StudyEntry study = chosen_study(Store(name, Store::Mode::read), "");
-    Used used{.study = study.name};
-    for (const Series& series : study.series) used.solvers.push_back(series.algorithm);
+    Used used;
+    for (const StudyEntry& study : Store(name, Store::Mode::read).studies()) {
+      used.studies.push_back(study.name);
+      for (const Series& series : study.series) used.solvers.push_back(series.algorithm);
+    }
     return used;
   }
-  const Study study = load_study(name);
-  Used used{.study = study.name};
-  for (const SolverEntry& entry : study.solvers) used.solvers.push_back(entry.solver);
+  const std::optional<StudyCollection> collection = load_collection(name);
+  Used used;
+  for (const Study& study : collection ? collection->studies : std::vector{load_study(name)}) {
+    used.studies.push_back(study.name);
+    for (const SolverEntry& entry : study.solvers) used.solvers.push_back(entry.solver);
+  }
   return used;
 }
 
@@ -95,8 +101,10 @@ Cited cited(const std::string& name) {
     const Used used = used_in(name);
     wanted.insert(used.solvers.begin(), used.solvers.end());
     for (const report::Collection& collection : analysis::collections()) {
-      if (std::ranges::find(collection.studies, used.study, &report::CollectedStudy::name) != collection.studies.end())
-        wanted.insert(collection.name);
+      const bool is_of = std::ranges::any_of(collection.studies, [&](const report::CollectedStudy& study) {
+        return std::ranges::count(used.studies, study.name) > 0;
+      });
+      if (is_of) wanted.insert(collection.name);
     }
   }
   Cited found{.entries = {program_entry()}};
@@ -126,8 +134,10 @@ void add_cite(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("cite", "Print what to cite: the program, a study's paper, and the papers of its solvers");
-  command->add_option("STUDY", arguments->study,
-                      "name of a built-in study, a TOML file, or a store.sqlite; default: the program alone");
+  command->add_option(
+      "STUDY", arguments->study,
+      "name of a built-in study, the TOML file of a study or a collection, or a store.sqlite; default: the "
+      "program alone");
   add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"

@@ -174,6 +174,7 @@ void refuse_unknown_labels(const CompareArguments& arguments, const Study& study
 
 // Solves the study look by look, until A and B are decided.
 int run_and_compare(const CompareArguments& arguments, const Invocation& invocation) {
+  refuse_collection(arguments.run, "ikbench compare --run");
   Study study = load_study(arguments.run, arguments.overrides);
   refuse_unknown_labels(arguments, study);
   const std::filesystem::path folder =

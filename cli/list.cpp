@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "analysis/inference/method.hpp"
@@ -17,6 +18,7 @@
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
 #include "cli/screen.hpp"
+#include "experiments/collection.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
@@ -97,9 +99,9 @@ Listed robot_details(const std::string& name) {
   return {robot_text(arm), robot_json(arm)};
 }
 
-Table study_list() {
+Table study_list(const std::vector<Study>& studies) {
   Table table{.name = "studies", .caption = "", .columns = {"name", "solvers", "runs", "points", "what"}};
-  for (const Study& study : studies()) {
+  for (const Study& study : studies) {
     table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
                           std::int64_t{study.path->points()}, study.title});
   }
@@ -107,6 +109,8 @@ Table study_list() {
 }
 
 Listed study_details(const std::string& name) {
+  if (const std::optional<StudyCollection> collection = load_collection(name))
+    return listed(study_list(collection->studies));
   const Study study = load_study(name, {}, PointsAsObservations::forced);
   return {to_toml(study), parsed_ordered_json(to_json(study))};
 }
@@ -203,7 +207,7 @@ Listed listed(const std::string& kind, const std::string& name) {
   if (kind == "tests") return rows_or_one(test_list(), "test", name);
   if (kind == "pieces") return rows_or_one(piece_list(), "piece", name);
   if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
-  return name.empty() ? listed(study_list()) : study_details(name);
+  return name.empty() ? listed(study_list(studies())) : study_details(name);
 }
 
 }  // namespace
@@ -220,8 +224,10 @@ void add_list(CLI::App& app, Invocation&) {
   const std::vector<std::string> kinds{"solvers", "robots", "studies", "paths",           "columns",
                                        "metrics", "tests",  "pieces",  "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
-  command->add_option("NAME", arguments->name,
-                      "show this one in full; a study or a path is printed as TOML, ready to edit");
+  command->add_option(
+      "NAME", arguments->name,
+      "show this one in full; a study or a path is printed as TOML, ready to edit, of a collection's file "
+      "the list of its studies");
   add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"

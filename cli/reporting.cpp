@@ -14,6 +14,7 @@
 
 #include "analysis/collections.hpp"
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
 #include "cli/memory.hpp"
@@ -169,6 +170,7 @@ report::Json json_of(const Report& report, WrittenReport wanted) {
   json["pairs"] = rows_json(report.findings.pairs);
   json["results"] = rows_json(report.results);
   json["warnings"] = report.warnings;
+  if (wanted.tells_of_further) json["further_studies"] = report.further;
   for (auto& [key, value] : wanted.data.items()) json[key] = std::move(value);
   return json;
 }
@@ -242,6 +244,29 @@ void refuse_reproduction(const std::filesystem::path& folder) {
                   folder.string()));
 }
 
+Collection reported_collection(const StudyCollection& collection, const ReportArguments& arguments) {
+  if (arguments.unit == name_of(Unit::point))
+    throw std::invalid_argument("--unit is point; expected run: a collection has no points in common");
+  Collection reported{.name = collection.name, .is_together = true, .title = collection.title};
+  std::vector<std::string> names;
+  for (const Study& study : collection.studies) {
+    names.push_back(study.name);
+    reported.studies.push_back({study.name});
+  }
+  if (reported.title.empty()) reported.title = fmt::format("{} together", fmt::join(names, ", "));
+  return reported;
+}
+
+void refuse_collection(const std::string& file, std::string_view command) {
+  const std::optional<StudyCollection> collection = load_collection(file);
+  if (!collection) return;
+  std::vector<std::string> names;
+  for (const Study& study : collection->studies) names.push_back(study.name);
+  throw std::invalid_argument(
+      fmt::format("{} is a collection, and {} takes a single study; give it one of its studies: {}", file, command,
+                  fmt::join(names, ", ")));
+}
+
 void refuse_points(const ReportArguments& arguments) {
   if (arguments.unit != name_of(Unit::point) || arguments.forced) return;
   throw std::invalid_argument(fmt::format("--unit is {}; expected run: {}", arguments.unit, why_points_are_refused));
@@ -312,6 +337,12 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
               .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); },
               .check = [&](const StudyEntry& of) { return check_of(store, of); }});
   progress.end();
+  if (wanted.tells_of_further && !report.further.empty()) {
+    wanted.remarks.push_back(fmt::format(
+        "The store also has {}, which this report is not about: --study NAME reports one of them, and --study FILE.toml "
+        "the studies together that a collection lists.",
+        report::listed(report.further)));
+  }
   if (output.is_json) {
     for (const std::string& warning : report.warnings) warn(warning);
     show_json(json_of(report, std::move(wanted)));

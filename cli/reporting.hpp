@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
@@ -15,6 +16,7 @@
 #include "analysis/report/report.hpp"
 #include "analysis/report/table.hpp"
 #include "cli/screen.hpp"
+#include "experiments/collection.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
@@ -62,7 +64,14 @@ struct WrittenReport {
   std::vector<report::RepeatedSolver> repetitions = {};
   std::vector<report::ClaimShares> shares = {};
   std::optional<report::Collection> collection = {};  // a user's, whose first study it is
+  bool tells_of_further = false;                      // says which studies of the store it is not about
 };
+
+// A user's collection as a report takes it. Throws std::invalid_argument if points are to be observations.
+report::Collection reported_collection(const experiments::StudyCollection& collection,
+                                       const ReportArguments& arguments);
+// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench tune".
+void refuse_collection(const std::string& file, std::string_view command);
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
 // remarks and, as the last line, the path of report.html. If the store is damaged, the report says so first, and

@@ -60,19 +60,11 @@ void run_collection(const StudyCollection& collection, const StudyToRun& argumen
     throw std::invalid_argument(fmt::format("{} is a collection, which takes no {}; give it to one of its studies",
                                             arguments.study, arguments.shard ? "--shard" : "--perturb"));
   }
-  if (arguments.report.unit == name_of(Unit::point))
-    throw std::invalid_argument("--unit is point; expected run: a collection has no points in common");
+  const report::Collection reported = reported_collection(collection, arguments.report);
   const std::filesystem::path folder =
       arguments.run.out.empty() ? default_folder(collection.name) : std::filesystem::path(arguments.run.out);
   if (!arguments.without_report) refuse_reproduction(folder);
-  std::vector<std::string> names;
-  for (const Study& study : collection.studies) names.push_back(study.name);
-  report::Collection reported{
-      .name = collection.name,
-      .is_together = true,
-      .title = collection.title.empty() ? fmt::format("{} together", fmt::join(names, ", ")) : collection.title};
   for (const Study& study : collection.studies) {
-    reported.studies.push_back({study.name});
     if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command},
                      arguments.report.output) == Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();

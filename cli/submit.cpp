@@ -129,6 +129,7 @@ void show(const fs::path& folder, const Script& script, const std::vector<std::s
 }
 
 void submit(const SubmitArguments& arguments, const std::string& command) {
+  refuse_collection(arguments.study, "ikbench submit");
   const Study study = load_study(arguments.study, arguments.overrides);
   refuse_empty_shards(study, fmt::format("--tasks {}", arguments.tasks), arguments.tasks);
   const fs::path folder =

@@ -230,6 +230,7 @@ std::string settings_words(const SolverEntry& candidate) {
 
 Ended tune(const TuneArguments& arguments, const std::string& command) {
   const Criterion criterion = criterion_of(arguments.metric);
+  refuse_collection(arguments.study, "ikbench tune");
   const Study study = load_study(arguments.study, arguments.overrides);
   const SolverEntry own = default_of(study, arguments.solver);
   const std::vector<SolverEntry> candidates = candidates_of(arguments);

@@ -217,6 +217,20 @@ Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const Jud
   return result;
 }
 
+// The studies of the store that are neither the reported one, nor its companions, nor copies.
+std::vector<std::string> further_studies(const std::vector<StudyEntry>& entries, const Reported& reported) {
+  std::vector<std::string> names;
+  const auto is_named = [](const auto& studies, const std::string& name) {
+    return std::ranges::any_of(studies, [&](const StudyResults& each) { return each.name == name; });
+  };
+  for (const StudyEntry& entry : entries) {
+    if (entry.name != reported.study.name && !is_named(reported.companions, entry.name) &&
+        !is_named(reported.perturbed, entry.name))
+      names.push_back(entry.name);
+  }
+  return names;
+}
+
 // The study's collection: its paper's, if it names one. An empty one if there is none.
 const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
   static const Collection none;
@@ -370,13 +384,15 @@ Doubts said(const std::vector<std::string>& sentences) {
 }
 
 // Adds the sentences of `seen` for the pieces of any study.
-void add_seen(const JudgedStudy& study, const std::vector<Table>& tables, std::span<const ClaimShares> shares,
-              ReportContent& content) {
+void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, ReportContent& content) {
   for (const Metric metric : shown_metrics(study).judged) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
-    content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
+    content.seen.emplace(fmt::format("{}{}-boxes", prefix, info_of(metric).slug),
                          words_of(leader_sentence(study, metric, average_estimand(metric))));
   }
+}
+
+void add_seen(const std::vector<Table>& tables, std::span<const ClaimShares> shares, ReportContent& content) {
   if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
   if (audit != tables.end()) content.seen.emplace("audit", audit->notes.front());
@@ -484,7 +500,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   if (!study.solves.empty()) tables.push_back(article_table(study));
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
-  std::ranges::move(convergence_figures(study), std::back_inserter(figures));
+  for (Figure& figure : convergence_figures(study)) {
+    if (collection.is_together)
+      figure.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", figure.caption));
+    figures.push_back(std::move(figure));
+  }
   if (std::string closest = closest_point_by_point(study); !closest.empty()) {
     content.summary.push_back(std::move(closest));
   }
@@ -503,7 +523,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
     std::ranges::copy(own, std::back_inserter(content.answer));
   }
   if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
-  add_seen(study, tables, request.shares, content);
+  add_seen_in_boxes(study, "", content);
+  if (collection.is_together) {
+    for (const JudgedStudy& companion : others.companions) add_seen_in_boxes(companion, prefix_of(companion), content);
+  }
+  add_seen(tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   if (collection.is_together) content.assessments = together_assessments(reported);
   std::ranges::move(assessments_of(study, paper, request), std::back_inserter(content.assessments));
@@ -519,6 +543,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
   }
   report.is_damaged = !checked.damages().empty();
+  report.further = further_studies(entries, reported);
   remember_look(entry.name, runs, store.name());
   return report;
 }

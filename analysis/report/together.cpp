@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
+#include "analysis/figures/convergence_figures.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
@@ -78,7 +81,33 @@ Table together_table(const JudgedStudies& studies, const std::vector<Judged>& er
   return table;
 }
 
+// Names the study in each heading and caption, and in each name if it is a companion.
+StudyPieces told_of(const StudyResults& study, StudyPieces pieces, const std::string& prefix) {
+  const auto tell = [&](std::string& name, std::string& caption) {
+    name = prefix + name;
+    caption = fmt::format(words::of_study, "study"_a = study.name, "what"_a = caption);
+  };
+  for (Table& table : pieces.tables) tell(table.name, table.caption);
+  for (figures::Figure& figure : pieces.figures) tell(figure.name, figure.caption);
+  for (SectionPlan& section : pieces.sections) {
+    section.heading = fmt::format(words::of_study, "study"_a = study.name, "what"_a = section.heading);
+    for (std::vector<std::string>* names : {&section.names, &section.folded}) {
+      for (std::string& name : *names) name = prefix + name;
+    }
+  }
+  return pieces;
+}
+
+StudyPieces companion_pieces(const StudyResults& companion) {
+  StudyPieces pieces = study_pieces(companion);
+  std::ranges::move(figures::convergence_figures(companion), std::back_inserter(pieces.figures));
+  pieces.sections.push_back({"Convergence and cost", "", {}, {"statistics-*"}});
+  return told_of(companion, std::move(pieces), prefix_of(companion));
+}
+
 }  // namespace
+
+std::string prefix_of(const StudyResults& companion) { return companion.name + '-'; }
 
 void add_together(StudyPieces& pieces, const Reported& reported) {
   const JudgedStudies studies = studies_of(reported);
@@ -95,6 +124,13 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
   };
   const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(), "quantity"_a = found.quantity),
                           fmt::format("{}.", fmt::join(short_answer(found, label), ". "))};
+  pieces = told_of(reported.study, std::move(pieces), "");
+  for (const StudyResults& companion : reported.companions) {
+    StudyPieces further = companion_pieces(companion);
+    std::ranges::move(further.tables, std::back_inserter(pieces.tables));
+    std::ranges::move(further.figures, std::back_inserter(pieces.figures));
+    std::ranges::move(further.sections, std::back_inserter(pieces.sections));
+  }
   pieces.results = table.name;
   pieces.sections.insert(pieces.sections.begin(), {"All studies", "", {table.name}});
   pieces.tables.push_back(std::move(table));

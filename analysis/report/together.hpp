@@ -1,6 +1,7 @@
-// A user's collection in a report: one table of all its studies, and one test over them.
+// A user's collection in a report: one table of all its studies, one test over them, and the pieces of each.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "analysis/report/assessment.hpp"
@@ -8,8 +9,11 @@
 
 namespace ikbench::report {
 
-// Adds the table "together", a row a solver and columns a study, and who is better over all studies. Nothing without
-// companions.
+// The names of a companion's pieces begin so.
+std::string prefix_of(const inference::StudyResults& companion);
+
+// Adds the table "together", a row a solver and columns a study, and who is better over all studies; then the pieces of
+// each companion. All headings and captions name their study. Nothing without companions.
 void add_together(StudyPieces& pieces, const Reported& reported);
 
 // The statistics over all studies, of each metric that all judge.

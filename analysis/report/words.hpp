@@ -286,7 +286,9 @@ inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {
 inline constexpr Template together_caption = "{studies} studies together: the position error of each solver";
 inline constexpr Template together = "Over {studies} studies together, by {quantity}";
 inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
-inline constexpr Template together_alone = "What follows is about the study {study} alone.";
+inline constexpr Template together_alone =
+    "What follows is about the study {study} alone; the tables and figures of each study are below.";
+inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
 inline constexpr Template of_one_arm = "What follows is about {arm} alone.";

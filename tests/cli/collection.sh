@@ -35,6 +35,40 @@ E2
 succeeds run both.toml --no-figures
 has "$out" "(36 were already stored)"
 
+# Each study has its tables and figures, and all say whose they are.
+has "$(<out/both/report.md)" "helix: Results"
+has "$(<out/both/report.md)" "arm: Results"
+grep -q particle_swarm out/both/tables/arm-results.csv || fail "the results of the second study lack its solvers"
+! grep -q particle_swarm out/both/tables/results.csv || fail "the results of the first study have solvers of the second"
+[ -s out/both/figures/arm-overview.gp ] || fail "no figure of the second study: $(ls out/both/figures)"
+has "$(<out/both/report.md)" "arm: What was reached"
+
+# The store does not know which studies belong together; the file does.
+succeeds report out/both/store.sqlite --no-figures --out again
+has "$out" "The store also has arm, which this report is not about"
+succeeds report out/both/store.sqlite --no-figures --out again --json
+has "$(tr -d ' \n' <<<"$out")" '"further_studies":["arm"]'
+succeeds report out/both/store.sqlite --study arm --no-figures --out again
+has_no "$out" "The store also has"
+succeeds report out/both/store.sqlite --study both.toml --no-figures --out again
+has_no "$out" "The store also has"
+cmp again/tables/together.csv out/both/tables/together.csv || fail "a collection has another table when it is reported again"
+has "$(<again/report.md)" "arm: Results"
+refused '--unit is point' report out/both/store.sqlite --study both.toml --unit point --force
+
+# Commands that read a study.
+succeeds list studies both.toml
+has "$out" "helix"
+has "$out" "arm"
+succeeds cite both.toml
+[ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
+succeeds cite out/both/store.sqlite
+[ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
+refused 'both.toml is a collection, and ikbench tune takes a single study; give it one of its studies: helix, arm' \
+  tune both.toml --solver random_search --sweep population=10,20 --budget 100
+refused 'ikbench compare --run takes a single study' compare damped_least_squares random_search --run both.toml --sequential
+refused 'ikbench submit takes a single study' submit both.toml --tasks 2 --dry-run
+
 # Where all studies have problems that the solvers share, these are the blocks: 12 of each.
 study_of second 'robot = "franka_panda"' 'start = "middle"' 'path = { kind = "random", points = 2 }'
 sed -i 's/ik_bat/particle_swarm/' second.toml
@@ -67,6 +101,16 @@ printf 'studies = ["arm.toml", "second.toml"]\nstudy = 1\n' >unknown.toml
 refused 'study' run unknown.toml
 refused 'takes no --shard' run both.toml --shard 1/2
 refused 'takes no --perturb' run both.toml --perturb 1
+# README's example runs as it is written.
+sed -n '/^ikbench new my_ur5e/,/^studies/p' "$scripts/../../README.md" >readme.txt
+grep '^studies' readme.txt >my_collection.toml || fail "README has no list of studies"
+while read -r _ arguments; do # words without quotes
+  # shellcheck disable=SC2086
+  succeeds $arguments
+done < <(grep '^ikbench' readme.txt)
+succeeds run my_collection.toml --set runs=3 --set stop.evaluations=200 --no-figures
+has "$(<out/my_collection/report.md)" "Over 2 studies together"
+
 mkdir deeper && echo 'studies = ["../helix.toml", "../arm.toml"]' >deeper/beside.toml # beside the file, as an arm is
 succeeds run deeper/beside.toml --no-figures --out both
 [ "$(ls -A deeper)" = beside.toml ] || fail "something was written beside the collection"
