@@ -41,6 +41,57 @@ std::string metric_names() {
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
+// Which settings differ; once if they are those of all labels.
+std::vector<std::string> settings_notes(const ComparedLabels& compared) {
+  std::vector<VariantComparison> bare;
+  for (std::size_t i = 0; i < compared.comparisons.size(); ++i)
+    bare.push_back({.label = compared.comparisons[i].label, .notes = {compared.differences[i]}});
+  return variants_notes(bare);
+}
+
+std::vector<std::string> other_notes(const ComparedLabels& compared) {
+  std::vector<VariantComparison> others = compared.comparisons;
+  for (std::size_t i = 0; i < others.size(); ++i) std::erase(others[i].notes, compared.differences[i]);
+  return variants_notes(others);
+}
+
+// The metrics in the order of a reader: what is worse, what is open, the others. Numbers of rows of the table.
+struct Shown {
+  std::vector<std::size_t> rows;
+  std::vector<Tone> tones;
+};
+
+Shown shown_first(const std::vector<VariantComparison>& comparisons) {
+  struct Row {
+    int place;
+    std::size_t row;
+    Tone tone;
+  };
+  std::vector<Row> rows;
+  for (const VariantComparison& comparison : comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      rows.push_back({is_regression(metric) ? 0
+                      : is_open(metric)     ? 1
+                                            : 2,
+                      rows.size(), tone_of(reversed(metric.finding().relation))});
+    }
+  }
+  std::ranges::stable_sort(rows, {}, &Row::place);
+  Shown shown;
+  for (const Row& row : rows) {
+    shown.rows.push_back(row.row);
+    shown.tones.push_back(row.tone);
+  }
+  return shown;
+}
+
+Table in_order(Table table, const std::vector<std::size_t>& order) {
+  std::vector<std::vector<Cell>> rows;
+  for (const std::size_t row : order) rows.push_back(table.rows[row]);
+  table.rows = std::move(rows);
+  return table;
+}
+
 // The remarks on metrics that are not decided: how many runs it takes.
 std::vector<std::string> remarks_on_open(const Table& table, const std::vector<VariantComparison>& comparisons) {
   std::vector<std::string> remarks;
@@ -61,12 +112,10 @@ std::vector<std::string> remarks_on_open(const Table& table, const std::vector<V
 std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArguments& output, bool counts_as_failure) {
   constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is",   "B_by_A", "p",     "low",
                                                    "high",  "mean_A", "mean_B", "level",  "remark"};
-  constexpr std::size_t of_rows = 14, of_notes = 6;
+  constexpr std::size_t of_rows = 14, of_settings = 3, of_notes = 6;
+  Shown order = shown_first(compared.comparisons);
   Tones tones{.column = 2};
-  for (const VariantComparison& comparison : compared.comparisons) {
-    for (const MetricComparison& metric : comparison.metrics)
-      tones.of_rows.push_back(tone_of(reversed(metric.finding().relation)));
-  }
+  tones.of_rows = std::move(order.tones);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric); };
   const Tone tone = any_metric(compared.comparisons, is_regression) ? Tone::bad
                     : any_metric(compared.comparisons, is_unknown)  ? Tone::open
@@ -76,21 +125,25 @@ std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArgument
   std::vector<std::string> notes;  // with --verbose the table has the remarks
   if (!output.is_verbose) notes = remarks_on_open(table, compared.comparisons);
   std::ranges::copy(compared.notes, std::back_inserter(notes));
-  std::ranges::copy(variants_notes(compared.comparisons), std::back_inserter(notes));
+  std::ranges::move(other_notes(compared), std::back_inserter(notes));
   return {{.items = {coloured(wrapped(verdict + (counts_as_failure ? " With --strict this counts as a failure." : "")),
-                              tone),
-                     wrapped(compared.headline), ""}},
-          table_rows(with_columns(table, shown), output, of_rows, tones),
+                              tone)}},
+          sentences(settings_notes(compared), of_settings),
+          {.items = {wrapped(compared.headline), ""}},
+          table_rows(with_columns(in_order(table, order.rows), shown), output, of_rows, tones),
           {.items = {""}},
           sentences(notes, of_notes),
           {}};
 }
 
 std::string markdown(const ComparedLabels& compared, Table table) {
-  table.notes.insert(table.notes.begin(), {variants_verdict(compared.comparisons, compared.plan), compared.headline});
-  for (const std::string& note : compared.notes) table.notes.push_back(note);
-  for (const std::string& note : variants_notes(compared.comparisons)) table.notes.push_back(note);
-  return to_markdown(table);
+  std::vector<std::string> notes{variants_verdict(compared.comparisons, compared.plan)};
+  std::ranges::move(settings_notes(compared), std::back_inserter(notes));
+  notes.push_back(compared.headline);
+  for (const std::vector<std::string>& more : {table.notes, compared.notes, other_notes(compared)})
+    std::ranges::copy(more, std::back_inserter(notes));
+  table.notes = std::move(notes);
+  return to_markdown(in_order(std::move(table), shown_first(compared.comparisons).rows));
 }
 
 void refuse_output(const CompareArguments& arguments, const std::filesystem::path& file) {

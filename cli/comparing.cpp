@@ -155,6 +155,7 @@ ComparedLabels judged(const Request& asked, const CompareArguments& arguments, S
                               : SequentialComparison{.comparisons = compare_variants(asked.studies, arguments.metrics),
                                                      .state = LookState::settled},
                           fmt::format("{}; {}.", asked.headline, rules(asked.plan)), asked.plan, asked.notes};
+  for (const VariantStudy& study : asked.studies) compared.differences.push_back(study.differences);
   if (!arguments.sequential) return compared;
   compared.headline +=
       fmt::format("\nLooks after every {} of at most {} runs: {} after {} runs.", looks.step, looks.most,

@@ -43,6 +43,7 @@ struct ComparedLabels : inference::SequentialComparison {
   std::string headline = {};
   results::AnalysisPlan plan = {};
   std::vector<std::string> notes = {};
+  std::vector<std::string> differences = {};  // of the settings, a sentence for each comparison
 };
 
 // Throw std::invalid_argument if a store, a study or a label does not exist.

@@ -216,6 +216,17 @@ std::string regressions(Comparisons comparisons) {
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
 }
 
+// "position_error_cm (a difference of the margin takes at least 40 runs), seconds": the metrics that nothing decides.
+std::string undecided_metrics(const VariantComparison& comparison) {
+  std::vector<std::string> found;
+  for (const MetricComparison& metric : comparison.metrics) {
+    if (!metric.is_compared() || metric.finding().relation != Relation::undecided) continue;
+    const std::string takes = what_would_show(metric);
+    found.push_back(takes.empty() ? metric_words(metric) : fmt::format("{} ({})", metric_words(metric), takes));
+  }
+  return fmt::format("{}", fmt::join(found, ", "));
+}
+
 }  // namespace
 
 Table variants_table(Comparisons comparisons, const AnalysisPlan& plan) {
@@ -279,6 +290,9 @@ std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) 
   if (any_metric(comparisons, is_regression))
     return fmt::format(said(words::regression, words::worse), "label"_a = label, "margin"_a = margin,
                        "list"_a = regressions(comparisons), "rest"_a = rest);
+  const std::string undecided = is_of_two ? undecided_metrics(comparisons.front()) : "";
+  if (!undecided.empty())
+    return fmt::format(words::not_decided, "label"_a = label, "list"_a = undecided, "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
   return fmt::format(said(words::no_regression, words::not_worse), "label"_a = label, "margin"_a = margin,
                      "found"_a = any_metric(comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);

@@ -20,8 +20,8 @@ std::string verdict_of(std::span<const inference::VariantComparison> comparisons
                        const inference::MetricComparison& metric, const results::AnalysisPlan& plan);
 // Designs and notes with their label; one that holds for every label appears once, without label.
 std::vector<std::string> variants_notes(std::span<const inference::VariantComparison> comparisons);
-// Says whether a regression beyond the margin is shown, by how much and how sure; then counts the metrics of each
-// verdict.
+// Says whether a regression beyond the margin is shown, by how much and how sure, or of two labels what is undecided
+// and what would decide it; then counts the metrics of each verdict.
 std::string variants_verdict(std::span<const inference::VariantComparison> comparisons,
                              const results::AnalysisPlan& plan);
 // One object: outcome and exit code of the command, verdict, significance, margin, notes and the rows of the table;

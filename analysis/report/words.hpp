@@ -160,6 +160,7 @@ inline constexpr Template regression = "Regression beyond {margin}: {list}. {res
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
 inline constexpr Template worse = "{label}: worse beyond {margin} in {list}. {rest}";
 inline constexpr Template not_worse = "{label}: no worsening beyond {margin}{found}. {rest}";
+inline constexpr Template not_decided = "{label}: undecided in {list}. {rest}";
 inline constexpr Template margins = "{margin} (shares: {of_shares})";
 inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";

@@ -89,6 +89,19 @@ has "$out" "B: IK-BA, against A: BA, in study slim2023"
 has "$out" "Independent runs, 8 of A and 8 of B: one observation is the mean of a run over its 3 points."
 has "$out" "A report judges each metric over the pairs of all 6 solvers"
 
+# Of two labels the first words are that nothing is decided, and what would decide; the settings stand above the table.
+succeeds compare BA IK-BA --store $base --metric position_error_cm
+answers "IK-BA against BA: undecided in position_error_cm (a difference of the margin takes "
+[[ $(flat "$out") == *"B differs from A in "*"B: IK-BA, against A: BA"*"label "* ]] || fail "the settings are told late: $out"
+
+# Readers see first what is worse, then what is open; files for programs keep their order.
+run_it compare $base $fewer -o rows.md -o rows.csv
+[ "$(grep -o 'label .*' <<<"$(flat "$out")" | grep -oE 'worse by more|undecided|better by more' | head -1)" = "worse by more" ] ||
+  fail "what is worse is not the first row: $out"
+awk -F'|' '/^\| :/ { body = 1; next } body && /^\|/ { print $4 }' rows.md | grep -n 'worse by more' | tail -1 | cut -d: -f1 >worse.txt
+[ "$(<worse.txt)" = "$(grep -c 'worse by more' rows.csv)" ] || fail "what is worse does not come first: $(<rows.md)"
+[ "$(sed -n 2p rows.csv | cut -d, -f1)" = IK-BA ] || fail "a CSV has another order: $(<rows.csv)"
+
 # An undecided comparison is no regression, unless --strict demands a decision.
 succeeds compare --verbose $base $fewer --label IK-BA --metric variation_deg
 answers "No regression beyond 5 % was found. Of 1 comparison: 1 undecided"
