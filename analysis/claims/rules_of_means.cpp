@@ -81,6 +81,11 @@ std::string title_of(const Evidence& evidence, Metric metric) {
   return title(metric) + (evidence.scale == ValueScale::log10 ? ", geometric mean" : "");
 }
 
+// What the numbers of a claim are, short.
+std::string_view average_of(const Evidence& evidence) {
+  return evidence.scale == ValueScale::log10 ? "typical" : evidence.scale == ValueScale::share ? "share" : "mean";
+}
+
 std::string how_tested(const Evidence& here, const Evidence& printed) {
   const std::string_view test = pair_test_words(here), other = pair_test_words(printed);
   if (here.plan.unit == Unit::point)
@@ -130,8 +135,8 @@ Claims compared(const Case& of, bool is_largest) {
       claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, entry.solver, metric)));
       std::vector<RankedSolver> rivals = rivals_of(entry.solver, *found);
       const RankedSolver& nearest = is_largest ? rivals.back() : rivals.front();
-      number = fmt::format("{}, {} {}", with_unit(mean_of(*found, entry.solver), metric), nearest.solver,
-                           number_of(nearest.mean, metric));
+      number = fmt::format("{} {}, {} {}", average_of(*found), with_unit(mean_of(*found, entry.solver), metric),
+                           nearest.solver, number_of(nearest.mean, metric));
       test = how_tested(*found, *found);
     }
     if (claim.number.empty()) claim.number = number;
@@ -179,7 +184,7 @@ Claims alike(const Case& of) {
   claim.verdict = pair.relation == Relation::same        ? Verdict::holds
                   : pair.relation == Relation::undecided ? Verdict::undecided
                                                          : Verdict::fails;
-  claim.number = fmt::format("{} and {}", number_of(mean_of(*found, of.entry.solver), metric),
+  claim.number = fmt::format("{} {} and {}", average_of(*found), number_of(mean_of(*found, of.entry.solver), metric),
                              with_unit(mean_of(*found, of.entry.against), metric));
   claim.evidence = {fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, of.entry.solver, metric)),
                     how_tested(*found, *found)};
@@ -293,8 +298,8 @@ Claims compromise(const Case& of) {
   claim.number = fmt::format("ahead of {} of {}{}", ours.better, ours.all(), is_whole ? "" : ", without times");
   if (!is_whole) claim.evidence.push_back(fmt::format("Without times, because {}.", times_not_judged));
   claim.evidence.push_back(fmt::format(
-      "{} dominates {} of {} solvers, that is, it is better in one mean and worse in none; {} dominate it. Printed: it "
-      "dominates {}.",
+      "{} dominates {} of {} solvers, that is, it is found better in one mean and in none found worse (undecided is not "
+      "worse); {} dominate it. Printed: it dominates {}.",
       solver, ours.better, ours.all(), ours.worse, printed.better));
   return {claim};
 }
@@ -380,7 +385,7 @@ Claims least_spread(const Case& of) {
   claim.printed = verdict_on_spreads(printed, study.plan);
   const Spread& nearest = std::ranges::min(here, {}, &Spread::others);
   claim.number =
-      fmt::format("{}, {} {}", with_unit(own.ours.std, metric), nearest.other, number_of(nearest.others, metric));
+      fmt::format("sd {}, {} {}", with_unit(own.ours.std, metric), nearest.other, number_of(nearest.others, metric));
   claim.evidence = {fmt::format("Standard deviation of the run means: {}.", list_of(here, own.solver, metric)),
                     fmt::format("Printed: {}.", list_of(printed, own.solver, metric)),
                     "p-values: Brown-Forsythe test of each pair, printed: Bartlett's; after Holm."};

@@ -138,7 +138,7 @@ Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slo
                                      solver, ours->in_time, ours->solves, tolerance_cm(study), limit,
                                      short_number(ours->time_ms.max), short_number(median)));
     printed_list.push_back(fmt::format("{} mean {} ms, maximum {} ms", solver, printed.mean, printed.max));
-    claim.number = is_slow ? fmt::format("{} ms with {}", short_number(median), solver)
+    claim.number = is_slow ? fmt::format("median {} ms with {}", short_number(median), solver)
                            : fmt::format("{} of {} in time", ours->in_time, ours->solves);
   }
   if (here.empty()) return {};

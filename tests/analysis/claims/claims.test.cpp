@@ -237,7 +237,7 @@ TEST_CASE("repeatable is who has the smallest spread over the runs, whatever its
   CHECK(verdict_of(spread(1, 0.1), "repeatable") == Verdict::fails);
   CHECK(verdict_of(spread(1, 1.01), "repeatable") == Verdict::undecided);
   // The standard deviation of 0.1 (1 to 20) is 0.1 sqrt(35) = 0.592.
-  CHECK(claim_of(spread(0.1, 1), "repeatable").number == "0.592 cm, K-ABC 5.92");
+  CHECK(claim_of(spread(0.1, 1), "repeatable").number == "sd 0.592 cm, K-ABC 5.92");
 }
 
 TEST_CASE("smooth is who bends its joints' angles least and moves no joint far", "[claims]") {
@@ -253,7 +253,7 @@ TEST_CASE("smooth is who bends its joints' angles least and moves no joint far",
   };
   const Claim smooth = claim_of(bent(1, 10), "smooth_angles");
   CHECK(smooth.verdict == Verdict::holds);
-  CHECK(smooth.number == "2.21 deg, BA 4.21");  // 2 (1 + 0.01 x 10.5)
+  CHECK(smooth.number == "mean 2.21 deg, BA 4.21");  // 2 (1 + 0.01 x 10.5)
   CHECK(verdict_of(bent(1, 60), "smooth_angles") == Verdict::in_part);
   CHECK(verdict_of(bent(3, 60), "smooth_angles") == Verdict::fails);
 }
