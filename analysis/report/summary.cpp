@@ -154,7 +154,7 @@ std::vector<Sentence> own_verdict(const JudgedStudy& study, bool has_claims) {
   if (has_several && !others.empty()) {
     add(sentences, {"Exploratory",
                     fmt::format(words::exploratory, "judged_by"_a = has_claims ? words::by_claims : words::by_quantity,
-                                "count"_a = others.size())});
+                                "count"_a = others.size(), "ies"_a = others.size() == 1 ? "y" : "ies")});
   }
   std::ranges::copy(others, std::back_inserter(sentences));
   if (const std::string failures = rare_failures_words(judged); !failures.empty()) add(sentences, {"", failures + '.'});
