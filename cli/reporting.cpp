@@ -116,6 +116,22 @@ SolveCheck check_of(const Store& store, const StudyEntry& entry) {
           .unknown = [=] { return *unknown; }};
 }
 
+// The results for a screen: of a sweep each metric's rows begin with the best.
+Table shown_results(const Report& report) {
+  Table table = report.results;
+  if (report.best_first.empty() || table.columns.size() < 2 || table.columns[1] != "metric") return table;
+  const auto place = [&](const std::vector<Cell>& row) {
+    return std::ranges::find(report.best_first, readable(row.front())) - report.best_first.begin();
+  };
+  for (auto begin = table.rows.begin(); begin != table.rows.end();) {
+    const auto end = std::find_if(begin, table.rows.end(),
+                                  [&](const auto& row) { return readable(row[1]) != readable((*begin)[1]); });
+    std::ranges::stable_sort(begin, end, {}, place);
+    begin = end;
+  }
+  return table;
+}
+
 // The verdict, the claims or the results, what else is to be said, and where the report is.
 std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& remarks,
                             const OutputArguments& output) {
@@ -134,7 +150,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
       const Tone tone = report.is_damaged ? Tone::bad : tone_of(report.findings.lead);
       parts.push_back({.items = {coloured(wrapped(first), tone), ""}});
     }
-    parts.push_back(table_rows(report.results, output, of_table));
+    parts.push_back(table_rows(shown_results(report), output, of_table));
     parts.push_back({.items = {""}});
     parts.push_back(sentences(said, of_sentences));
   } else {
@@ -150,7 +166,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
     if (of_paper > 0 && of_paper < rows.items.size()) rows.items[of_paper].insert(0, "our own questions:\n");
     parts.push_back(std::move(rows));
     parts.push_back(sentences(said));
-    if (output.is_verbose) parts.push_back(table_rows(report.results, output, 0));
+    if (output.is_verbose) parts.push_back(table_rows(shown_results(report), output, 0));
   }
   if (!remarks.empty()) {
     Part part;

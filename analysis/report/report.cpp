@@ -20,9 +20,11 @@
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
+#include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
+#include "analysis/inference/sweep.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/article_table.hpp"
@@ -264,6 +266,20 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   }
   std::ranges::move(printed_assessments(study, paper), std::back_inserter(result));
   return result;
+}
+
+// The solvers of a study with a sweep by the quantity that decides it, and where that is equal by their mean error.
+std::vector<std::string> swept_best_first(const JudgedStudy& study) {
+  if (study.solves.empty() || swept_families(study).empty()) return {};
+  std::vector<std::string> solvers = study.solvers;
+  for (const Estimand estimand : {Estimand::mean, primary_estimand(study)}) {  // the last one decides
+    const Evidence& evidence = study.evidence(Metric::position_error_cm, estimand);
+    std::ranges::stable_sort(solvers, {}, [&](const std::string& solver) {
+      const auto group = std::ranges::find(evidence.groups, solver, &GroupEvidence::name);
+      return group == evidence.groups.end() ? HUGE_VAL : group_score(evidence, *group);
+    });
+  }
+  return solvers;
 }
 
 // Doubts of solvers whose solves come from a file.
@@ -539,6 +555,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
+  report.best_first = swept_best_first(study);
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
   }

@@ -29,6 +29,16 @@ has "$out" 'mine alpha=0.5 population=200'
 has "$out" 'newton population=4'
 [ "$(head -1 out/my/tables/sweep.csv | cut -d, -f1-3)" = family,alpha,population ] || fail "$(head -1 out/my/tables/sweep.csv)"
 [ "$(grep -c ^mine out/my/tables/sweep.csv)" = 6 ] || fail "no row for each combination: $(<out/my/tables/sweep.csv)"
+# A screen begins with the best; files keep the order of the sweep.
+python3 - out/my/tables/results.csv <<'E2' || fail "the rows of a sweep do not begin with the best: $out"
+import csv, re, sys
+rows = [row for row in csv.DictReader(open(sys.argv[1])) if row["metric"] == "position_error_cm"]
+assert rows[0]["algorithm"] == "mine alpha=0.5 population=4", rows[0]
+text = open(".out").read()
+at = {row["algorithm"]: re.search("^" + re.escape(row["algorithm"]) + " +position error", text, re.M) for row in rows}
+shown = sorted((place.start(), float(row["mean"])) for row in rows for place in [at[row["algorithm"]]] if place)
+assert len(shown) >= 6 and [mean for _, mean in shown] == sorted(mean for _, mean in shown), shown
+E2
 grep -q '^mine,"alpha, population",position error' out/my/tables/sweep-interactions.csv || fail "no interaction"
 grep -q 'set logscale x' out/my/figures/sweep-error.gp || fail "4 to 200 needs a logarithmic axis"
 # The same as lists in the file, as a table, and by --set, so that shards and job arrays agree: nothing is solved anew.
