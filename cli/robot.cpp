@@ -51,8 +51,15 @@ struct AngleUnit {
 };
 constexpr AngleUnit degrees{"deg", degree}, radians{"rad", 1};
 
-// All digits: the same double when it is read, also where its unit is a degree.
-std::string number(double value, double unit = 1) { return text_of(value == 0 ? 0.0 : in_unit(value, unit)); }  // no -0
+// The shortest digits in the unit. What a conversion left beyond 12 digits is no part of what the user wrote; --json
+// has every bit.
+std::string number(double value, double unit = 1) {
+  constexpr double noise = 1e-14;
+  const double exact = in_unit(value, unit);
+  if (std::abs(exact) < noise) return "0";
+  const double rounded = number_from(fmt::format("{:.12g}", exact)).value_or(exact);
+  return text_of(std::abs(rounded - exact) <= noise * std::abs(exact) ? rounded : exact);
+}
 
 std::string frame_text(const Frame& frame, AngleUnit unit = degrees) {
   const Eigen::Vector3d &at = frame.position, &rpy = frame.rpy;

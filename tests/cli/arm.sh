@@ -54,7 +54,10 @@ has "$out" "angles are snapped, which moves the tool by at most"
 [ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
 succeeds robot ur5e
 has "$out" "reach: at most"
-# All digits: the arm that is written from the printed numbers has the same tool, bit for bit.
+# The arm that is written from the printed numbers has the same tool, to every digit that is shown. A conversion leaves no
+# digits of its own.
+has_no "$out" "0000000"
+has_no "$out" "9999999"
 succeeds robot ur5e.urdf --at 10,-20,30.5,40,50,60
 unwrapped() { sed -z 's/\n  / /g' .out; }
 where=$(unwrapped | tail -n 1)
@@ -63,6 +66,7 @@ where=$(unwrapped | tail -n 1)
   awk '/^[1-9] / { printf "{ limits_deg = [%s, %s], a_m = %s, alpha_deg = %s, d_m = %s, offset_deg = %s },\n", $3, $4, $6, $7, $8, $9 }' .out
   sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' <(unwrapped)
 } >written.toml
+[[ $where != *0000000* && $where != *9999999* ]] || fail "digits that nobody wrote: $where"
 succeeds robot written.toml --at 10,-20,30.5,40,50,60
 [ "$(unwrapped | tail -n 1)" = "$where" ] || fail "another arm than it was written from: $where, and $(unwrapped | tail -n 1)"
 succeeds robot ur5e --at-rad 0.1,-0.2,0.3,0,0,0
