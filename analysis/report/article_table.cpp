@@ -34,24 +34,31 @@ struct ArticleColumn {
   bool is_compared() const { return !evidence->contrasts.empty() && evidence->flaws.empty(); }
 };
 
-// The quantities that the study is judged by, the most important first. An error has the plan's first average.
+// The quantities that the study is judged by, the most important first. An error has the plan's first average. How far
+// the arm moves counts much where each solve begins with the previous answer, and the share where it says what is
+// solved or decides.
 std::vector<ArticleColumn> article_columns(const JudgedStudy& study) {
-  std::vector<Metric> metrics{Metric::position_error_cm, Metric::orientation_error_deg, Metric::seconds,
-                              Metric::evaluations};
+  std::vector<Metric> metrics{Metric::position_error_cm, Metric::orientation_error_deg};
+  if (study.facts.start == "previous") metrics.push_back(Metric::variation_deg);
+  metrics.insert(metrics.end(), {Metric::seconds, Metric::evaluations});
   const std::vector<Metric> judged = shown_metrics(study).judged;
   std::erase_if(metrics, [&](Metric metric) { return std::ranges::count(judged, metric) == 0; });
   std::ranges::copy_if(judged, std::back_inserter(metrics),
                        [&](Metric metric) { return std::ranges::count(metrics, metric) == 0; });
-  std::vector<ArticleColumn> columns;
+  std::vector<ArticleColumn> columns, last;
+  const bool is_share_first = std::isfinite(tolerance_cm(study)) || primary_estimand(study) == Estimand::reliability;
   for (const Metric metric : metrics) {
     const std::vector<Estimand> estimands = estimands_of(study, metric);
     const bool has_share =
         metric == Metric::position_error_cm && std::ranges::count(estimands, Estimand::reliability) > 0;
-    if (has_share) columns.push_back({metric, Estimand::reliability, &study.evidence(metric, Estimand::reliability)});
+    if (has_share)
+      (is_share_first ? columns : last)
+          .push_back({metric, Estimand::reliability, &study.evidence(metric, Estimand::reliability)});
     const auto average = std::ranges::find_if(estimands, [](Estimand of) { return of != Estimand::reliability; });
     const Estimand estimand = average == estimands.end() ? average_estimand(metric) : *average;
     columns.push_back({metric, estimand, &study.evidence(metric, estimand)});
   }
+  std::ranges::move(last, std::back_inserter(columns));
   return columns;
 }
 
@@ -63,7 +70,7 @@ std::string head_of_article(const StudyResults& study, const ArticleColumn& colu
 AverageCell average_of(const GroupEvidence& group, const ArticleColumn& column) {
   constexpr double whole = 100;
   if (column.is_share()) return {.value = whole * group.described.mean};
-  if (column.estimand == Estimand::typical) return {.value = group.median.value, .spread = {group.q1, group.q3}};
+  if (column.estimand == Estimand::typical) return {.value = group.described.mean, .spread = {group.q1, group.q3}};
   return {.value = group.described.mean, .spread = {group.described.std}};
 }
 
@@ -106,7 +113,7 @@ std::string article_caption(const JudgedStudy& study, std::span<const ArticleCol
   for (const GroupEvidence& group : first.groups) most = std::max(most, group.described.n);
   std::vector<std::string> averages;
   if (any(is_of(Estimand::mean))) averages.emplace_back(words::article_means);
-  if (any(is_of(Estimand::typical))) averages.emplace_back(words::article_medians);
+  if (any(is_of(Estimand::typical))) averages.emplace_back(words::article_typical);
   const std::string_view observations = first.blocks > 0                 ? std::string_view(first.block_noun)
                                         : study.plan.unit == Unit::point ? "points"
                                                                          : "runs";

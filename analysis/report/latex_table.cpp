@@ -137,7 +137,7 @@ bool needs_another_engine(std::string_view latex) {
 // the spreads.
 
 constexpr double column_of_article = 219, between_columns = 6;
-constexpr double em = 8.5, smaller = 7.0 / 8, bolder = 1.16;
+constexpr double em = 8.5, smaller = 7.0 / 8, bolder = 1.16, star = 4;
 constexpr double widest_name = 88;               // wider names break into lines, of ten letters at least
 constexpr std::size_t longest_narrow_head = 10;  // longest line of a head [characters]
 
@@ -171,15 +171,23 @@ double width_of_spread(const AverageCell& average) {
   return smaller * width;
 }
 
+bool has_stars(const Table& table, std::size_t column) {
+  return std::ranges::any_of(table.rows, [column](const std::vector<Cell>& row) {
+    const auto* average = std::get_if<AverageCell>(&row[column]);
+    return average && average->differs;
+  });
+}
+
 // The width of a column, as narrow as its words let it be.
 double width_of(const Table& table, std::size_t column) {
   double width = 0;
   for (const std::string& line : lines_of(table.columns[column], longest_narrow_head))
     width = std::max(width, width_of(line));
+  const double of_star = has_stars(table, column) ? star : 0;
   for (const std::vector<Cell>& row : table.rows) {
     if (const auto* average = std::get_if<AverageCell>(&row[column]))
-      width = std::max(
-          {width, (average->is_best ? bolder : 1) * width_of_number(value_words(*average)), width_of_spread(*average)});
+      width = std::max({width, (average->is_best ? bolder : 1) * width_of_number(value_words(*average)) + of_star,
+                        width_of_spread(*average)});
     else
       width = std::max(width, std::min(widest_name, width_of(readable(row[column]))));
   }
@@ -194,10 +202,13 @@ std::string spread_latex(const AverageCell& average) {
                              : fmt::format("\\scriptsize[{}]", fmt::join(numbers, ", "));
 }
 
-std::string value_latex(const AverageCell& average) {
+// In a column with stars all rows have the room of one, so that no star stands outside of it.
+std::string value_latex(const AverageCell& average, bool has_stars) {
   const std::string value = latex_number(value_words(average));
-  return (average.is_best ? fmt::format("\\textbf{{\\boldmath {}}}", value) : value) +
-         (average.differs ? "\\rlap{$^{*}$}" : "");
+  return (average.is_best ? fmt::format("\\textbf{{\\boldmath {}}}", value) : value) + (average.differs ? "$^{*}$"
+                                                                                        : has_stars
+                                                                                            ? "\\phantom{$^{*}$}"
+                                                                                            : "");
 }
 
 // A row of averages, and below it their spreads.
@@ -206,7 +217,8 @@ std::string narrow_rows(const std::vector<Cell>& row, const std::vector<LatexCol
   bool has_spreads = false;
   for (const LatexColumn& column : columns) {
     const auto* average = std::get_if<AverageCell>(&row[column.index]);
-    values.push_back(average ? value_latex(*average) : cell_latex(row[column.index], column));
+    values.push_back(average ? value_latex(*average, has_stars(table, column.index))
+                             : cell_latex(row[column.index], column));
     spreads.push_back(average ? spread_latex(*average) : "");
     has_spreads = has_spreads || !spreads.back().empty();
   }

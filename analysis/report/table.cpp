@@ -270,7 +270,7 @@ bool add_heads_of_averages(const Table& table, std::size_t column, CsvTable& csv
   const std::size_t spread = std::get<AverageCell>(table.rows.front()[column]).spread.size();
   const std::vector<std::string> heads = spread == 0   ? std::vector<std::string>{""}
                                          : spread == 1 ? std::vector<std::string>{" mean", " sd"}
-                                                       : std::vector<std::string>{" median", " q1", " q3"};
+                                                       : std::vector<std::string>{" geometric mean", " q1", " q3"};
   for (const std::string& head : heads) csv.header.push_back(table.columns[column] + head);
   csv.header.push_back(table.columns[column] + " differs");
   return true;

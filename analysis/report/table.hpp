@@ -49,9 +49,9 @@ struct Id {
   std::string id;
 };
 
-// An average in a table for an article, with three digits: "1.46 ± 1.05" with the standard deviation, "1.46 [0.9, 2.1]"
-// with quartiles, or alone. In CSV its column is several: "... mean" and "... sd", or "... median", "... q1" and
-// "... q3", and "... differs".
+// An average in a table for an article, with three digits: "1.46 ± 1.05" with the standard deviation, "1.46
+// [0.9, 2.1]", a geometric mean with quartiles, or alone. In CSV its column is several: "... mean" and "... sd", or
+// "... geometric mean", "... q1" and "... q3", and "... differs".
 struct AverageCell {
   double value;
   std::vector<double> spread = {};  // the standard deviation, both quartiles, or nothing

@@ -134,11 +134,11 @@ inline constexpr Template flawed = "Flawed: {why}";
 
 // The table for an article.
 inline constexpr Template article_means = "mean ± standard deviation";
-inline constexpr Template article_medians = "median [quartiles]";
+inline constexpr Template article_typical = "geometric mean [quartiles]";
 inline constexpr Template article_averages = "{averages} over {observations} (n = {n}).";
 inline constexpr Template article_tolerance = "An error below the tolerance counts as the tolerance.";
 inline constexpr Template article_marks =
-    "Bold: the best. Star: found to differ from {from} (level {level} for all pairs of a column).";
+    "Bold: the best. Star: these averages are found to differ from {from} (level {level} for all pairs of a column).";
 inline constexpr Template article_not_compared = "Not compared: {names}.";
 
 // The table of joint limits.

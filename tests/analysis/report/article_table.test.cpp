@@ -49,17 +49,18 @@ TEST_CASE("a table for an article has the numbers, the best and the findings tha
   CHECK(average_at(table, 1, "position_error_cm").differs);
   CHECK(contains(table.caption, "Mean ± standard deviation"));
   CHECK(contains(table.caption, "over runs (n = 12)"));
-  CHECK(contains(table.caption, "Star: found to differ from the best"));
+  CHECK(contains(table.caption, "Star: these averages are found to differ from the best"));
 }
 
-TEST_CASE("a plan of typical errors gives medians with quartiles", "[article]") {
+TEST_CASE("a plan of typical errors gives geometric means, which its test compares, with quartiles", "[article]") {
   const JudgedStudy study = judged({.estimands = {Estimand::typical, Estimand::mean}});
   const Evidence& evidence = study.evidence(Metric::position_error_cm, Estimand::typical);
   const Table table = article_table(study);
   const AverageCell& average = average_at(table, 2, "position_error_cm");
-  CHECK(average.value == evidence.groups[2].median.value);
+  CHECK(average.value == evidence.groups[2].described.mean);
+  CHECK(average.value != evidence.groups[2].median.value);
   CHECK(average.spread == std::vector{evidence.groups[2].q1, evidence.groups[2].q3});
-  CHECK(contains(table.caption, "median [quartiles]"));
+  CHECK(contains(table.caption, "geometric mean [quartiles]"));
 }
 
 TEST_CASE("stars of a plan with a control are differences from it", "[article]") {
