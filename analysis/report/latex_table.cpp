@@ -124,15 +124,6 @@ std::string notes_of(const Table& table) {
   return text;
 }
 
-// Returns whether pdflatex lacks a letter: it has those of Europe and general punctuation.
-bool needs_another_engine(std::string_view latex) {
-  for (std::size_t i = 0; i < latex.size(); ++i) {
-    const auto lead = static_cast<unsigned char>(latex[i]);
-    if (lead >= 0xC6 && latex.substr(i, 2) != "\xE2\x80") return true;  // U+0180 and above
-  }
-  return false;
-}
-
 // Narrow tables. Widths are in points, hardly smaller than those of Computer Modern with 8 points in the body and 7 in
 // the spreads.
 
@@ -212,7 +203,7 @@ std::string value_latex(const AverageCell& average, bool has_stars) {
 }
 
 // A row of averages, and below it their spreads.
-std::string narrow_rows(const std::vector<Cell>& row, const std::vector<LatexColumn>& columns) {
+std::string narrow_rows(const Table& table, const std::vector<Cell>& row, const std::vector<LatexColumn>& columns) {
   std::vector<std::string> values, spreads;
   bool has_spreads = false;
   for (const LatexColumn& column : columns) {
@@ -259,7 +250,7 @@ std::string narrow_latex(const Table& table) {
       "\\smallskip\\footnotesize\\setlength{{\\tabcolsep}}{{{}pt}}\n"
       "\\begin{{tabular}}{{@{{}}{}@{{}}}}\n\\toprule\n{}\\midrule\n",
       caption_of(table, true), between_columns / 2, letters, narrow_heads(table, columns));
-  for (const std::vector<Cell>& row : table.rows) text += narrow_rows(row, columns);
+  for (const std::vector<Cell>& row : table.rows) text += narrow_rows(table, row, columns);
   return text + "\\bottomrule\n\\end{tabular}\n" + notes_of(table) + "\\end{table}\n";
 }
 
@@ -319,6 +310,14 @@ std::string breakable_latex(std::string_view text, std::size_t longest_word) {
     result += latex_text(chunk);
   }
   return result;
+}
+
+bool needs_another_engine(std::string_view latex) {
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(latex[i]);
+    if (lead >= 0xC6 && latex.substr(i, 2) != "\xE2\x80") return true;  // U+0180 and above
+  }
+  return false;
 }
 
 std::string to_latex(const Table& given) {

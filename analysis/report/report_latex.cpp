@@ -13,10 +13,23 @@ using namespace inference;
 namespace {
 
 constexpr std::string_view article_preamble =
-    R"(% Compile it here, where tables/ and figures/ are: pdflatex article.tex, twice.
+    R"(% Compile it here, where tables/ and figures/ are: ikbench article ., or pdflatex article.tex, twice. Letters that pdflatex
+% lacks need lualatex, and a font that has them.
 \documentclass[a4paper]{article}
+\usepackage{iftex}
+\ifLuaTeX
+\usepackage{fontspec}
+\usepackage[english,bidi=basic]{babel}
+\def\letterfonts{}
+\newcommand*\letterfont[1]{\IfFontExistsTF{#1}{\edef\letterfonts{\letterfonts"#1:mode=node;script=arab;",}}{}}
+\letterfont{DejaVu Sans}\letterfont{Noto Sans CJK JP}\letterfont{Noto Sans}
+\directlua{luaotfload.add_fallback("letters", {\letterfonts})}
+\setmainfont{Latin Modern Roman}[RawFeature={fallback=letters}]
+\setmonofont{Latin Modern Mono}[RawFeature={fallback=letters}]
+\else
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
+\fi
 \usepackage[margin=2.5cm]{geometry}
 \usepackage{booktabs,array,adjustbox,rotating,longtable,graphicx,placeins}
 \makeatletter\def\fps@table{!htbp}\def\fps@figure{!htbp}\makeatother  % tables and figures where they are named

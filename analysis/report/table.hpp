@@ -116,6 +116,8 @@ std::vector<std::vector<std::string>> readable_cells(const Table& table);
 // one is split over pages. The first line lists the packages it needs. Columns that are empty in every row are left
 // out. A narrow table keeps its size, and has the spread of an average below it.
 std::string to_latex(const Table& table);
+// Returns whether pdflatex lacks a letter of the text: it has those of Europe and general punctuation.
+bool needs_another_engine(std::string_view latex);
 // Text whose words may break if they are longer than this, after punctuation if there is any.
 std::string breakable_latex(std::string_view text, std::size_t longest_word);
 
