@@ -55,6 +55,8 @@ std::string sweep_of_solver(const std::string& sweep, const std::string& solver)
 // The combinations of the swept settings of the solver.
 std::vector<SolverEntry> candidates_of(const TuneArguments& arguments) {
   Overrides overrides = arguments.overrides;
+  overrides.insert(overrides.end(),
+                   {"figures={}", "analysis.control=\"\""});  // no candidate has the label that they name
   for (const std::string& sweep : arguments.sweeps) overrides.push_back(sweep_of_solver(sweep, arguments.solver));
   std::vector<SolverEntry> candidates = load_study(arguments.study, overrides).solvers;
   std::erase_if(candidates, [&](const SolverEntry& entry) { return entry.family != arguments.solver; });

@@ -82,6 +82,10 @@ has "$out" 'my-tuned: 24 solves in out/my-tuned/store.sqlite (24 were already st
 cmp -s my-tuned.toml first.toml || fail "the second tuned study is another"
 succeeds run my-tuned.toml --no-figures
 has "$out" '(24 were already stored)'
+# A control and a list of drawn solvers that name the swept solver do not stand in the way.
+sed 's/^\[stop\]/[figures]\nsolvers = ["newton", "mine"]\n[analysis]\ncontrol = "mine"\n[stop]/' my.toml >named.toml
+succeeds tune named.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures
+has "$out" "$chosen"
 # With the seed of the training it is no test.
 succeeds run my-tuned.toml --verbose --no-figures --set seed=2 --out out/seen
 has "$err" 'chosen with the seed of this study'
