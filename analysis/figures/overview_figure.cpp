@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/inference/comparable.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
-#include "results/figure_style.hpp"
 
 namespace ikbench::figures {
 
@@ -46,6 +47,7 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
   return marks;
 }
 
+constexpr std::size_t most_named = 12;
 constexpr double largest_size = 1.6, smallest_size = 0.4;
 // Around the axes.
 constexpr double left_cm = 1.5, right_cm = 0.3, bottom_cm = 1.05, top_cm = 0.3;
@@ -152,6 +154,22 @@ std::vector<PlacedLabel> placed(const std::vector<std::string>& labels, const st
   return places;
 }
 
+// The best solvers by the quantity that decides the study, and its control.
+std::vector<std::string> named_of_many(const StudyResults& study, const Quantity& decides, std::size_t count) {
+  std::vector<Sample> values = samples(study, decides.value);
+  const auto score = [&](const Sample& sample) {
+    const double mean = describe(sample.values).mean;
+    return !std::isfinite(mean) ? HUGE_VAL : decides.described.better == Better::smaller ? mean : -mean;
+  };
+  std::ranges::stable_sort(values, {}, score);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(count, values.size()); ++i) names.push_back(values[i].solver);
+  const std::string& control = study.plan.control;
+  if (std::ranges::count(study.solvers, control) > 0 && std::ranges::count(names, control) == 0)
+    names.push_back(control);
+  return names;
+}
+
 }  // namespace
 
 Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>& printed) {
@@ -197,33 +215,60 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
                                        : (disc.error_cm - axis.low) / (axis.high - axis.low);
     return Spot{axes_width_cm * disc.variation_deg / far, axes_height_cm * up, 0.06 + 0.12 * disc.size};
   };
-  std::vector<std::string> shown;
-  std::vector<Spot> spots;
-  for (std::size_t i = 0; i < ours.size(); ++i) {
-    labels.push_back(shortened(ours[i].solver, longest_label));
-    if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
-    shown.push_back(labels.back());
-    spots.push_back(spot_of(discs[i]));
+  for (const OverviewMark& mark : ours) labels.push_back(shortened(mark.solver, longest_label));
+  const auto is_drawn = [](const Disc& disc) {
+    return std::isfinite(disc.error_cm) && std::isfinite(disc.variation_deg);
+  };
+  std::vector<std::optional<PlacedLabel>> places(ours.size());
+  // Returns whether there is room for the labels of these solvers.
+  const auto has_room_for = [&](const std::vector<std::string>& named) {
+    std::vector<std::string> texts;
+    std::vector<std::size_t> whose;
+    std::vector<Spot> spots, others;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const bool is_named = std::ranges::count(named, ours[i].solver) > 0;
+      if (is_named && !is_drawn(discs[i])) return false;
+      if (is_named) {
+        texts.push_back(labels[i]);
+        whose.push_back(i);
+      }
+      if (is_drawn(discs[i])) (is_named ? spots : others).push_back(spot_of(discs[i]));
+    }
+    std::ranges::move(others, std::back_inserter(spots));
+    for (const Disc& ring : printed_discs) {
+      if (is_drawn(ring)) spots.push_back(spot_of(ring));
+    }
+    const std::vector<PlacedLabel> found = placed(texts, spots, axes_width_cm, axes_height_cm);
+    for (std::size_t k = 0; k < found.size(); ++k) places[whose[k]] = found[k];
+    return found.size() == ours.size() || (!found.empty() && ours.size() > most_named);
+  };
+  bool has_labels = false;
+  if (ours.size() <= most_named) {
+    has_labels = has_room_for(study.solvers);
+  } else {
+    const Quantity decides = quantity_of(study, Metric::position_error_cm, primary_estimand(study));
+    for (std::size_t count = most_named; count > 0 && !has_labels; --count) {
+      const std::vector<std::string> named = named_of_many(study, decides, count);
+      if (!(has_labels = has_room_for(named))) continue;
+      const bool has_control = named.size() > count || std::ranges::count(named, study.plan.control) > 0;
+      figure.caption += fmt::format(" Named: the best {} of {} by {}{}.", count, ours.size(),
+                                    decides.described.quantity, has_control ? ", and the control" : "");
+    }
   }
-  for (const Disc& ring : printed_discs) {
-    if (std::isfinite(ring.error_cm) && std::isfinite(ring.variation_deg)) spots.push_back(spot_of(ring));
-  }
-  const std::vector<PlacedLabel> places = placed(shown, spots, axes_width_cm, axes_height_cm);
-  const bool has_labels = places.size() == ours.size();
 
-  constexpr std::array shapes{7, 5, 9, 11, 13};  // filled
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const int style = style_of(study, ours[i].solver);
-    const int shape = shapes[static_cast<std::size_t>(style - 1) / named_colours.size() % shapes.size()];
-    const auto points = [&](int index, int type) {
+    // Filled, another each time that the colours begin anew; the open one of a shape is one less.
+    const std::string shape = fmt::format("int(word('7 5 9 11 13', {} / hues % 5 + 1))", style - 1);
+    const auto points = [&](int index, const std::string& type) {
       return fmt::format("data index {0} every ::{1}::{1} using 1:(shown($2)):3 with points ls {2} pt {3} ps variable",
                          index, i, style, type);
     };
     const std::string title = gnuplot_string(labels[i]);
-    if (has_rings) clauses.push_back(points(1, shape - 1) + " lw 1.2");
+    if (has_rings) clauses.push_back(points(1, "(" + shape + " - 1)") + " lw 1.2");
     clauses.push_back(fmt::format("{} title {}", points(0, shape), title));
-    if (has_labels) {
-      const PlacedLabel& place = places[i];
+    if (places[i]) {
+      const PlacedLabel& place = *places[i];
       const auto x = [&](double cm) { return text_of(cm / axes_width_cm * far); };
       const auto y = [&](double cm) {
         const double up = cm / axes_height_cm;
@@ -234,8 +279,9 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
           fmt::format("'+' every ::::0 using ({}):({}):({}) with labels left noenhanced font names title {}",
                       x(place.x), y(place.y), title, title));
       if (place.has_line) {
-        figure.settings += fmt::format("set arrow from {}, {} to {}, {} nohead back lw 0.5 lc rgb '#808080'\n",
-                                       x(spots[i].x), y(spots[i].y), x(place.line_x), y(place.line_y));
+        figure.settings +=
+            fmt::format("set arrow from {}, {} to {}, {} nohead back lw 0.5 lc rgb '#808080'\n", x(spot_of(discs[i]).x),
+                        y(spot_of(discs[i]).y), x(place.line_x), y(place.line_y));
       }
     }
     if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;

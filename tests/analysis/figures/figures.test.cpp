@@ -1,12 +1,16 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "analysis/figures/axis.hpp"
 #include "analysis/figures/box_figure.hpp"
+#include "analysis/figures/overview_figure.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/figures/study_figures.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "tests/analysis/drawn.hpp"
 #include "tests/analysis/folder.hpp"
@@ -55,6 +59,30 @@ const Figure& named(const std::vector<Figure>& figures, const std::string& name)
 }
 
 }  // namespace
+
+TEST_CASE("an overview of many solvers names the best and the control alone, and says so", "[figure]") {
+  std::vector<std::string> labels;
+  for (int i = 1; i <= 20; ++i) labels.push_back(fmt::format("solver {}", i));
+  std::vector<SolveRecord> solves = synthetic::solves({.solvers = labels, .runs = 3, .points = 2});
+  for (SolveRecord& solve : solves) {
+    const auto place = std::ranges::find(labels, solve.solver) - labels.begin();
+    solve.position_error_cm = std::pow(1.5, static_cast<double>(place));
+    solve.variation_deg = 10 + static_cast<double>(place * 37 % 101);
+  }
+  StudyResults study = make_study("s", solves);
+  study.plan.control = "solver 19";
+  const Figure figure = overview_figure(study, {});
+  const auto is_named = [&](const std::string& solver) {
+    return contains(figure.plot, "with labels left noenhanced font names title " + gnuplot_string(solver));
+  };
+  CHECK(is_named("solver 1"));
+  CHECK(is_named("solver 12"));
+  CHECK(!is_named("solver 13"));
+  CHECK(is_named("solver 19"));
+  CHECK(contains(figure.caption, "Named: the best 12 of 20 by position error [cm], and the control."));
+  study.plan.control.clear();
+  CHECK(contains(overview_figure(study, {}).caption, "Named: the best 12 of 20 by position error [cm]."));
+}
 
 TEST_CASE("the figures of the paper have stable names, in the paper's order", "[figure]") {
   std::vector<std::string> names;
