@@ -79,7 +79,7 @@ void add_rows(Figure& figure, const std::vector<std::string>& labels, double row
   figure.height_cm = 1.4 + row_cm * static_cast<double>(rows);
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced ({}) font names\nset border 1\nset ytics scale 0\n"
-      "set grid noytics\nset xtics enhanced\nset lmargin at screen margin({})\n",
+      "set grid noytics\nset xtics enhanced\nrows_margin = margin({})\nset lmargin at screen rows_margin\n",
       rows, fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
   if (labels.empty()) figure.settings += "unset ytics\nset label 'nothing to show' at graph 0.5, graph 0.5 center\n";
 }

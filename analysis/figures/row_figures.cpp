@@ -18,7 +18,8 @@ using namespace inference;
 
 namespace {
 
-// Above the rows: who is better on each side of the line, by name if that is the same in all rows.
+// Above the rows: who is better on each side of the line, by name if that is the same in all rows; in a narrow figure
+// on two lines.
 std::string side_labels(const std::vector<DifferenceRow>& rows, const DifferencesWords& words) {
   constexpr double room_cm = 1.6;  // for a name
   const auto common = [&](std::string DifferenceRow::*side, const std::string& other) {
@@ -28,10 +29,21 @@ std::string side_labels(const std::vector<DifferenceRow>& rows, const Difference
   };
   std::string left = common(&DifferenceRow::first, "first"), right = common(&DifferenceRow::second, "second");
   if (words.larger_is_better) std::swap(left, right);
+  left = fmt::format("← {} better", left);
+  right = fmt::format("{} better →", right);
   return fmt::format(
-      "set label {} at graph 0, graph 1 left offset 0, 0.7 noenhanced font names\n"
-      "set label {} at graph 1, graph 1 right offset 0, 0.7 noenhanced font names\nset tmargin 1.6\n",
-      gnuplot_string(fmt::format("← {} better", left)), gnuplot_string(fmt::format("{} better →", right)));
+      "lines = (1 - rows_margin) * width_cm < {} * text / 8 ? 2 : 1\n"
+      "set label {} at graph 0, graph 1 left offset 0, lines - 0.3 noenhanced font names\n"
+      "set label {} at graph 1, graph 1 right offset 0, 0.7 noenhanced font names\nset tmargin 0.6 + lines\n",
+      text_of(label_cm(left) + label_cm(right) + 0.4), gnuplot_string(left), gnuplot_string(right));
+}
+
+// In a narrow figure the title of the axis stands below the whole figure, not below the axis alone.
+std::string title_place(const std::string& title) {
+  constexpr double larger = 8.0 / 7;  // than the names that label_cm measures
+  return fmt::format(
+      "if ((1 - rows_margin) * width_cm < {} * text / 8) set xlabel offset screen -rows_margin / 2, character 0.85\n",
+      text_of(larger * label_cm(title)));
 }
 
 }  // namespace
@@ -54,7 +66,7 @@ Figure differences_figure(const std::vector<DifferenceRow>& rows, const Differen
   const auto [smallest, largest] = std::ranges::minmax(all);
   const Axis axis =
       words.are_ratios ? ratio_axis(smallest, largest, words.quantity) : row_axis(all, words.quantity, Scale::linear);
-  figure.settings += axis.settings;
+  figure.settings += axis.settings + title_place(axis.quantity);
   if (!rows.empty()) {
     figure.height_cm += 0.3;
     figure.settings += side_labels(rows, words);
