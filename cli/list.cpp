@@ -1,6 +1,7 @@
 // ikbench list: solvers, robots, studies and so on, or one of them in full.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -246,7 +247,7 @@ void add_list(CLI::App& app, Invocation&) {
     if (arguments->output.is_json)
       show_json(found.json);
     else
-      fmt::print("{}", found.text);
+      fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(found.text) : found.text);  // a file keeps every letter
   });
 }
 

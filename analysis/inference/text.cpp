@@ -36,9 +36,10 @@ std::size_t sequence_length(std::string_view text) {
 bool is_control(std::string_view sequence) {
   const auto lead = static_cast<unsigned char>(sequence[0]);
   if (sequence.size() == 1) return lead < 0x20 || lead == 0x7F;
-  if (sequence.size() == 2) return lead == 0xC2 && static_cast<unsigned char>(sequence[1]) < 0xA0;
-  // U+200E, 200F, 202A to 202E and 2066 to 2069 turn the direction of writing.
-  return (sequence >= "\u200E" && sequence <= "\u200F") || (sequence >= "\u202A" && sequence <= "\u202E") ||
+  // U+061C, 200E, 200F, 202A to 202E and 2066 to 2069 turn the direction of writing; 2028 and 2029 end a line.
+  if (sequence.size() == 2)
+    return (lead == 0xC2 && static_cast<unsigned char>(sequence[1]) < 0xA0) || sequence == "\u061C";
+  return (sequence >= "\u200E" && sequence <= "\u200F") || (sequence >= "\u2028" && sequence <= "\u202E") ||
          (sequence >= "\u2066" && sequence <= "\u2069");
 }
 

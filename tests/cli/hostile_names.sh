@@ -4,7 +4,8 @@ source "$(dirname "$0")/common.sh"
 
 name=$'<script>$(touch pwned)`touch pwned`"\''
 labels=("\"quoted\", 'single'" '<b>&amp;</b>' '$(touch pwned)`touch pwned`' '100 % | 50 $ \ ~^#_{}&'
-  'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' 'A')
+  'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' 'A'
+  $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z')
 
 {
   escaped=${name//\"/\\\"}
@@ -27,6 +28,10 @@ mkdir here
   folder=$(realpath out/*)
   [[ $(basename "$folder") =~ ^[A-Za-z0-9._-]+$ ]] || fail "the folder is named $(basename "$folder")"
   [ -s "$folder/report.md" ] || fail "no report"
+  # What people read has no letter that turns the direction of writing or ends a line.
+  turning=$'[\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]'
+  found=$(grep -l "$turning" "$work/.out" "$work/.err" "$folder"/report.{md,html} "$folder"/tables/*.{md,tex} "$folder"/article.tex)
+  [ -z "$found" ] || fail "letters that turn the direction of writing in: $found"
   # The page has scripts of its own, on lines that begin with them, and its figures.
   ! sed 's/^<script>//; s/<img class="picture[^"<>]*" alt="[^"<>]*" src="data:image\/svg+xml;base64,[A-Za-z0-9+/=]*">//' \
     "$folder/report.html" | grep '<script>\|<b>\|<img' >/dev/null || fail "the page has HTML of the user's making"
