@@ -31,6 +31,7 @@ struct SubmitArguments {
   int tasks = 0;
   std::string sbatch;
   bool is_dry = false;
+  OutputArguments output = {};
 };
 
 // A job script. Names from the user stand in it as quoted words, or on one line of a comment.
@@ -128,6 +129,10 @@ void show(const fs::path& folder, const Script& script, const std::vector<std::s
              printable(shell_command(submission[0], {submission.begin() + 1, submission.end()})));
 }
 
+report::Json json_of(const fs::path& folder, const Script& script, const std::vector<std::string>& submission) {
+  return {{"file", (folder / script.name).string()}, {"text", script.text}, {"submission", submission}};
+}
+
 void submit(const SubmitArguments& arguments, const std::string& command) {
   refuse_collection(arguments.study, "ikbench submit");
   const Study study = load_study(arguments.study, arguments.overrides);
@@ -147,6 +152,11 @@ void submit(const SubmitArguments& arguments, const std::string& command) {
   };
   std::vector<std::string> solve_words = words;
   solve_words.push_back(solve.name);
+  report::Json json{{"study", study.name}, {"folder", folder.string()}, {"tasks", arguments.tasks}};
+  if (arguments.is_dry && arguments.output.is_json) {
+    json["scripts"] = {json_of(folder, solve, solve_words), json_of(folder, merge, merge_words())};
+    return show_json(json);
+  }
   if (arguments.is_dry) {
     show(folder, solve, solve_words);
     return show(folder, merge, merge_words());
@@ -155,6 +165,11 @@ void submit(const SubmitArguments& arguments, const std::string& command) {
   for (const Script* script : {&solve, &merge}) write_file(folder / script->name, script->text);
   array = submitted(solve_words, folder);
   const std::string last = submitted(merge_words(), folder);
+  if (arguments.output.is_json) {
+    json["array_job"] = array;
+    json["merge_job"] = last;
+    return show_json(json);
+  }
   fmt::print("{}: job {} has {} tasks, then job {} merges and reports\n", printable(study.name), array, arguments.tasks,
              last);
   fmt::print("Watch:  {}   and   squeue --me\nOutput: {}\nAgain, where tasks failed: the same command\n",
@@ -177,6 +192,7 @@ void add_submit(CLI::App& app, Invocation& invocation) {
   command->add_option("--sbatch", arguments->sbatch,
                       "further arguments of sbatch, separated by blanks: \"--partition=long --time=02:00:00\"");
   command->add_flag("--dry-run", arguments->is_dry, "show the job scripts and how they are submitted, and do nothing");
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench submit slim2023 --tasks 20 --dry-run\n"

@@ -54,6 +54,15 @@ cd "$work" || exit 1
 mapfile -t words <submissions
 [ "${words[*]}" = "--parsable solve.sbatch --parsable --dependency=afterany:7 merge.sbatch" ] || fail "submitted: ${words[*]}"
 
+# As data: the numbers of the jobs, and in a dry run the scripts.
+succeeds submit slim2023 "${small[@]}" --tasks 2 --out data --json
+python3 -c 'import json, sys; of = json.load(sys.stdin); assert (of["study"], of["array_job"], of["merge_job"], of["tasks"]) == ("slim2023", "7", "7", 2), of' <<<"$out" ||
+  fail "the numbers of the jobs are not in: $out"
+succeeds submit slim2023 "${small[@]}" --tasks 2 --out dry --dry-run --json
+python3 -c 'import json, sys; of = json.load(sys.stdin)["scripts"]; assert "#SBATCH --array=1-2" in of[0]["text"] and of[1]["submission"][-1] == "merge.sbatch", of' <<<"$out" ||
+  fail "the scripts are not in: $out"
+[ ! -e dry ] || fail "a dry run did something"
+
 # A task that fails is queued again, unless the request is wrong or it was thrice.
 succeeds submit slim2023 "${small[@]}" --tasks 2 --out again
 mkdir -p again/shards/1-of-2/store.sqlite # a mistake
