@@ -546,7 +546,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
   add_seen(tables, request.shares, content);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   if (collection.is_together) content.assessments = together_assessments(reported);
-  std::ranges::move(assessments_of(study, paper, request), std::back_inserter(content.assessments));
+  for (Assessment& assessment : assessments_of(study, paper, request)) {
+    if (collection.is_together) assessment.study = study.name;
+    content.assessments.push_back(std::move(assessment));
+  }
   content.motion = moving_arm(entry, study);
   if (request.progress) {
     figure_options.progress = [&](std::int64_t done, std::int64_t all) {

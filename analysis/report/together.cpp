@@ -132,7 +132,7 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
     std::ranges::move(further.sections, std::back_inserter(pieces.sections));
   }
   pieces.results = table.name;
-  pieces.sections.insert(pieces.sections.begin(), {"All studies", "", {table.name}});
+  pieces.sections.insert(pieces.sections.begin(), {std::string(words::all_studies), "", {table.name}});
   pieces.tables.push_back(std::move(table));
   pieces.verdict.push_back(sentence);
 }
@@ -144,6 +144,7 @@ std::vector<Assessment> together_assessments(const Reported& reported) {
   for (const Judged& of : judged_together(studies)) {
     const Observations observations = together(studies, of.metric, of.estimand);
     result.push_back(assess(observations, feasible(studies.front().get().plan, observations)));
+    result.back().study = words::all_studies;
   }
   return result;
 }

@@ -290,6 +290,7 @@ inline constexpr Template together = "Over {studies} studies together, by {quant
 inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
 inline constexpr Template together_alone =
     "What follows is about the study {study} alone; the tables and figures of each study are below.";
+inline constexpr Template all_studies = "All studies";
 inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
