@@ -51,25 +51,30 @@ struct AngleUnit {
 };
 constexpr AngleUnit degrees{"deg", degree}, radians{"rad", 1};
 
-// The shortest digits in the unit. What a conversion left beyond 12 digits is no part of what the user wrote; --json
-// has every bit.
-std::string number(double value, double unit = 1) {
-  constexpr double noise = 1e-14;
+constexpr double noise = 1e-14;
+
+// The first 12 digits of what was calculated; --json has every bit.
+double rounded(double value, double unit) {
   const double exact = in_unit(value, unit);
-  if (std::abs(exact) < noise) return "0";
-  const double rounded = number_from(fmt::format("{:.12g}", exact)).value_or(exact);
-  return text_of(std::abs(rounded - exact) <= noise * std::abs(exact) ? rounded : exact);
+  return std::abs(exact) < noise ? 0 : number_from(fmt::format("{:.12g}", exact)).value_or(exact);
+}
+std::string calculated(double value, double unit) { return text_of(rounded(value, unit)); }
+
+// All digits of what a file says, but for those that a conversion left beyond the twelfth.
+std::string number(double value, double unit = 1) {
+  const double exact = in_unit(value, unit), near = rounded(value, unit);
+  return text_of(near == 0 || std::abs(near - exact) <= noise * std::abs(exact) ? near : exact);
 }
 
-std::string frame_text(const Frame& frame, AngleUnit unit = degrees) {
+std::string frame_text(const Frame& frame, AngleUnit unit, std::string (*shown)(double value, double unit)) {
   const Eigen::Vector3d &at = frame.position, &rpy = frame.rpy;
-  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) {}", number(at.x()), number(at.y()),
-                     number(at.z()), number(rpy.x(), unit.size), number(rpy.y(), unit.size), number(rpy.z(), unit.size),
+  return fmt::format("at ({}, {}, {}) m, roll pitch yaw ({}, {}, {}) {}", shown(at.x(), 1), shown(at.y(), 1),
+                     shown(at.z(), 1), shown(rpy.x(), unit.size), shown(rpy.y(), unit.size), shown(rpy.z(), unit.size),
                      unit.name);
 }
 
 std::string frame_line(std::string_view name, const Frame& frame) {
-  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame));
+  return frame == Frame() ? "" : fmt::format("{} {}\n", name, frame_text(frame, degrees, number));
 }
 
 bool slides(const Robot& arm, Eigen::Index joint) {
@@ -141,7 +146,7 @@ std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) 
     values.push_back(slides(arm, j) ? number(q[j]) + " m" : fmt::format("{} {}", number(q[j], unit.size), unit.name));
   }
   std::string text = fmt::format("with the joints at {}, the tool is {}", fmt::join(values, ", "),
-                                 frame_text(frame_of(arm.chain.forward(q)), unit));
+                                 frame_text(frame_of(arm.chain.forward(q)), unit, calculated));
   if (arm.limits.violation(q) > 0) text += "; a joint is outside its limits";
   return text;
 }
