@@ -24,6 +24,18 @@ constexpr std::size_t longest_head = 12;   // longest line of a head [characters
 constexpr std::size_t longest_chunk = 10;  // longest unbroken word [characters]
 constexpr std::size_t widest_upright = 9;  // most columns upright; a wider table is turned
 
+// Returns whether it begins with a Hebrew or an Arabic letter, or another of their kind.
+bool is_written_to_the_left(std::string_view text) {
+  return (text >= "\u0590" && text < "\u0900") || (text >= "\uFB1D" && text < "\uFEFF");
+}
+
+std::string_view last_letter(std::string_view word) {
+  std::size_t at = word.size();
+  while (at > 0 && (static_cast<unsigned char>(word[--at]) & 0xC0) == 0x80) {
+  }
+  return word.substr(at);
+}
+
 std::vector<std::string> words_of(std::string_view text) {
   std::istringstream words{std::string(text)};
   return {std::istream_iterator<std::string>(words), {}};
@@ -294,8 +306,12 @@ Table fitted(Table table) {
 }
 
 std::string breakable_latex(std::string_view text, std::size_t longest_word) {
+  constexpr std::string_view left_to_right = "\u200E";
   std::string result;
+  bool is_turned = false;  // the word before ends in a letter that is written to the left
   for (const std::string& word : words_of(text)) {
+    if (is_turned && !is_written_to_the_left(word)) result += left_to_right;  // else a number goes before that word
+    is_turned = is_written_to_the_left(last_letter(word));
     if (!result.empty()) result += ' ';
     std::string chunk;
     for (std::size_t i = 0; i < word.size(); ++i) {
