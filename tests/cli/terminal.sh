@@ -29,6 +29,15 @@ has "$shown" "slim2023: 120 solves in shown/store.sqlite"
 line=$(tr '\r' '\n' <.shown | grep '120 solves in')
 [ "${line#$'\e[K'}" = "slim2023: 120 solves in shown/store.sqlite" ] || fail "the result's line is: $line"
 
+# A listed study is a file for a program, and words for a reader: nothing turns the direction of a line on a terminal.
+turn=$'\u202e'
+printf 'name = "turned"\ntitle = "a%sb"\n[[solvers]]\nsolver = "bat"\n' "$turn" >turned.toml
+succeeds list studies turned.toml
+has "$out" "$turn"
+script -qec "'$program' list studies turned.toml" /dev/null >.shown </dev/null || fail "list studies: $(<.shown)"
+has "$(<.shown)" 'a b'
+has_no "$(<.shown)" "$turn"
+
 # A name moves no cursor: escapes are not even taken into a study.
 printf 'name = "x\\u001b[2J"\n[[solvers]]\nsolver = "bat"\n' >escape.toml
 script -qec "'$program' run escape.toml" /dev/null >.shown </dev/null && fail "an escape in a name was taken"

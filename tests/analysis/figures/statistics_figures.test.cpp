@@ -160,6 +160,22 @@ TEST_CASE("differences say who is better on which side, and small times are in m
   CHECK(contains(larger.settings, "'IK-BA better →' at graph 1,"));
 }
 
+TEST_CASE("in a narrow figure of differences the words on both sides stand on two lines", "[figure]") {
+  const ScratchFolder folder;
+  const std::string long_name = "a_solver_with_a_long_name";
+  const Figure figure = differences_figure({{long_name, long_name + "_2", -1, -2, 0.5}, {"B", long_name, 1, -1, 2}},
+                                           {"differences", {"difference: position error", "cm"}, 0.95, "bootstrap"});
+  const auto height_of = [&](std::string_view words, double width_cm) {
+    const WrittenFigures written = write_figures({figure}, folder.path, {.style = {.width_cm = width_cm}});
+    REQUIRE(written.outcomes.front().error == "");
+    const std::string svg = text_of_file(folder.path / "differences.svg");
+    const std::size_t text = svg.find(words), place = svg.rfind("translate(", text);
+    return std::stod(svg.substr(svg.find(',', place) + 1));
+  };
+  CHECK(height_of("first better", 17) == height_of("second better", 17));
+  CHECK(height_of("first better", 8.9) < height_of("second better", 8.9));
+}
+
 TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
   const auto drawn = [](double factor) {
     return differences_figure({{"A", "B", 2, 1.5, 2 * factor}, {"B", "C", 0.9, 0.5, 1.2}, {"C", "D", 1, 0, 2}},

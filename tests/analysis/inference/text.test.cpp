@@ -8,7 +8,7 @@ using namespace ikbench::inference;
 TEST_CASE("one line has no control characters and only valid UTF-8", "[text]") {
   CHECK(one_line("a\nb\tc\r\x7f") == "a b c  ");
   CHECK(one_line("bat \xF0\x9F\xA6\x87, \xCE\xB8") == "bat \xF0\x9F\xA6\x87, \xCE\xB8");
-  CHECK(one_line("\xC2\x85") == " ");                       // NEL, a line break of Unicode
+  CHECK(one_line("\xC2\x85") == " ");                                                 // NEL, a line break of Unicode
   CHECK(one_line("a\u202Eb\u2066c\u2069d\u061Ce\u200Ff\u2028g") == "a b c d e f g");  // they turn lines, or end them
   CHECK(one_line("\u05E9\u05DC \u0633 \u95A2") == "\u05E9\u05DC \u0633 \u95A2");
   CHECK(one_line("\xFFz") == "\uFFFDz");                    // never a lead byte
