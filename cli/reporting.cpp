@@ -263,7 +263,8 @@ void refuse_reproduction(const std::filesystem::path& folder) {
 Collection reported_collection(const StudyCollection& collection, const ReportArguments& arguments) {
   if (arguments.unit == name_of(Unit::point))
     throw std::invalid_argument("--unit is point; expected run: a collection has no points in common");
-  Collection reported{.name = collection.name, .is_together = true, .title = collection.title};
+  Collection reported{
+      .name = collection.name, .is_together = true, .are_seeds = collection.are_seeds, .title = collection.title};
   std::vector<std::string> names;
   for (const Study& study : collection.studies) {
     names.push_back(study.name);

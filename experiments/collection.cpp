@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -103,6 +104,29 @@ void refuse_shared_solves(const std::vector<Study>& studies, const std::vector<s
   }
 }
 
+// The values of the key `seeds`; none without it.
+std::vector<std::int64_t> seeds_in(TomlReader& reader) {
+  const std::string expected = fmt::format("a list of 2 to {} whole numbers, each once", most_studies);
+  const toml::node* const node = reader.find("seeds");
+  if (!node) return {};
+  const toml::array* const array = node->as_array();
+  if (!array || array->size() < 2 || array->size() > most_studies) reader.fail("seeds", *node, expected);
+  std::vector<std::int64_t> seeds;
+  for (const toml::node& element : *array) {
+    const std::optional<std::int64_t> seed = element.value_exact<std::int64_t>();
+    if (!seed || *seed < 0 || std::ranges::count(seeds, *seed) > 0) reader.fail("seeds", element, expected);
+    seeds.push_back(*seed);
+  }
+  return seeds;
+}
+
+Study with_seed(const std::string& study, Overrides overrides, std::int64_t seed) {
+  overrides.push_back(fmt::format("seed={}", seed));
+  Study copy = load_study(study, overrides);
+  copy.name += fmt::format("-seed-{}", seed);
+  return copy;
+}
+
 }  // namespace
 
 std::optional<StudyCollection> load_collection(const std::string& file, const Overrides& overrides) {
@@ -115,10 +139,14 @@ std::optional<StudyCollection> load_collection(const std::string& file, const Ov
   reader.text("name", collection.name, "");
   reader.text("title", collection.title, "");
   reader.texts("studies", names, "");
+  const std::vector<std::int64_t> seeds = seeds_in(reader);
+  collection.are_seeds = !seeds.empty();
   reader.refuse_unknown_keys();
   if (collection.name.empty()) reader.fail("name", *table->get("name"), "a non-empty name");
   const std::string where = reader.where(table->get("studies")->source(), "studies");
-  if (names.size() < 2 || names.size() > most_studies)
+  if (collection.are_seeds && names.size() != 1)
+    throw std::invalid_argument(fmt::format("{}the list has {}; expected one study with seeds", where, names.size()));
+  if (!collection.are_seeds && (names.size() < 2 || names.size() > most_studies))
     throw std::invalid_argument(
         fmt::format("{}the list has {}; expected 2 to {} studies", where, names.size(), most_studies));
   for (const std::string& name : names) {
@@ -126,8 +154,10 @@ std::optional<StudyCollection> load_collection(const std::string& file, const Ov
     const std::string beside = is_file ? (path.parent_path() / name).string() : name;
     if (is_file && list_of_studies(beside))
       throw std::invalid_argument(fmt::format("{}{} is a collection itself; expected studies", where, name));
-    collection.studies.push_back(load_study(beside, overrides));
+    for (const std::int64_t seed : seeds) collection.studies.push_back(with_seed(beside, overrides, seed));
+    if (seeds.empty()) collection.studies.push_back(load_study(beside, overrides));
   }
+  if (collection.are_seeds) names.assign(seeds.size(), names.front());
   check_together(collection, where);
   refuse_shared_solves(collection.studies, names, where);
   return collection;

@@ -56,6 +56,10 @@ void add_means_of_runs(Group& result, const std::vector<const Group*>& groups) {
   }
 }
 
+void add_means_of_studies(Group& result, const std::vector<const Group*>& groups) {
+  for (const Group* group : groups) result.values.push_back(mean(group->values));
+}
+
 void add_values_of_blocks(Group& result, const std::vector<const Group*>& groups) {
   for (const Group* group : groups)
     result.values.insert(result.values.end(), group->values.begin(), group->values.end());
@@ -113,6 +117,13 @@ void describe_runs(Observations& result, const std::vector<OfStudy>& all) {
   }
 }
 
+void describe_seeds(Observations& result, const std::vector<OfStudy>& all) {
+  for (const OfStudy& of : all) result.blocks.push_back(of.study);
+  result.replicate = "the mean over the runs of a seed";
+  result.block = "a seed of the study, the same for all solvers";
+  result.block_noun = "seeds";
+}
+
 void describe_blocks(Observations& result, const std::vector<OfStudy>& all) {
   std::vector<std::string> counts;
   for (const OfStudy& of : all) {
@@ -129,7 +140,7 @@ void describe_blocks(Observations& result, const std::vector<OfStudy>& all) {
 
 }  // namespace
 
-Observations together(std::vector<OfStudy> all) {
+Observations together(std::vector<OfStudy> all, bool are_seeds) {
   Observations result = all.front().observations;
   const bool have_blocks = !result.blocks.empty();
   result.groups.clear();
@@ -153,12 +164,22 @@ Observations together(std::vector<OfStudy> all) {
       const auto widest = std::ranges::max_element(
           groups, {}, [](const Group* each) { return std::isnan(each->decades) ? -1 : each->decades; });
       group.decades = (*widest)->decades;
-      have_blocks ? add_values_of_blocks(group, groups) : add_means_of_runs(group, groups);
+      if (are_seeds)
+        add_means_of_studies(group, groups);
+      else if (have_blocks)
+        add_values_of_blocks(group, groups);
+      else
+        add_means_of_runs(group, groups);
       result.groups.push_back(std::move(group));
     }
   }
   add_common_bits(result, all);
-  have_blocks ? describe_blocks(result, all) : describe_runs(result, all);
+  if (are_seeds)
+    describe_seeds(result, all);
+  else if (have_blocks)
+    describe_blocks(result, all);
+  else
+    describe_runs(result, all);
   if (!lacking.empty()) {
     result.notes.push_back(fmt::format("Left out, because not every study has them: {}.",
                                        one_line(fmt::format("{}", fmt::join(lacking, ", ")))));
@@ -166,16 +187,16 @@ Observations together(std::vector<OfStudy> all) {
   return result;
 }
 
-Observations together(const JudgedStudies& studies, Metric metric, Estimand estimand) {
+Observations together(const JudgedStudies& studies, Metric metric, Estimand estimand, bool are_seeds) {
   std::vector<OfStudy> all;
   for (const JudgedStudy& study : studies) all.push_back({study.name, observations(study, metric, estimand)});
   const auto has_blocks = [](const OfStudy& of) { return !of.observations.blocks.empty(); };
-  if (!std::ranges::all_of(all, has_blocks)) {
+  if (are_seeds || !std::ranges::all_of(all, has_blocks)) {
     all.clear();
     for (const JudgedStudy& study : studies) all.push_back({study.name, observations_of_runs(study, metric, estimand)});
   }
   const bool is_one_quantity = is_same_in_all(all, &Observations::quantity);
-  Observations result = together(std::move(all));
+  Observations result = together(std::move(all), are_seeds);
   if (!is_one_quantity) {
     result.quantity = estimand == Estimand::reliability
                           ? "share of solves within each study's distance"

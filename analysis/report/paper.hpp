@@ -40,6 +40,7 @@ struct Reported {
   inference::JudgedStudies companions = {};
   std::span<const RepeatedSolver> repetitions = {};  // run means of the study with other seeds; empty if not solved
   PerturbedCopies perturbed = {};                    // copies of the study and its companions
+  bool are_seeds = false;                            // the companions are the study with other seeds
 };
 
 // The copies of one study among those reported.
@@ -79,6 +80,7 @@ struct Collection {
   std::optional<Paper> paper = {};
   // Set for a user's collection, which has any studies: they get one table and one test (together.hpp).
   bool is_together = false;
+  bool are_seeds = false;  // they are one study with several seeds, each a block
   std::string title = {};  // replaces that of the first study; may be empty
 };
 

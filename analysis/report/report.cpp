@@ -464,7 +464,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const Reported reported{.study = study,
                           .companions = others.companions,
                           .repetitions = request.repetitions,
-                          .perturbed = others.perturbed};
+                          .perturbed = others.perturbed,
+                          .are_seeds = collection.are_seeds};
   const PerturbedCopies copies = copies_of(study, reported);
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),

@@ -30,6 +30,8 @@ JudgedStudies studies_of(const Reported& reported) {
   return studies;
 }
 
+std::string_view noun_of(bool are_seeds) { return are_seeds ? "seeds" : "studies"; }
+
 std::string average_of_column(Estimand estimand) {
   return estimand == Estimand::reliability ? "solved [%]" : fmt::format("{} error [cm]", name_of(estimand));
 }
@@ -51,15 +53,16 @@ std::string set_up_of(const JudgedStudy& study) {
                      "path"_a = study.facts.path, "runs"_a = study.runs, "points"_a = study.points);
 }
 
-Evidence judged_over(const JudgedStudies& studies, const Judged& of) {
-  const Observations observations = together(studies, of.metric, of.estimand);
+Evidence judged_over(const JudgedStudies& studies, const Judged& of, bool are_seeds) {
+  const Observations observations = together(studies, of.metric, of.estimand, are_seeds);
   return evidence(observations, feasible(studies.front().get().plan, observations));
 }
 
-Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors) {
-  Table table{.name = "together",
-              .caption = fmt::format(words::together_caption, "studies"_a = studies.size()),
-              .columns = {"solver"}};
+Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors, bool are_seeds) {
+  Table table{
+      .name = "together",
+      .caption = fmt::format(words::together_caption, "studies"_a = studies.size(), "noun"_a = noun_of(are_seeds)),
+      .columns = {"solver"}};
   std::vector<std::string> solvers;
   for (const JudgedStudy& study : studies) {
     for (const std::string& solver : study.solvers) {
@@ -72,7 +75,7 @@ Table together_table(const JudgedStudies& studies, const std::vector<Judged>& er
     for (const Judged& of : errors) add_columns(table, study.name, study.evidence(of.metric, of.estimand), of.estimand);
   }
   for (const Judged& of : errors) {
-    const Evidence found = judged_over(studies, of);
+    const Evidence found = judged_over(studies, of, are_seeds);
     add_columns(table, "all", found, of.estimand);
     for (const std::string& note : found.notes) {
       if (std::ranges::count(table.notes, note) == 0) table.notes.push_back(note);
@@ -114,15 +117,16 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
   std::vector<Judged> errors = judged_together(studies);
   std::erase_if(errors, [](const Judged& each) { return each.metric != Metric::position_error_cm; });
   if (studies.size() < 2 || errors.empty()) return;
-  Table table = together_table(studies, errors);
-  const Evidence found = judged_over(studies, errors.front());
+  Table table = together_table(studies, errors, reported.are_seeds);
+  const Evidence found = judged_over(studies, errors.front(), reported.are_seeds);
   const auto label = [&](std::size_t group) {
     const double mean = found.groups[group].described.mean;
     return fmt::format(
         "{} ({})", found.groups[group].name,
         found.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean));
   };
-  const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(), "quantity"_a = found.quantity),
+  const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(),
+                                      "noun"_a = noun_of(reported.are_seeds), "quantity"_a = found.quantity),
                           fmt::format("{}.", fmt::join(short_answer(found, label), ". "))};
   pieces = told_of(reported.study, std::move(pieces), "");
   for (const StudyResults& companion : reported.companions) {
@@ -142,7 +146,7 @@ std::vector<Assessment> together_assessments(const Reported& reported) {
   std::vector<Assessment> result;
   if (studies.size() < 2) return result;
   for (const Judged& of : judged_together(studies)) {
-    const Observations observations = together(studies, of.metric, of.estimand);
+    const Observations observations = together(studies, of.metric, of.estimand, reported.are_seeds);
     result.push_back(assess(observations, feasible(studies.front().get().plan, observations)));
     result.back().study = words::all_studies;
   }

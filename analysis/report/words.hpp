@@ -285,8 +285,8 @@ inline constexpr Template set_up_recorded = "Answers outside the joint limits ar
 inline constexpr Template set_up_test =
     "Pairs are compared at the level {significance} for all pairs together. Test: {test}.";
 inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
-inline constexpr Template together_caption = "{studies} studies together: the position error of each solver";
-inline constexpr Template together = "Over {studies} studies together, by {quantity}";
+inline constexpr Template together_caption = "{studies} {noun} together: the position error of each solver";
+inline constexpr Template together = "Over {studies} {noun} together, by {quantity}";
 inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
 inline constexpr Template together_alone =
     "What follows is about the study {study} alone; the tables and figures of each study are below.";

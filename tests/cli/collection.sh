@@ -80,6 +80,32 @@ succeeds run arms.toml --no-figures --out arms
 has "$(<arms/report.md)" "The targets of all studies count alike: 12 of arm, 8 of second."
 has "$(<arms/report.md)" "Two arms"
 
+# One study with several seeds: each seed is a block, whose value is the mean over its runs.
+printf 'studies = ["helix.toml"]\nseeds = [1, 2, 3, 4, 5, 6]\n' >seeds.toml
+succeeds run seeds.toml --no-figures
+has "$out" "helix-seed-6: 36 solves in out/seeds/store.sqlite"
+has "$(<out/seeds/report.md)" "Over 6 seeds together"
+python3 - out/seeds <<'E2' || fail "a block is not the mean of its seed: $(<out/seeds/tables/together.csv)"
+import csv, json, math, sys
+rows = list(csv.DictReader(open(sys.argv[1] + "/tables/together.csv")))
+judged = next(one for one in json.load(open(sys.argv[1] + "/statistics.json")) if one["quantity"].startswith("share of"))
+assert judged["blocks"] == 6 and judged["block"].startswith("a seed"), (judged["blocks"], judged["block"])
+for row in rows:
+    of_seeds = [float(row[f"helix-seed-{seed}: solved [%]"]) for seed in range(1, 7)]
+    group = next(group for group in judged["groups"] if group["name"] == row["solver"])
+    assert group["n"] == 6 and math.isclose(group["mean"]["value"], sum(of_seeds) / 600, abs_tol=1e-12), row
+E2
+succeeds run helix.toml --set seed=6 --no-report --out alone
+[ "$(numbers out/seeds/store.sqlite helix-seed-6 | cut -d, -f 3,5-)" = "$(numbers alone/store.sqlite | cut -d, -f 3,5-)" ] ||
+  fail "a seed of the collection has other solves than the study with that seed"
+succeeds compare ik_bat random_search --store out/seeds/store.sqlite --study helix-seed-2
+for seeds in '[1]' '[1, 1]' '[1, "2"]' '[1, -2]' '[1, 2.5]' 1; do
+  printf 'studies = ["helix.toml"]\nseeds = %s\n' "$seeds" >wrong.toml
+  refused 'expected a list of 2 to 50 whole numbers, each once' run wrong.toml
+done
+printf 'studies = ["helix.toml", "arm.toml"]\nseeds = [1, 2]\n' >wrong.toml
+refused 'wrong.toml:1:11: the list has 2; expected one study with seeds' run wrong.toml
+
 # Studies that one test cannot judge, and files that are none.
 cp arm.toml other.toml && sed -i 's/"arm"/"other"/' other.toml && printf '[analysis]\nsignificance = 0.01\n' >>other.toml
 echo 'studies = ["helix.toml", "other.toml"]' >plans.toml

@@ -87,6 +87,30 @@ TEST_CASE("blocks of several studies are blocks of one, and the engine judges th
   CHECK(std::abs(found.estimate.value + 0.85) < 1e-12);  // the mean of -0.5, -0.5, -0.25, -1 and -2
 }
 
+TEST_CASE("a seed is a block, and its value is the mean over its runs", "[together]") {
+  const Group exact{.name = "z", .values = {5}, .copies = 3};
+  const auto seed = [&](const std::string& name, std::vector<double> x, std::vector<double> y) {
+    return OfStudy{name, of_groups({{"x", std::move(x)}, {"y", std::move(y)}, exact})};
+  };
+  const Observations all = together(
+      {seed("s-1", {1, 2, 3}, {2, 4, 6}), seed("s-2", {2, 2, 5}, {3, 3, 10.5}), seed("s-3", {0, 1, 2}, {1, 1, 4.75}),
+       seed("s-4", {4, 4, 4}, {6, 7, 8}), seed("s-5", {5, 4, 6}, {8, 9, 10}), seed("s-6", {2, 2, 3.5}, {3, 3, 3})},
+      true);
+  CHECK(all.blocks == std::vector<std::string>{"s-1", "s-2", "s-3", "s-4", "s-5", "s-6"});
+  CHECK(values_of(all, "x") == std::vector<double>{2, 3, 1, 4, 5, 2.5});
+  CHECK(values_of(all, "y") == std::vector<double>{4, 5.5, 2.25, 7, 9, 3});
+  CHECK(values_of(all, "z") == std::vector<double>(6, 5));
+  CHECK(all.groups[2].copies == 0);
+  CHECK(all.block_noun == "seeds");
+  // The engine pairs them: by hand the differences are -2, -2.5, -1.25, -3, -4 and -0.5.
+  const Observations by_hand = of_groups({{"x", {2, 3, 1, 4, 5, 2.5}}, {"y", {4, 5.5, 2.25, 7, 9, 3}}}, all.blocks);
+  Observations two = all;
+  two.groups.pop_back();
+  const Finding found = evidence(two, {}).contrasts.at(0), expected = evidence(by_hand, {}).contrasts.at(0);
+  CHECK(std::abs(found.estimate.value + 13.25 / 6) < 1e-12);
+  CHECK(found.p == expected.p);
+}
+
 TEST_CASE("solvers with the same bits have them in every study, and notes name their study", "[together]") {
   Observations one =
       of_groups({{.name = "x", .values = {1, 2}, .bits = 1}, {.name = "y", .values = {1, 2}, .bits = 1}});
