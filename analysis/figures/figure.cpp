@@ -79,6 +79,7 @@ void name_program_in_svg(std::string& svg, const std::string& program) {
 // As a chunk of text, after the header, which has 13 bytes (https://www.w3.org/TR/png/#11tEXt).
 void name_program_in_png(std::string& png, const std::string& program) {
   constexpr std::size_t end_of_header = 8 + 4 + 4 + 13 + 4;
+  if (png.size() < end_of_header) return;  // not a picture
   const auto number = [](std::uint32_t value) {
     std::string bytes;
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
