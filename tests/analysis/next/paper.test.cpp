@@ -67,7 +67,7 @@ TEST_CASE("a paper is data alone: its claim and what it prints are in the report
   CHECK(report.warnings.empty());
   CHECK(contains(text, "Nobody: A Small Swarm Is Enough."));
   CHECK(contains(text, "Of 1 claim, 1 holds. As printed, 0 of 1 hold."));  // t = 1.98 of 8 degrees of freedom
-  CHECK(contains(text, "| Alpha needs the fewest evaluations | holds | undecided | 13, beta 23 | Table 1 |"));
+  CHECK(contains(text, "| Alpha needs the fewest evaluations | holds | undecided | mean 13, beta 23 | Table 1 |"));
   CHECK(contains(text, "Evaluations: alpha 13, beta 23"));
   CHECK(files.contains("tables/statistics-printed-evaluations-contrasts.csv"));
   CHECK(files.contains("tables/results.csv"));  // what any study has stays
