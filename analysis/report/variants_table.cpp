@@ -227,6 +227,17 @@ std::string undecided_metrics(const VariantComparison& comparison) {
   return fmt::format("{}", fmt::join(found, ", "));
 }
 
+// The metrics in which B is better by more than the margin.
+std::string better_metrics(const VariantComparison& comparison) {
+  std::vector<std::string> found;
+  for (const MetricComparison& metric : comparison.metrics) {
+    if (!metric.is_compared()) continue;
+    const Finding finding = metric.finding();
+    if (finding.relation == Relation::worse && finding.is_beyond_margin()) found.push_back(metric_words(metric));
+  }
+  return fmt::format("{}", fmt::join(found, ", "));
+}
+
 }  // namespace
 
 Table variants_table(Comparisons comparisons, const AnalysisPlan& plan) {
@@ -294,7 +305,9 @@ std::string variants_verdict(Comparisons comparisons, const AnalysisPlan& plan) 
   if (!undecided.empty())
     return fmt::format(words::not_decided, "label"_a = label, "list"_a = undecided, "rest"_a = rest);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric) || !metric.is_counted; };
-  return fmt::format(said(words::no_regression, words::not_worse), "label"_a = label, "margin"_a = margin,
+  const std::string better = is_of_two ? better_metrics(comparisons.front()) : "";
+  return fmt::format(better.empty() ? said(words::no_regression, words::not_worse) : fmt::runtime(words::better_in),
+                     "label"_a = label, "margin"_a = margin, "list"_a = better,
                      "found"_a = any_metric(comparisons, is_unknown) ? " was found" : "", "rest"_a = rest);
 }
 

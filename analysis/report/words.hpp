@@ -161,6 +161,7 @@ inline constexpr Template regression = "Regression beyond {margin}: {list}. {res
 inline constexpr Template no_regression = "No regression beyond {margin}{found}. {rest}";
 inline constexpr Template worse = "{label}: worse beyond {margin} in {list}. {rest}";
 inline constexpr Template not_worse = "{label}: no worsening beyond {margin}{found}. {rest}";
+inline constexpr Template better_in = "{label}: better in {list}, and no worsening beyond {margin}{found}. {rest}";
 inline constexpr Template not_decided = "{label}: undecided in {list}. {rest}";
 inline constexpr Template margins = "{margin} (shares: {of_shares})";
 inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
@@ -291,6 +292,7 @@ inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {
 inline constexpr Template together_alone =
     "What follows is about the study {study} alone; the tables and figures of each study are below.";
 inline constexpr Template all_studies = "All studies";
+inline constexpr Template why_undecided = " Undecided because of {reasons}.";
 inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
