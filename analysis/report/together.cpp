@@ -108,6 +108,16 @@ StudyPieces companion_pieces(const StudyResults& companion) {
   return told_of(companion, std::move(pieces), prefix_of(companion));
 }
 
+// " Not decided: too few different differences within blocks: ..."; each reason once.
+std::string reasons_of_undecided(const Evidence& evidence) {
+  std::vector<std::string> reasons;
+  for (const Finding& pair : evidence.contrasts) {
+    if (is_decided(pair) || pair.relation == Relation::same || pair.why.empty()) continue;
+    if (std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
+  }
+  return reasons.empty() ? "" : fmt::format(words::why_undecided, "reasons"_a = fmt::join(reasons, "; "));
+}
+
 }  // namespace
 
 std::string prefix_of(const StudyResults& companion) { return companion.name + '-'; }
@@ -125,9 +135,10 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
         "{} ({})", found.groups[group].name,
         found.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean));
   };
-  const Sentence sentence{fmt::format(words::together, "studies"_a = studies.size(),
-                                      "noun"_a = noun_of(reported.are_seeds), "quantity"_a = found.quantity),
-                          fmt::format("{}.", fmt::join(short_answer(found, label), ". "))};
+  const Sentence sentence{
+      fmt::format(words::together, "studies"_a = studies.size(), "noun"_a = noun_of(reported.are_seeds),
+                  "quantity"_a = found.quantity),
+      fmt::format("{}.{}", fmt::join(short_answer(found, label), ". "), reasons_of_undecided(found))};
   pieces = told_of(reported.study, std::move(pieces), "");
   for (const StudyResults& companion : reported.companions) {
     StudyPieces further = companion_pieces(companion);
