@@ -85,6 +85,11 @@ std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const Sho
   for (const Metric metric : metrics.judged) {
     if (is_comparable(study, metric)) add(metric, average_estimand(metric));
   }
+  // What nobody counted of any swept entry has nothing to show.
+  std::erase_if(quantities, [&](const SweptQuantity& quantity) {
+    return std::ranges::none_of(study.facts.swept,
+                                [&](const auto& entry) { return std::isfinite(quantity.of(entry.first).value); });
+  });
   return quantities;
 }
 
