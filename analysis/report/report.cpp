@@ -515,7 +515,11 @@ Report write_report(const Store& store, const ReportRequest& request) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
-  if (!study.solves.empty()) tables.push_back(article_table(study));
+  if (!study.solves.empty()) {
+    Table& article = tables.emplace_back(article_table(study));
+    if (collection.is_together)
+      article.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", article.caption));
+  }
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   for (Figure& figure : convergence_figures(study)) {
     if (collection.is_together)
