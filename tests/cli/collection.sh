@@ -80,6 +80,8 @@ succeeds run arms.toml --no-figures --out arms
 has "$(<arms/report.md)" "The targets of all studies count alike: 12 of arm, 8 of second."
 has "$(<arms/report.md)" "Two arms"
 
+has "$(<out/both/tables/paper.md)" ": Mean ± standard deviation"
+
 # One study with several seeds: each seed is a block, whose value is the mean over its runs.
 printf 'studies = ["helix.toml"]\nseeds = [1, 2, 3, 4, 5, 6]\n' >seeds.toml
 succeeds run seeds.toml --no-figures

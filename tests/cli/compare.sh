@@ -89,6 +89,10 @@ has "$out" "B: IK-BA, against A: BA, in study slim2023"
 has "$out" "Independent runs, 8 of A and 8 of B: one observation is the mean of a run over its 3 points."
 has "$out" "A report judges each metric over the pairs of all 6 solvers"
 
+# Where nothing is worse and nothing undecided, the first words are what is better.
+succeeds compare K-ABC BA --store $base --metric evaluations
+answers "BA against K-ABC: better in evaluations, and no worsening beyond 5 %. "
+
 # Of two labels the first words are that nothing is decided, and what would decide; the settings stand above the table.
 succeeds compare BA IK-BA --store $base --metric position_error_cm
 answers "IK-BA against BA: undecided in position_error_cm (a difference of the margin takes "
