@@ -100,22 +100,6 @@ std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry,
   return std::move(changes.sentences);
 }
 
-SolveCheck check_of(const Store& store, const StudyEntry& entry) {
-  const auto recheck = std::make_shared<Recheck>(entry);
-  const auto unknown = std::make_shared<std::string>();
-  return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
-          .damages =
-              [=, &store] {
-                std::vector<std::string> sentences = recheck->damages();
-                std::ranges::move(changes_in(store, entry, *unknown), std::back_inserter(sentences));
-                sentences.push_back(unknown_sessions(store, entry));
-                std::erase(sentences, "");
-                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
-                return sentences;
-              },
-          .unknown = [=] { return *unknown; }};
-}
-
 // The results for a screen: of a sweep each metric's rows begin with the best.
 Table shown_results(const Report& report) {
   Table table = report.results;
@@ -372,6 +356,22 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   throw std::invalid_argument(
       "the store is damaged, and the report begins with what is wrong; its sessions say which commands made the damaged "
       "solves: give these again into another folder");
+}
+
+SolveCheck check_of(const Store& store, const StudyEntry& entry) {
+  const auto recheck = std::make_shared<Recheck>(entry);
+  const auto unknown = std::make_shared<std::string>();
+  return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
+          .damages =
+              [=, &store] {
+                std::vector<std::string> sentences = recheck->damages();
+                std::ranges::move(changes_in(store, entry, *unknown), std::back_inserter(sentences));
+                sentences.push_back(unknown_sessions(store, entry));
+                std::erase(sentences, "");
+                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
+                return sentences;
+              },
+          .unknown = [=] { return *unknown; }};
 }
 
 std::vector<std::string> damages_of(const Store& store, const std::string& study, std::string* unknown) {

@@ -93,8 +93,11 @@ class ReportProgress {
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           figures::RenderOptions options);
 
-// The damages of a stored study, in sentences: numbers that do not follow from the answers (experiments/recheck.hpp),
-// changes since it was written, and sessions that the store does not have.
+// Checks the solves of a stored study: its damages are numbers that do not follow from the answers
+// (experiments/recheck.hpp), changes since it was written, and sessions that the store does not have.
+report::SolveCheck check_of(const results::Store& store, const results::StudyEntry& entry);
+
+// The damages of a stored study, in sentences, after a pass over its solves.
 // Warns where digests were removed, so that changes may not show, or puts that sentence into `unknown`.
 std::vector<std::string> damages_of(const results::Store& store, const std::string& study,
                                     std::string* unknown = nullptr);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "experiments/singular_values.hpp"
@@ -138,89 +138,75 @@ Eigen::Matrix4d as_eigen(const Matrix& pose) {
   return result;
 }
 
-// Up to four transforms, one after the other.
-class Transforms {
- public:
-  void add(const Matrix& transform) { all_[count_++] = transform; }
-  Matrix past(Matrix pose) const {
-    for (std::size_t i = 0; i < count_; ++i) pose = product(pose, all_[i]);
-    return pose;
-  }
+Eigen::Vector3d column(const Matrix& pose, std::size_t column) {
+  return {pose[0][column], pose[1][column], pose[2][column]};
+}
 
- private:
-  std::array<Matrix, 4> all_{};
-  std::size_t count_ = 0;
+// A joint at a configuration, in the frame of the base: its axis, a point of it, and for a coupled joint the end of the
+// link that it swings.
+struct PlacedJoint {
+  Joint joint = Joint::turns;
+  Eigen::Vector3d axis, origin, end;
 };
 
-Transforms transforms_of(const DhLink& link, double joint) {
+// A link moves the frame before it to the frame after it.
+Matrix past(const DhLink& link, double joint, const Matrix& before) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
   const double along_z = link.joint == Joint::slides ? link.d + joint : link.d;
   const bool is_coupled = link.joint == Joint::coupled;
-  Transforms transforms;
-  transforms.add(is_coupled ? turned_about_y(angle) : turned_about_z(angle));
-  transforms.add(moved(link.a, 0, along_z));
-  // A parallelogram turns back after the link.
-  if (is_coupled) transforms.add(turned_about_y(-angle));
-  transforms.add(turned_about_x(link.alpha));
-  return transforms;
+  Matrix pose = product(before, is_coupled ? turned_about_y(angle) : turned_about_z(angle));
+  pose = product(pose, moved(link.a, 0, along_z));
+  if (is_coupled) pose = product(pose, turned_about_y(-angle));  // a parallelogram turns back after the link
+  return product(pose, turned_about_x(link.alpha));
 }
 
-Transforms transforms_of(const DescribedJoint& joint, double value) {
-  Transforms transforms;
-  transforms.add(pose_of(joint.origin));
-  if (joint.motion != DescribedJoint::Motion::none) transforms.add(motion_of(joint, value));
-  return transforms;
+PlacedJoint placed(const DhLink& link, const Matrix& before, const Matrix& after) {
+  return {link.joint, column(before, link.joint == Joint::coupled ? 1 : 2), column(before, 3), column(after, 3)};
 }
 
-// An arm at one configuration, link by link, so that moving a joint does not compute again what comes before it.
-template <class Link>
-class Arm {
- public:
-  Arm(const Matrix& base, const std::vector<Link>& links, const std::optional<Matrix>& tool, const Eigen::VectorXd& q)
-      : links_(links), tool_(tool) {
-    Eigen::Index joint = 0;
-    Matrix pose = base;
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const bool is_moved = moves(links[i]);
-      if (is_moved) link_of_joint_.push_back(i);
-      before_.push_back(pose);
-      transforms_.push_back(transforms_of(links[i], is_moved ? q[joint++] : 0));
-      pose = transforms_.back().past(pose);
-    }
-    pose_ = of_tool(pose);
-  }
-
-  Eigen::Matrix4d pose() const { return pose_; }
-  // The pose with one joint at another value.
-  Eigen::Matrix4d pose_with(Eigen::Index joint, double value) const {
-    std::size_t i = link_of_joint_[static_cast<std::size_t>(joint)];
-    Matrix pose = transforms_of(links_[i], value).past(before_[i]);
-    while (++i < links_.size()) pose = transforms_[i].past(pose);
-    return of_tool(pose);
-  }
-
- private:
-  Eigen::Matrix4d of_tool(const Matrix& flange) const { return as_eigen(tool_ ? product(flange, *tool_) : flange); }
-  static bool moves(const DhLink&) { return true; }
-  static bool moves(const DescribedJoint& joint) { return joint.motion != DescribedJoint::Motion::none; }
-
-  const std::vector<Link>& links_;
-  std::optional<Matrix> tool_;
-  Eigen::Matrix4d pose_;
-  std::vector<Matrix> before_;  // the pose before each link
-  std::vector<Transforms> transforms_;
-  std::vector<std::size_t> link_of_joint_;
+struct Reached {
+  Eigen::Matrix4d pose;
+  Jacobian jacobian;
 };
 
-// Calls `use` with the arm by its table, or by its origins and axes if it is from a URDF file.
-template <class Use>
-auto with_arm(const Chain& chain, const Eigen::VectorXd& q, Use&& use) {
-  return use(Arm<DhLink>(pose_of(chain.base()), chain.links(), pose_of(chain.tool()), q));
+// `flange` is the frame after the last of the `joints`.
+Reached reached_with(const Matrix& flange, const std::vector<PlacedJoint>& joints) {
+  Reached reached{as_eigen(flange), Jacobian::Zero(6, static_cast<Eigen::Index>(joints.size()))};
+  const Eigen::Vector3d tool = column(flange, 3);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const auto& [joint, axis, origin, end] = joints[j];
+    auto rate = reached.jacobian.col(static_cast<Eigen::Index>(j));
+    rate.head<3>() = joint == Joint::slides ? axis : axis.cross((joint == Joint::coupled ? end : tool) - origin);
+    if (joint == Joint::turns) rate.tail<3>() = axis;
+  }
+  return reached;
 }
-template <class Use>
-auto with_arm(const Robot& robot, const Eigen::VectorXd& q, Use&& use) {
-  if (robot.description.empty()) return with_arm(robot.chain, q, use);
-  return use(Arm<DescribedJoint>(identity, robot.description, std::nullopt, q));
+
+// By the table.
+Reached reached_by(const Chain& chain, const Eigen::VectorXd& q) {
+  Matrix pose = pose_of(chain.base());
+  std::vector<PlacedJoint> joints;
+  for (const DhLink& link : chain.links()) {
+    const Matrix before = std::exchange(pose, past(link, q[static_cast<Eigen::Index>(joints.size())], pose));
+    joints.push_back(placed(link, before, pose));
+  }
+  return reached_with(product(pose, pose_of(chain.tool())), joints);
+}
+
+// By the origins and axes if the arm is from a URDF file.
+Reached reached_by(const Robot& robot, const Eigen::VectorXd& q) {
+  if (robot.description.empty()) return reached_by(robot.chain, q);
+  Matrix pose = identity;
+  std::vector<PlacedJoint> joints;
+  for (const DescribedJoint& joint : robot.description) {
+    pose = product(pose, pose_of(joint.origin));
+    if (joint.motion == DescribedJoint::Motion::none) continue;
+    const Eigen::Vector3d axis = as_eigen(pose).topLeftCorner<3, 3>() * joint.axis, origin = column(pose, 3);
+    const bool slides = joint.motion == DescribedJoint::Motion::slides;
+    joints.push_back({slides ? Joint::slides : Joint::turns, axis, origin, origin});
+    pose = product(pose, motion_of(joint, q[static_cast<Eigen::Index>(joints.size()) - 1]));
+  }
+  return reached_with(pose, joints);
 }
 
 double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
@@ -237,22 +223,14 @@ double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
 
 }  // namespace
 
-Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
-  return with_arm(arm, q, [](const auto& at) { return at.pose(); });
-}
+Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) { return reached_by(arm, q).pose; }
 
-Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
-  return with_arm(arm, q, [](const auto& at) { return at.pose(); });
-}
+Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) { return reached_by(arm, q).pose; }
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer) {
-  Eigen::Matrix4d reached;
-  const Eigen::VectorXd singular = with_arm(robot, answer, [&](const auto& at) {
-    reached = at.pose();
-    return singular_values(robot, answer, reached,
-                           [&](Eigen::Index j, double value) { return at.pose_with(j, value); });
-  });
+  const auto [reached, jacobian] = reached_by(robot, answer);
+  const Eigen::VectorXd singular = singular_values(jacobian);
   const Eigen::Matrix4d wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);

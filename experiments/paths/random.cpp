@@ -76,12 +76,9 @@ class SampledScores {
 // Demands a smallest singular value below its first percentile.
 Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
-    const auto pose_with = [&](Eigen::Index j, double value) {
-      Configuration moved = q;
-      moved[j] = value;
-      return arm.chain.forward(moved).matrix();
-    };
-    return -singular_values(arm, q, arm.chain.forward(q).matrix(), pose_with).minCoeff();
+    Jacobian jacobian(6, q.size());
+    arm.chain.pose_jacobian(q, jacobian);
+    return -singular_values(jacobian).minCoeff();
   };
   const std::vector<double>& scores = samples.of(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};
