@@ -132,16 +132,6 @@ printf 'studies = ["arm.toml", "second.toml"]\nstudy = 1\n' >unknown.toml
 refused 'study' run unknown.toml
 refused 'takes no --shard' run both.toml --shard 1/2
 refused 'takes no --perturb' run both.toml --perturb 1
-# README's example runs as it is written.
-sed -n '/^ikbench new my_ur5e/,/^studies/p' "$scripts/../../README.md" >readme.txt
-grep '^studies' readme.txt >my_collection.toml || fail "README has no list of studies"
-while read -r _ arguments; do # words without quotes
-  # shellcheck disable=SC2086
-  succeeds $arguments
-done < <(grep '^ikbench' readme.txt)
-succeeds run my_collection.toml --set runs=3 --set stop.evaluations=200 --no-figures
-has "$(<out/my_collection/report.md)" "Over 2 studies together"
-
 mkdir deeper && echo 'studies = ["../helix.toml", "../arm.toml"]' >deeper/beside.toml # beside the file, as an arm is
 succeeds run deeper/beside.toml --no-figures --out both
 [ "$(ls -A deeper)" = beside.toml ] || fail "something was written beside the collection"
