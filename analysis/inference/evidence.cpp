@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "analysis/inference/judge.hpp"
-#include "analysis/inference/margin.hpp"
 #include "analysis/inference/method.hpp"
 #include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/outcomes.hpp"
@@ -71,18 +70,14 @@ void compare_variances(Evidence& evidence, std::span<const GroupSummary> summari
   evidence.variance_ratio = ratio * ratio;
 }
 
-// Adds mean ranks; 1 is the best.
-void add_mean_ranks(Evidence& evidence, const Samples& ranked) {
-  const KruskalWallis test = kruskal_wallis(ranked);
-  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].mean_rank = test.mean_ranks[i];
+// Adds ranks; 1 is the best.
+void set_ranks(Evidence& evidence, const RankTest& test, double GroupEvidence::*rank) {
+  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].*rank = test.mean_ranks[i];
 }
 
-// Adds average ranks within blocks (1 is the best), with Nemenyi's critical difference.
-void add_average_ranks(Evidence& evidence, const Samples& ranked) {
-  const Friedman test = friedman(ranked);
-  for (std::size_t i = 0; i < test.average_ranks.size(); ++i) {
-    evidence.groups[i].average_rank = test.average_ranks[i];
-  }
+// Adds average ranks within blocks, with Nemenyi's critical difference.
+void add_average_ranks(Evidence& evidence, const RankTest& test) {
+  set_ranks(evidence, test, &GroupEvidence::average_rank);
   if (!test.undefined.empty()) return;
   const auto k = static_cast<double>(evidence.groups.size());
   const double q =
@@ -243,8 +238,9 @@ void make_tests(Evidence& result, const Observations& observations) {
   }
   Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
   if (result.from_summaries) groups.values = groups.ranked = {};
-  if (!result.of_outcomes && !result.from_summaries) add_mean_ranks(result, ranked);
-  if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, ranked);
+  if (!result.of_outcomes && !result.from_summaries)
+    set_ranks(result, kruskal_wallis(ranked), &GroupEvidence::mean_rank);
+  if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, friedman(ranked));
   if (!result.of_outcomes && !result.constant) add_tests(result, groups);
   add_contrasts(result, groups);
   name_groups(result);

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
-#include <vector>
 
 #include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
-#include <vector>
 
-#include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {

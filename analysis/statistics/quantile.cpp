@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 
@@ -55,8 +54,8 @@ std::vector<double> pooled(std::span<const std::vector<double>> groups) {
   return all;
 }
 
-KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
-  KruskalWallis test;
+RankTest kruskal_wallis(std::span<const std::vector<double>> groups) {
+  RankTest test;
   test.undefined = too_few_groups(groups.size());
   for (std::size_t i = 0; i < groups.size() && test.undefined.empty(); ++i) {
     if (groups[i].empty()) test.undefined = {i, "{} has no values"};
@@ -79,7 +78,7 @@ KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups) {
   test.statistic = between / (n * (n + 1) / 12 - ranking.tie_sum() / (12 * (n - 1)));  // by the variance of the ranks
   test.df = static_cast<double>(groups.size() - 1);
   test.p = chi_squared_upper_tail(test.statistic, test.df);
-  test.epsilon_squared = test.statistic / (n - 1);
+  test.effect = test.statistic / (n - 1);
   return test;
 }
 
@@ -88,17 +87,17 @@ namespace {
 constexpr double rounding_of_w = 1e-10;  // of W, which is built from sums of ranks
 
 // The chance that all blocks agree with the first: each of the other blocks - 1 takes one of k! / prod t! orders.
-double chance_of_agreement(const Friedman& test, double blocks) {
-  double log_ways = std::lgamma(static_cast<double>(test.average_ranks.size()) + 1);
-  for (const std::size_t tie : midranks(test.average_ranks).ties) log_ways -= std::lgamma(static_cast<double>(tie) + 1);
+double chance_of_agreement(const RankTest& test, double blocks) {
+  double log_ways = std::lgamma(static_cast<double>(test.mean_ranks.size()) + 1);
+  for (const std::size_t tie : midranks(test.mean_ranks).ties) log_ways -= std::lgamma(static_cast<double>(tie) + 1);
   return std::exp(-log_ways * (blocks - 1));
 }
 
 }  // namespace
 
-Friedman friedman(std::span<const std::vector<double>> groups) {
-  Friedman test;
-  test.average_ranks.assign(groups.size(), not_defined);
+RankTest friedman(std::span<const std::vector<double>> groups) {
+  RankTest test;
+  test.mean_ranks.assign(groups.size(), not_defined);
   for (std::size_t i = 1; i < groups.size(); ++i) {
     if (groups[i].size() == groups[0].size()) continue;
     test.undefined = {i, fmt::format("{{}} has {} values, and another group has {}; each needs one a block",
@@ -124,22 +123,22 @@ Friedman friedman(std::span<const std::vector<double>> groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) rank_sums[i] += ranking.ranks[i];
     tie_sum += ranking.tie_sum();
   }
-  for (std::size_t i = 0; i < groups.size(); ++i) test.average_ranks[i] = rank_sums[i] / n;
+  for (std::size_t i = 0; i < groups.size(); ++i) test.mean_ranks[i] = rank_sums[i] / n;
   if (test.undefined.empty() && tie_sum >= n * (k * k * k - k)) {
     test.undefined = "in every block all values are equal";
   }
   if (!test.undefined.empty()) return test;
   double between = 0;
-  for (const double rank : test.average_ranks) between += (rank - (k + 1) / 2) * (rank - (k + 1) / 2) / (k - 1);
+  for (const double rank : test.mean_ranks) between += (rank - (k + 1) / 2) * (rank - (k + 1) / 2) / (k - 1);
   // By the mean over blocks of the variance of a block's ranks.
-  test.kendall_w = std::min(1.0, between / (k * (k + 1) / 12 - tie_sum / (12 * n * (k - 1))));
+  test.effect = std::min(1.0, between / (k * (k + 1) / 12 - tie_sum / (12 * n * (k - 1))));
   test.df = k - 1;
   test.df_within = (k - 1) * (n - 1);
-  if (test.kendall_w >= 1 - rounding_of_w) {
+  if (test.effect >= 1 - rounding_of_w) {
     test.statistic = std::numeric_limits<double>::infinity();
     test.p = chance_of_agreement(test, n);  // Conover, Practical Nonparametric Statistics (1999), section 5.8
   } else {
-    test.statistic = (n - 1) * test.kendall_w / (1 - test.kendall_w);
+    test.statistic = (n - 1) * test.effect / (1 - test.effect);
     test.p = f_upper_tail(test.statistic, test.df, test.df_within);
   }
   return test;

@@ -26,29 +26,26 @@ Ranking midranks(std::span<const double> first, std::span<const double> second);
 // The values of all groups, one group after the other.
 std::vector<double> pooled(std::span<const std::vector<double>> groups);
 
+struct RankTest : Test {
+  double effect = not_defined;          // 0 to 1
+  std::vector<double> mean_ranks = {};  // by group
+};
+
 // Tests whether several groups come from one distribution. Kruskal and Wallis, JASA 47 (1952) 583, by the ranks of all
 // values together, corrected for ties.
 
-struct KruskalWallis : Test {            // the statistic is H
-  double epsilon_squared = not_defined;  // H / (n - 1), 0 to 1: the share of the ranks' spread that is between groups
-  std::vector<double> mean_ranks = {};   // by group
-};
-
-KruskalWallis kruskal_wallis(std::span<const std::vector<double>> groups);
+// The statistic is H; the effect is epsilon^2 = H / (n - 1), the share of the ranks' spread that is between groups.
+RankTest kruskal_wallis(std::span<const std::vector<double>> groups);
 
 // Tests whether several groups differ, each measured on the same blocks. Friedman, JASA 32 (1937) 675; the F of Iman
 // and Davenport, Communications in Statistics A9 (1980) 571; Kendall's W; and the critical difference of Demsar, JMLR 7
 // (2006) 1.
 
-// The statistic is F, infinite if all blocks agree; p is then the chance of that.
-struct Friedman : Test {
-  std::vector<double> average_ranks = {};  // by group, also for one block; 1 is a block's smallest value
-  double kendall_w = not_defined;          // 0 (blocks disagree) to 1 (all rank alike), corrected for ties
-};
-
-// One vector per group, one value per block. The smallest value of a block has rank 1; negate values if larger is
-// better.
-Friedman friedman(std::span<const std::vector<double>> groups);
+// The statistic is F, infinite if all blocks agree; p is then the chance of that. The effect is Kendall's W: 0 (blocks
+// disagree) to 1 (all rank alike), corrected for ties. Ranks are known for one block, too; 1 is a block's smallest
+// value. One vector per group, one value per block. The smallest value of a block has rank 1; negate values if larger
+// is better.
+RankTest friedman(std::span<const std::vector<double>> groups);
 
 // Average ranks that are further apart differ. q_alpha is the studentized range's quantile at infinite degrees of
 // freedom by sqrt 2 (Nemenyi). NaN if there are fewer than two groups or no blocks.

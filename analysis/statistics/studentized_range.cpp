@@ -103,23 +103,6 @@ double log_density_shape(double x) {
   return x - std::expm1(2 * x) / 2;
 }
 
-// The average of range_tail(q s) over s, the square root of chi-squared / df, summed over x = ln s.
-template <class RangeTail>
-double averaged(double q, double k, double df, RangeTail range_tail) {
-  if (q <= 0) return 1;
-  constexpr double as_good_as_infinite = 1e15;
-  if (df > as_good_as_infinite) return range_tail(q);
-  if (std::isinf(q)) return 0;
-  const double half = df / 2;
-  const double scale = df * boost::math::gamma_p_derivative(half, half);
-  const double step = std::min(0.16, 0.5 / (1 + std::log(k))) / std::sqrt(1 + 2 * df / 9);
-  const double start =
-      -std::log(std::hypot(1.0, q / std::sqrt(df) * boost::math::constants::one_div_root_two<double>()));
-  const double sum = sum_over_the_line(
-      start, step, [&](double x) { return std::exp(df * log_density_shape(x)) * range_tail(q * std::exp(x)); });
-  return std::min(1.0, scale * sum);
-}
-
 // Pieces of equal width in y, w = 4 sinh y: the tail of the range is the smoother the farther out.
 constexpr int pieces = 9;
 double piece_width() { return std::asinh(largest_range / 4) / pieces; }
@@ -171,7 +154,19 @@ double StudentizedRange::range_tail(double w) const {
 
 double StudentizedRange::upper_tail(double q, double df) const {
   if (!valid(k_, df) || std::isnan(q)) return not_defined;
-  return averaged(q, k_, df, [this](double w) { return range_tail(w); });
+  if (q <= 0) return 1;
+  constexpr double as_good_as_infinite = 1e15;
+  if (df > as_good_as_infinite) return range_tail(q);
+  if (std::isinf(q)) return 0;
+  // Averages range_tail(q s) over s, the square root of chi-squared / df, summed over x = ln s.
+  const double half = df / 2;
+  const double scale = df * boost::math::gamma_p_derivative(half, half);
+  const double step = std::min(0.16, 0.5 / (1 + std::log(k_))) / std::sqrt(1 + 2 * df / 9);
+  const double start =
+      -std::log(std::hypot(1.0, q / std::sqrt(df) * boost::math::constants::one_div_root_two<double>()));
+  const double sum = sum_over_the_line(
+      start, step, [&](double x) { return std::exp(df * log_density_shape(x)) * range_tail(q * std::exp(x)); });
+  return std::min(1.0, scale * sum);
 }
 
 double StudentizedRange::quantile(double p, double df) const {
@@ -195,12 +190,6 @@ double StudentizedRange::quantile(double p, double df) const {
       surprise, std::max(bound * boost::math::constants::root_two<double>(), 1e-6), 1.25, false,
       boost::math::tools::eps_tolerance<double>(48), evaluations);
   return (low + high) / 2;
-}
-
-double studentized_range_upper_tail(double q, double k, double df) {
-  if (!valid(k, df) || std::isnan(q)) return not_defined;
-  const NormalRange range(k);
-  return averaged(q, k, df, [&](double w) { return range.tail(w); });
 }
 
 }  // namespace ikbench::statistics

@@ -8,18 +8,14 @@
 
 namespace ikbench::statistics {
 
-// P(Q > q) of k groups, k a whole number from 2 to 1000, df from 1 to infinity; NaN outside. q <= 0 has the tail 1. It
-// is summed from positive terms, never as 1 - cdf, so small tails have their digits too: relative error below 1e-13 to
-// k = 200 and 1e-10 to k = 1000 down to tails of 1e-250 (against sums of half the step, the t distribution for k = 2
-// and a quadrature in thirty digits); below some 1e-265 it is 0. A twentieth to a few tenths of a millisecond.
-double studentized_range_upper_tail(double q, double k, double df);
-
-// The same for many calls with one k, and quantiles: the range of k normal variables is tabulated (some tenths of a
-// millisecond; to k = 6 once for all), after which a tail costs some microseconds. Relative error below 1e-10 to k =
-// 400, 3e-10 to k = 1000.
+// Tails and quantiles for k groups, k a whole number from 2 to 1000, and df from 1 to infinity. The range of k normal
+// variables is tabulated once (some tenths of a millisecond; to k = 6 once for all), after which a tail costs some
+// microseconds. Tails are summed from positive terms, never as 1 - cdf, so small ones have their digits too: relative
+// error below 1e-10 to k = 400 and 3e-10 to k = 1000 down to tails of 1e-250; below some 1e-265 they are 0.
 class StudentizedRange {
  public:
   explicit StudentizedRange(double k);
+  // P(Q > q); 1 for q <= 0, NaN for a k or df out of range.
   double upper_tail(double q, double df) const;
   // The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for 0 < p < 1e-9, which 1 - p does not resolve.
   double quantile(double p, double df) const;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"
 
@@ -59,12 +60,12 @@ Test welch_anova(std::span<const GroupSummary> groups) {
   return test;
 }
 
-PairedTest paired_t(std::span<const double> a, std::span<const double> b, double level) {
+MeanDifference paired_t(std::span<const double> a, std::span<const double> b, double level) {
   if (a.size() != b.size()) {
     throw std::invalid_argument(fmt::format("pairs of {} and {} values: expected equally many", a.size(), b.size()));
   }
   const GroupSummary summary = summarise(differences_without_rounding(a, b));
-  PairedTest test;
+  MeanDifference test;
   test.difference = mean_interval(summary, level);
   if (summary.n < 2) {
     test.undefined = "a group of fewer than two values has no spread";
@@ -77,9 +78,9 @@ PairedTest paired_t(std::span<const double> a, std::span<const double> b, double
     test.difference = {.value = summary.mean};
   }
   if (!test.undefined.empty()) return test;
-  test.statistic = summary.mean / (summary.std / std::sqrt(summary.n));
+  test.standard_error = summary.std / std::sqrt(summary.n);
   test.df = summary.n - 1;
-  test.p = 2 * t_upper_tail(std::abs(test.statistic), test.df);
+  test.p = test.p_alone = 2 * t_upper_tail(std::abs(summary.mean / test.standard_error), test.df);
   return test;
 }
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/multiple_comparisons.hpp"
 
 namespace ikbench::statistics {
 
@@ -12,12 +12,9 @@ namespace ikbench::statistics {
 // (1951) 330).
 Test welch_anova(std::span<const GroupSummary> groups);
 
-struct PairedTest : Test {   // the statistic is t
-  Estimate difference = {};  // mean of a_i - b_i, with its interval
-};
-
-// The pairs are in order; throws std::invalid_argument if the sizes differ, or `level` is not between 0 and 1.
-PairedTest paired_t(std::span<const double> a, std::span<const double> b, double level);
+// Student's test of the differences a_i - b_i; p is that of this pair alone. Throws std::invalid_argument if the sizes
+// differ, or `level` is not between 0 and 1.
+MeanDifference paired_t(std::span<const double> a, std::span<const double> b, double level);
 
 // The mean with Student's t interval; for a constant group its one value. Throws std::invalid_argument if `level` is
 // not between 0 and 1.

@@ -36,14 +36,9 @@ std::vector<Finding> paired(const Evidence& evidence, const Groups& groups) {
   const auto family = static_cast<double>(evidence.family());
   std::vector<MeanDifference> result;
   for (const Finding& contrast : evidence.contrasts) {
-    const PairedTest test =
-        paired_t(groups.values[contrast.first], groups.values[contrast.second], 1 - evidence.alpha());
-    result.push_back({.first = contrast.first,
-                      .second = contrast.second,
-                      .difference = test.difference,
-                      .p = std::isnan(test.p) ? test.p : std::min(1.0, family * test.p),
-                      .p_alone = test.p,
-                      .undefined = test.undefined});
+    MeanDifference& test = result.emplace_back(
+        paired_t(groups.values[contrast.first], groups.values[contrast.second], 1 - evidence.alpha()));
+    if (!std::isnan(test.p)) test.p = std::min(1.0, family * test.p);
   }
   return of_means(evidence, result);
 }

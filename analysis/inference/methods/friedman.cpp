@@ -27,8 +27,8 @@ std::vector<Finding> friedman_pairs(const Evidence& evidence, const Groups& grou
 }
 
 std::optional<TestResult> friedman_of_all(const Evidence&, const Groups& groups) {
-  const Friedman test = friedman(groups.ranked);
-  return TestResult{test, std::string(friedman_name), "F", Role::robust, "W", test.kendall_w};
+  const RankTest test = friedman(groups.ranked);
+  return TestResult{test, std::string(friedman_name), "F", Role::robust, "W", test.effect};
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ std::vector<Finding> kruskal_wallis_pairs(const Evidence& evidence, const Groups
 }
 
 std::optional<TestResult> kruskal_wallis_of_all(const Evidence&, const Groups& groups) {
-  const KruskalWallis test = kruskal_wallis(groups.ranked);
-  return TestResult{test, std::string(kruskal_wallis_name), "H", Role::robust, "epsilon^2", test.epsilon_squared};
+  const RankTest test = kruskal_wallis(groups.ranked);
+  return TestResult{test, std::string(kruskal_wallis_name), "H", Role::robust, "epsilon^2", test.effect};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_CASE("two values lie equally far from their median, so they have no spread 
 
 TEST_CASE("pairs of decimals that differ by the same have no spread", "[rounding]") {
   const Sample a{1.1, 2.2, 3.3, 14.7, 0.3}, b{1.2, 2.3, 3.4, 14.8, 0.4};
-  const PairedTest test = paired_t(a, b, 0.95);
+  const MeanDifference test = paired_t(a, b, 0.95);
   CHECK(says(test.undefined, "differ by the same"));
   CHECK(std::isnan(test.p));
   CHECK(test.difference.value == Approx(-0.1));
