@@ -12,10 +12,8 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "analysis/claims/printed.hpp"
 #include "analysis/claims/tables_of.hpp"

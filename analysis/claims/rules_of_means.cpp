@@ -13,7 +13,6 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/study_tables.hpp"
-#include "analysis/report/summary.hpp"
 #include "analysis/statistics/equal_variances.hpp"
 #include "analysis/statistics/quantile.hpp"
 

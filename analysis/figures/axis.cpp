@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {

@@ -7,8 +7,6 @@
 #include <array>
 #include <atomic>
 #include <boost/crc.hpp>
-#include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -19,7 +17,6 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/figures/dark.hpp"
 #include "analysis/figures/process.hpp"
 #include "analysis/figures/solver_styles.hpp"
 #include "analysis/inference/text.hpp"

@@ -8,7 +8,6 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/descriptive.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
 

@@ -7,7 +7,6 @@
 #include <cstddef>
 
 #include "analysis/figures/figure_parts.hpp"
-#include "analysis/inference/text.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::figures {

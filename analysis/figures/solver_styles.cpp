@@ -1,7 +1,6 @@
 #include "analysis/figures/solver_styles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/inference/text.hpp"
 #include "numerics/json.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/analysis_plan_fields.hpp"

@@ -7,8 +7,9 @@
 #include <compare>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <utility>
+
+#include "analysis/statistics/bootstrap.hpp"
 
 namespace ikbench::inference {
 

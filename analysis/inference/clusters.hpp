@@ -15,7 +15,6 @@
 #include "analysis/inference/finding.hpp"
 #include "analysis/inference/observations.hpp"
 #include "analysis/inference/study.hpp"
-#include "analysis/statistics/bootstrap.hpp"
 
 namespace ikbench::inference {
 

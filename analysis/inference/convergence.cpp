@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <string>
 #include <utility>
 
 #include "analysis/inference/study_facts.hpp"

@@ -3,7 +3,6 @@
 // 10.1007/s101070100263). Where a solve has no improvements stored, iteration i of n stands for i/n of what it cost.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>

@@ -10,8 +10,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"

@@ -3,10 +3,7 @@
 #pragma once
 
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "analysis/inference/observations.hpp"
 #include "analysis/inference/study.hpp"

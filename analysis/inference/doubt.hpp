@@ -2,7 +2,6 @@
 // decides by the value and never reads the words.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,5 @@
 #include "analysis/inference/judged_study.hpp"
 
-#include <utility>
-
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"

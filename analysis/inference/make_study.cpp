@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/study_facts.hpp"
 #include "numerics/json.hpp"
-#include "numerics/number.hpp"
 
 namespace ikbench::inference {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 
 #include "analysis/statistics/studentized_bootstrap.hpp"

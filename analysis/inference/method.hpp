@@ -2,17 +2,14 @@
 // how, and its source. The plan and the design choose the row, never the data.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
-#include "results/deciding_tests.hpp"
 
 namespace ikbench::inference {
 

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "analysis/inference/study.hpp"
 #include "numerics/names.hpp"

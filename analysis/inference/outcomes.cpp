@@ -4,13 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "analysis/inference/judge.hpp"
-#include "analysis/inference/margin.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/statistics/power.hpp"
-#include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {

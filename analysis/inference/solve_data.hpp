@@ -5,9 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
-#include <map>
-#include <optional>
 #include <set>
 #include <span>
 #include <string>

@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/descriptive.hpp"
 
 namespace ikbench::inference {
 

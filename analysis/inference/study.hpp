@@ -19,7 +19,6 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "results/analysis_plan.hpp"
-#include "results/figure_style.hpp"
 #include "results/record.hpp"
 
 namespace ikbench::inference {

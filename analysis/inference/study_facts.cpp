@@ -1,6 +1,5 @@
 #include "analysis/inference/study_facts.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "numerics/json.hpp"

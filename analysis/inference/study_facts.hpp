@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
-#include "results/same_solves.hpp"
 
 namespace ikbench::inference {
 

@@ -18,6 +18,7 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "numerics/json.hpp"
+#include "results/same_solves.hpp"
 
 namespace ikbench::inference {
 

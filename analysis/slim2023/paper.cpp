@@ -10,7 +10,6 @@
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/convergence.hpp"
 #include "analysis/inference/estimand.hpp"
-#include "analysis/inference/text.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
 #include "analysis/slim2023/paper_tables.hpp"

@@ -14,7 +14,6 @@
 #include "analysis/inference/study.hpp"
 #include "analysis/report/paper.hpp"
 #include "analysis/report/table.hpp"
-#include "analysis/statistics/bootstrap.hpp"
 
 namespace ikbench::slim2023 {
 
