@@ -70,10 +70,10 @@ struct UniverseCounts {
 
 struct ClaimCounts {
   MultiverseClaim claim;
-  UniverseCounts all;
-  std::vector<UniverseCounts> seeds;
+  UniverseCounts all = {};
+  std::vector<UniverseCounts> seeds = {};
   // By dimension and alternative; a dimension does not count universes that make no choice in it.
-  std::vector<std::vector<UniverseCounts>> alternatives;
+  std::vector<std::vector<UniverseCounts>> alternatives = {};
 
   // The dimension whose alternatives change the share that holds most; the number of dimensions if none changes it.
   std::size_t deciding() const;
