@@ -101,7 +101,12 @@ void end_rows(sqlite3_context* context) {
 
 void half_unit_of(sqlite3_context* context, int, sqlite3_value** values) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(values[0]));
-  if (text != nullptr) sqlite3_result_double(context, half_unit(text));
+  if (text == nullptr) return;
+  try {
+    sqlite3_result_double(context, half_unit(text));
+  } catch (const std::runtime_error& error) {  // SQLite passes no exception on
+    sqlite3_result_error(context, error.what(), -1);
+  }
 }
 
 void f_tail_of(sqlite3_context* context, int, sqlite3_value** values) {

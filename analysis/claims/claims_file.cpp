@@ -66,7 +66,10 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
   read_texts(reader, "reasons", entry.reasons);
   reader.refuse_unknown_keys();
   if (!is_snake_case(entry.id)) reader.fail("id", *reader.find("id"), "lower-case letters, digits and underscores");
-  if (rule_of(entry.rule) == nullptr) refuse(reader, unknown_name("rule of a claim", entry.rule, rule_names()));
+  const NamedRule* const rule = rule_named(entry.rule);
+  if (rule == nullptr) refuse(reader, unknown_name("rule of a claim", entry.rule, rule_names()));
+  if (rule->needs_metrics && entry.metrics.empty())
+    refuse(reader, fmt::format("the rule {} without metrics; expected one at least", entry.rule));
   if (!entry.universes.empty() && !can_be_counted(entry)) {
     reader.fail("universes", *reader.find("universes"),
                 "it only for a solver with one metric of error or variation, and the rule \"smallest\" or, with a "

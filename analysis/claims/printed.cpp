@@ -47,7 +47,10 @@ std::pair<std::string_view, std::string_view> parts_of(std::string_view printed)
   return {printed.substr(0, e), printed.substr(e)};
 }
 
-double parsed(std::string_view text) { return number_from(text).value(); }
+double parsed(std::string_view text) {
+  const std::optional<double> number = number_from(text);
+  return number ? *number : throw std::runtime_error(fmt::format("'{}' is no number", text));
+}
 
 }  // namespace
 
@@ -58,6 +61,7 @@ int decimals_of(std::string_view printed) {
 }
 
 double half_unit(std::string_view printed) {
+  parsed(printed);  // refuses other texts as they are
   return parsed(fmt::format("0.5e-{}", decimals_of(printed))) * parsed(fmt::format("1{}", parts_of(printed).second));
 }
 

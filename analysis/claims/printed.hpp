@@ -17,6 +17,7 @@
 
 namespace ikbench::claims {
 
+// The functions of printed digits throw std::runtime_error for a text that is no number.
 int decimals_of(std::string_view printed);  // digits after the point: 4 of "1.7824e-4"
 // Half a unit of the last printed digit: the possible rounding error of "1.7824e-4".
 double half_unit(std::string_view printed);

@@ -15,22 +15,22 @@ namespace {
 
 Claims none(const Case&) { return {}; }
 
-constexpr std::pair<std::string_view, Rule> rules[]{{"smallest", smallest},
-                                                    {"largest", largest},
-                                                    {"alike", alike},
-                                                    {"ranking", ranking},
-                                                    {"compromise", compromise},
-                                                    {"differ", differ},
-                                                    {"least_spread", least_spread},
-                                                    {"least_at_each_point", least_at_each_point},
-                                                    {"inside_limits", inside_limits},
-                                                    {"has_effect", has_effect},
-                                                    {"in_time", in_time},
-                                                    {"too_slow", too_slow},
-                                                    {"rounding_level", rounding_level},
-                                                    {"rate_as_printed", rate_as_printed},
-                                                    {"solves_more", solves_more},
-                                                    {"untested", none}};
+constexpr NamedRule rules[]{{"smallest", smallest},
+                            {"largest", largest},
+                            {"alike", alike},
+                            {"ranking", ranking},
+                            {"compromise", compromise},
+                            {"differ", differ},
+                            {"least_spread", least_spread},
+                            {"least_at_each_point", least_at_each_point},
+                            {"inside_limits", inside_limits, false},
+                            {"has_effect", has_effect},
+                            {"in_time", in_time, false},
+                            {"too_slow", too_slow, false},
+                            {"rounding_level", rounding_level, false},
+                            {"rate_as_printed", rate_as_printed, false},
+                            {"solves_more", solves_more, false},
+                            {"untested", none, false}};
 
 // A claim that no data here can decide.
 Claim untested(const Case& of) {
@@ -46,14 +46,14 @@ Claim untested(const Case& of) {
 
 }  // namespace
 
-Rule rule_of(std::string_view name) {
-  const auto* found = std::ranges::find(rules, name, &std::pair<std::string_view, Rule>::first);
-  return found == std::end(rules) ? nullptr : found->second;
+const NamedRule* rule_named(std::string_view name) {
+  const auto* found = std::ranges::find(rules, name, &NamedRule::name);
+  return found == std::end(rules) ? nullptr : found;
 }
 
 std::vector<std::string> rule_names() {
   std::vector<std::string> names;
-  for (const auto& [name, rule] : rules) names.emplace_back(name);
+  for (const NamedRule& each : rules) names.emplace_back(each.name);
   return names;
 }
 
@@ -61,7 +61,7 @@ Claims judged(const ClaimsFile& file, const Reported& reported) {
   Claims claims;
   for (const ClaimEntry& entry : file.entries) {
     const Case of{file, entry, reported};
-    Claims found = rule_of(entry.rule)(of);
+    Claims found = rule_named(entry.rule)->rule(of);
     const bool is_of_many = entry.sentence.find('{') != std::string::npos;
     if (found.empty() && of.is_of_means() && entry.by == Claimant::paper && !is_of_many) found.push_back(untested(of));
     std::ranges::move(found, std::back_inserter(claims));

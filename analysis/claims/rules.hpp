@@ -11,8 +11,13 @@ namespace ikbench::claims {
 
 // A rule returns no claim if the report has nothing to judge, and several if the sentence is about many: "{solver} on
 // the {arm}".
-using Rule = Claims (*)(const Case& of);
-Rule rule_of(std::string_view name);  // null if there is none of that name
+struct NamedRule {
+  std::string_view name;
+  Claims (*rule)(const Case& of);
+  bool needs_metrics = true;
+};
+
+const NamedRule* rule_named(std::string_view name);  // null if there is none of that name
 std::vector<std::string> rule_names();
 
 // The judged claims. For a study that is compared with the paper's means: all claims of the paper, untested ones

@@ -119,6 +119,9 @@ TEST_CASE("a mistake in an item is refused with its line", "[audit]") {
   refused(texts + "holds = \"rums = 20\"\n", "audit.toml:1:1: no such column: rums");
   refused(texts + "query = \"SELECT\"\n", "audit.toml:1:1: ");
   refused(texts, "audit.toml:1:1: an item without a query or holds");
+  refused(texts + "query = \"SELECT half_unit('ten') AS number\"\n", "audit.toml:1:1: 'ten' is no number");
+  refused("query = \"SELECT 1 AS number\"\nwhere = \"w\"\nprinted = \"ten\"\nfollows = \"f\"\nwhy = \"W.\"\n",
+          "audit.toml:1:1: 'ten' is no number");
   refused(texts + "query = \"SELECT 1 WHERE 0\"\n", "audit.toml:1:1: a query without a row");
   refused(texts + "query = \"SELECT 1\"\n", "audit.toml:1:1: no column {holds}");
   refused("holds = \"1\"\n", "audit.toml:1:1: an item without where");

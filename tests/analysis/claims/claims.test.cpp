@@ -399,7 +399,8 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
 
 namespace {
 
-const std::string good = "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"smallest\"\n";
+const std::string good = "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"inside_limits\"\n";
+const std::string of_metrics = "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"smallest\"\n";
 
 std::vector<ClaimEntry> entries(const std::string& text) {
   return read_claims("slim2023", text, "claims.toml").entries;
@@ -426,12 +427,13 @@ TEST_CASE("a mistake among the claims is refused with file and line", "[claims]"
   };
   refused(good + "metrics = [\"beauty\"]\n", ":6:", "\"position_error_cm\"");
   refused(good + "by = \"them\"\n", ":6:", "one of \"paper\", \"us\"");
-  const std::string of_one = good + "solver = \"A\"\nmetrics = [\"variation_deg\"]\n";
+  const std::string of_one = of_metrics + "solver = \"A\"\nmetrics = [\"variation_deg\"]\n";
   CHECK(entries(of_one + "universes = [\"mean\"]\n").front().universes.size() == 1);
   refused(of_one + "universes = [\"median\"]\n", ":8:", "\"mean\", \"typical\"");
   refused(of_one + "universes = [\"mean\"]\ndimension = \"A.k\"\n",
           ":8:", "the rule \"smallest\" or, with a dimension");
   refused(good + "universes = [\"mean\"]\n", ":6:", "a solver with one metric");
+  refused(of_metrics, ":1:", "the rule smallest without metrics; expected one at least");
   refused(good + "colour = \"red\"\n", ":6:", "unknown key \"colour\"");
   refused(good + "solver = \"\\u001b[2J\"\n", ":6:", "without control characters");
   refused(good + "section = \"" + std::string(201, 'x') + "\"\n", ":6:", "at most 200 bytes");
