@@ -149,14 +149,14 @@ std::string changes_between(const AnalysisPlan& before, const AnalysisPlan& afte
 
 Doubts plan_changes(const StudyEntry& entry, const std::vector<Session>& sessions, const SolvesOfSessions& solves) {
   const AnalysisPlan plan = plan_of(entry);
+  const double all = count_of(solves);
   Doubts doubts;
   for (const auto& [id, count] : solves) {
     const auto then = recorded_plan(sessions, id);
     const std::string changes = then ? changes_between(*then, plan) : "";
     if (changes.empty()) continue;
     auto same = std::ranges::find(doubts, changes, &Doubt::what);
-    if (same == doubts.end())
-      same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .of = count_of(solves), .what = changes});
+    if (same == doubts.end()) same = doubts.insert(same, {.kind = DoubtKind::plan_changed, .of = all, .what = changes});
     same->count += static_cast<double>(count);
   }
   const Doubts dropped = dropped_doubts(entry, sessions);

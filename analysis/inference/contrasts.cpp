@@ -21,6 +21,11 @@ using namespace statistics;
 
 namespace {
 
+// The values of both groups of a pair, described.
+std::pair<const Description&, const Description&> both_described(const Evidence& evidence, const Finding& pair) {
+  return {evidence.groups[pair.first].described, evidence.groups[pair.second].described};
+}
+
 // The group whose pairs are shown if not all pairs are.
 std::optional<std::size_t> reference_of(const Evidence& evidence) {
   const auto& groups = evidence.groups;
@@ -63,8 +68,8 @@ double in_family(const Evidence& evidence, double chance) {
 }
 
 double chance_of_unanimity(const Evidence& evidence, const Finding& contrast) {
-  return chance_of_unanimity(evidence, evidence.groups[contrast.first].described.n,
-                             evidence.groups[contrast.second].described.n);
+  const auto& [first, second] = both_described(evidence, contrast);
+  return chance_of_unanimity(evidence, first.n, second.n);
 }
 
 // Fewest observations per group (or blocks) of which the order alone shows a difference.
@@ -81,8 +86,7 @@ int ahead_by_means(const Evidence& evidence, double difference) {
 // Returns whether an exact test of order replaces the bootstrap: the groups do not overlap, or differ in one direction
 // in every block, and one group has a single value or the bootstrap has no spread to judge by.
 bool has_order(const Evidence& evidence, const Finding& contrast) {
-  const Description &first = evidence.groups[contrast.first].described,
-                    &second = evidence.groups[contrast.second].described;
+  const auto& [first, second] = both_described(evidence, contrast);
   if (!evidence.method->resamples) return false;
   if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
   const double ahead = contrast.superiority.value;
@@ -94,8 +98,8 @@ bool has_order(const Evidence& evidence, const Finding& contrast) {
 }  // namespace
 
 bool are_constants(const Evidence& evidence, const Finding& contrast) {
-  return !evidence.from_summaries && !evidence.of_outcomes && is_constant(evidence.groups[contrast.first].described) &&
-         is_constant(evidence.groups[contrast.second].described);
+  const auto& [first, second] = both_described(evidence, contrast);
+  return !evidence.from_summaries && !evidence.of_outcomes && is_constant(first) && is_constant(second);
 }
 
 bool has_known(const Evidence& evidence, const Finding& contrast) {
@@ -112,8 +116,8 @@ namespace {
 // Two-sided probability that two groups from one distribution do not overlap: by the sign test within blocks and
 // against a known value, else by Mann and Whitney's exact test.
 double chance_of_order(const Evidence& evidence, const Finding& contrast) {
-  const GroupEvidence &first = evidence.groups[contrast.first], &second = evidence.groups[contrast.second];
-  const int n = first.described.n, m = second.described.n;
+  const auto& [first, second] = both_described(evidence, contrast);
+  const int n = first.n, m = second.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
   if (has_known(evidence, contrast)) return 2 * std::exp2(-std::max(n, m));
   double chance = 2;
@@ -132,8 +136,7 @@ bool may_be_shares(const Evidence& evidence, double value) {
 
 // Returns whether every value of a group is the known value of the other.
 bool equals_known(const Evidence& evidence, const Finding& contrast) {
-  const Description &first = evidence.groups[contrast.first].described,
-                    &second = evidence.groups[contrast.second].described;
+  const auto& [first, second] = both_described(evidence, contrast);
   return has_known(evidence, contrast) && first.min == second.max && first.max == second.min;
 }
 
@@ -144,8 +147,7 @@ Relation relation_by_p(const Evidence& evidence, const Finding& contrast) {
 // Judges two groups with one value each. To find no difference takes as many values as to find one, and of what may be
 // shares as many as exclude failures beyond the margin.
 void judge_constants(const Evidence& evidence, Finding& contrast) {
-  const Description& first = evidence.groups[contrast.first].described;
-  const Description& second = evidence.groups[contrast.second].described;
+  const auto& [first, second] = both_described(evidence, contrast);
   const double difference = first.mean - second.mean;
   contrast.is_by_order = has_known(evidence, contrast);
   const double alone =

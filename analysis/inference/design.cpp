@@ -67,29 +67,24 @@ const Solve* solve_at(std::span<const Solve> solves, const Place& place) {
 
 namespace {
 
-// The places whose solves make one value.
-struct Block {
-  std::string name;  // "run 2, point 1"
-  std::vector<Place> places;
-};
-
-// The blocks of the runs that are complete for all solvers; empty for Blocks::none.
-std::vector<Block> layout(const StudyResults& study, Blocks blocks) {
-  std::map<Place, Block> by_place;  // with 0 for all runs or all points
-  if (blocks == Blocks::none) return {};
+// The places whose solves make one value, by block of the runs that are complete for all solvers. A block is a place
+// with 0 for all runs or all points. None for Blocks::none.
+std::map<Place, std::vector<Place>> layout(const StudyResults& study, Blocks blocks) {
+  std::map<Place, std::vector<Place>> result;
+  if (blocks == Blocks::none) return result;
   for (const int run : common_runs(study)) {
     for (int point = 1; point <= study.points; ++point) {
       const int of_run = blocks == Blocks::path_targets ? 0 : run, of_point = blocks == Blocks::runs ? 0 : point;
-      Block& block = by_place[{of_run, of_point}];
-      block.name = of_run == 0     ? fmt::format("point {}", point)
-                   : of_point == 0 ? fmt::format("run {}", run)
-                                   : fmt::format("run {}, point {}", run, point);
-      block.places.emplace_back(run, point);
+      result[{of_run, of_point}].emplace_back(run, point);
     }
   }
-  std::vector<Block> result;
-  for (auto& [place, block] : by_place) result.push_back(std::move(block));
   return result;
+}
+
+std::string block_name(const Place& block) {
+  const auto& [run, point] = block;
+  if (run == 0) return fmt::format("point {}", point);
+  return point == 0 ? fmt::format("run {}", run) : fmt::format("run {}, point {}", run, point);
 }
 
 // One observation in words. `average`: the average of several solves: "mean", "geometric mean", "share".
@@ -110,16 +105,16 @@ std::string block_of(Blocks blocks) {
 }
 
 void fill_blocks(Observations& result, const StudyResults& study, Blocks kind, const Quantity& quantity) {
-  const std::vector<Block> blocks = layout(study, kind);
+  const std::map<Place, std::vector<Place>> blocks = layout(study, kind);
   result.block = block_of(kind);
   result.block_noun = kind == Blocks::runs ? "runs" : "targets";
-  for (const Block& block : blocks) result.blocks.push_back(block.name);
+  for (const auto& [block, places] : blocks) result.blocks.push_back(block_name(block));
   for (const std::string& solver : study.solvers) {
     const std::span<const Solve> solves = solves_of(study, solver);
     Group group{.name = solver, .style = style_of(study, solver)};
-    for (const Block& block : blocks) {
+    for (const auto& [block, places] : blocks) {
       std::vector<const Solve*> run;
-      for (const Place& place : block.places) run.push_back(solve_at(solves, place));
+      for (const Place& place : places) run.push_back(solve_at(solves, place));
       group.values.push_back(quantity.value(run));
     }
     result.groups.push_back(std::move(group));
@@ -134,12 +129,10 @@ void fill_blocks(Observations& result, const StudyResults& study, Blocks kind, c
 // Only single solves show if the worst cases decide a mean.
 void add_decades(Observations& result, const StudyResults& study, Metric metric, Estimand estimand) {
   if (is_of_run(metric)) return;
-  if (estimand != Estimand::mean) {
-    for (Group& group : result.groups) group.decades = 0;
-    return;
-  }
   const ValueOf counted = counted_value(study, metric);
   for (Group& group : result.groups) {
+    group.decades = 0;
+    if (estimand != Estimand::mean) continue;
     std::vector<double> values;
     for (const Solve& solve : solves_of(study, group.name)) {
       const double value = counted(solve), least = info_of(metric).rounding;
@@ -185,17 +178,16 @@ void add_bits(Observations& result, const StudyResults& study, Metric metric) {
 // Takes a solver's runs or points. Tells of solvers that repeat themselves or lack points.
 void fill_samples(Observations& result, const StudyResults& study, const Quantity& quantity) {
   std::vector<std::string> repeating, incomplete;
-  for (Sample& sample : samples(study, quantity.value)) {
+  for (const Sample& sample : samples(study, quantity.value)) {
     const std::string name = one_line(sample.solver);
     if (sample.equal_runs > 0) repeating.push_back(fmt::format("{} ({} runs)", name, sample.equal_runs));
     if (sample.incomplete_runs > 0) {
       incomplete.push_back(
           fmt::format("{}: {} of its runs lack points and give no observation.", name, sample.incomplete_runs));
     }
-    const int copies = sample.values.size() == 1 ? sample.equal_runs : 0;
     result.groups.push_back({.name = sample.solver,
-                             .values = std::move(sample.values),
-                             .copies = copies,
+                             .values = sample.values,
+                             .copies = sample.values.size() == 1 ? sample.equal_runs : 0,
                              .style = style_of(study, sample.solver)});
   }
   if (!repeating.empty()) {

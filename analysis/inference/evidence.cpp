@@ -113,9 +113,8 @@ GroupEvidence describe_group(const Group& group, const AnalysisPlan& plan, bool 
   result.decades = std::isfinite(group.decades) ? group.decades : decades(group.values);
   const std::vector<double> ranked = ranked_values(group.values);
   const QuantileType type{plan.quartiles};
-  const double q1 = quantile(ranked, 0.25, type), q3 = quantile(ranked, 0.75, type);
-  result.q1 = q1;
-  result.q3 = q3;
+  result.q1 = quantile(ranked, 0.25, type);
+  result.q3 = quantile(ranked, 0.75, type);
   if (of_outcomes) {
     result.mean = wilson(successes_of(group.values), level);
   } else {
