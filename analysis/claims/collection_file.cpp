@@ -63,7 +63,8 @@ void add_claims(Paper& paper, ClaimsFile file) {
   if (!shared->means.empty()) {
     paper.printed = [shared](const StudyResults& study) { return printed_summaries(*shared, study); };
   }
-  if (claims_in_universes(*shared).empty()) return;
+  const auto is_of_universes = [](const ClaimEntry& entry) { return !entry.universes.empty(); };
+  if (std::ranges::none_of(shared->entries, is_of_universes)) return;
   paper.multiverse = [shared](const Multiverse& multiverse, const AnalysisPlan& plan) {
     return multiverse_report(*shared, multiverse, plan);
   };

@@ -11,12 +11,12 @@ namespace {
 
 static_assert(predicted_statistics == printed_statistics.size());
 
-// By solver and its choice, in one choice of the study.
+// What each choice of each solver explains, in one choice of the study.
 using ExplainedBySolver = std::vector<std::vector<Explained>>;
 // The numbers of universes by how many numbers they explain.
 using Tally = std::vector<double>;
 
-// Of the universes of one choice of the study or, with `own`, of those with that choice of that solver.
+// Counts the universes of one choice of the study or, with `own`, those with that choice of that solver.
 Tally tally_of(const ExplainedBySolver& solvers, std::size_t solver = 0, const Explained* own = nullptr) {
   Tally tally{1};
   for (std::size_t s = 0; s < solvers.size(); ++s) {

@@ -17,13 +17,13 @@ namespace ikbench::claims {
 constexpr std::array<inference::Metric, 2> explained_metrics{inference::Metric::position_error_cm,
                                                              inference::Metric::variation_deg};
 constexpr std::size_t numbers_of_solver = explained_metrics.size() * statistics::predicted_statistics;
-// By number of a solver: those of error, then those of variation.
+// Marks which numbers of a solver are explained: those of error, then those of variation.
 using Explained = std::bitset<numbers_of_solver>;
 
 // Values of all seeds.
 std::vector<double> pooled(const inference::Multiverse::ChosenSolver& own, inference::Metric metric);
 
-// What the paper prints of the solvers of a multiverse. A solver's results explain a printed number if, up to its
+// Holds what the paper prints of the solvers of a multiverse. A solver's results explain a printed number if, up to its
 // rounding, it lies in the range of 95 % of studies with as many runs.
 class PrintedSolvers {
  public:

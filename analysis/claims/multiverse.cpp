@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/claims/claim_counts.hpp"
 #include "analysis/claims/explained.hpp"
 #include "analysis/figures/specification_curve.hpp"
 #include "analysis/inference/text.hpp"
@@ -68,7 +69,7 @@ std::string words_of_dimension(const Multiverse::Dimension& dimension,
 
 ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
   const double all = counts.all.all();
-  ClaimShares shares{.id = counts.claim.id,
+  ClaimShares shares{.id = counts.id,
                      .holds = counts.all.holds / all,
                      .fails = counts.all.fails / all,
                      .undecided = counts.all.undecided / all};
@@ -77,7 +78,7 @@ ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
     shares.decided_by.push_back(multiverse.dimensions[d].open);
     words.push_back(words_of_dimension(multiverse.dimensions[d], counts.alternatives[d]));
   }
-  shares.sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided).", counts.claim.words,
+  shares.sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided).", counts.words,
                                 share_words(shares.holds), share_words(shares.fails), share_words(shares.undecided));
   if (!words.empty()) shares.sentence += fmt::format(" It depends most on {}.", fmt::join(words, "; on "));
   return shares;
@@ -104,9 +105,9 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
     const std::size_t deciding = counts.deciding();
     const bool is_decided = deciding < multiverse.dimensions.size();
     table.rows.push_back(
-        {counts.claim.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
+        {counts.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
          percent_cell(counts.all.undecided, weight), is_decided ? Cell(multiverse.dimensions[deciding].open) : Cell(),
-         is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts), counts.claim.id});
+         is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts), counts.id});
   }
   table.notes.push_back(fmt::format(
       "{} interpretations: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
@@ -135,7 +136,7 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
                   "How often each claim holds with each alternative [% of its interpretations], and how many printed "
                   "numbers these explain",
               .columns = {"alternative", "notes", "default"}};
-  for (const ClaimCounts& counts : all) table.columns.push_back(counts.claim.id);
+  for (const ClaimCounts& counts : all) table.columns.push_back(counts.id);
   if (support != nullptr) {
     table.columns.insert(table.columns.end(), {"explained_on_average", "explained_at_most", "of_the_best_percent"});
     table.notes.emplace_back(
@@ -336,23 +337,6 @@ Figure error_curve(const Multiverse& multiverse, const std::string& label) {
 
 }  // namespace
 
-std::vector<MultiverseClaim> claims_in_universes(const ClaimsFile& file) {
-  std::vector<MultiverseClaim> claims;
-  for (const ClaimEntry& entry : file.entries) {
-    for (const Estimand by : entry.universes) {
-      const bool is_typical = by == Estimand::typical;
-      claims.push_back({.id = entry.id + (is_typical ? "_typically" : ""),
-                        .words = entry.sentence + (is_typical ? " by geometric means" : ""),
-                        .solver = entry.solver,
-                        .rival = entry.against,
-                        .metric = entry.metrics.front(),
-                        .by = by,
-                        .effect_of = entry.dimension});
-    }
-  }
-  return claims;
-}
-
 MultiverseReport multiverse_report(const ClaimsFile& file, const Multiverse& multiverse, const AnalysisPlan& plan) {
   if (multiverse.studies.empty() || multiverse.seeds() == 0) {
     throw std::invalid_argument("no universe to report; expected the default first");
@@ -360,7 +344,7 @@ MultiverseReport multiverse_report(const ClaimsFile& file, const Multiverse& mul
   if (std::ranges::count(multiverse.solvers, file.solver) == 0) {
     throw std::invalid_argument(fmt::format("no universe has the solver {}", file.solver));
   }
-  std::vector<ClaimCounts> all = counted(multiverse, claims_in_universes(file), plan);
+  std::vector<ClaimCounts> all = counted(multiverse, file.entries, plan);
   std::erase_if(all, [](const ClaimCounts& counts) { return counts.all.all() == 0; });
   PrintedSolvers printed(file, multiverse);
   const int numbers = printed.numbers();

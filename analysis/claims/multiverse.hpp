@@ -7,9 +7,6 @@
 
 namespace ikbench::claims {
 
-// The claims that every universe judges.
-std::vector<inference::MultiverseClaim> claims_in_universes(const ClaimsFile& file);
-
 // Throws std::invalid_argument if there is no universe, or none has the paper's own solver.
 report::MultiverseReport multiverse_report(const ClaimsFile& file, const inference::Multiverse& multiverse,
                                            const results::AnalysisPlan& plan);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/claims/claim_counts.hpp"
 #include "analysis/claims/explained.hpp"
 #include "analysis/claims/multiverse.hpp"
 #include "analysis/report/report_content.hpp"
@@ -81,8 +82,8 @@ std::string verdict_words(const UniverseCounts& counts) {
 
 Verdicts verdicts_in(const ClaimsFile& file, const Multiverse& universe, const AnalysisPlan& plan) {
   Verdicts all;
-  for (const ClaimCounts& counts : counted(universe, claims_in_universes(file), plan)) {
-    if (counts.all.all() > 0) all.push_back(fmt::format("{} {}", counts.claim.id, verdict_words(counts.all)));
+  for (const ClaimCounts& counts : counted(universe, file.entries, plan)) {
+    if (counts.all.all() > 0) all.push_back(fmt::format("{} {}", counts.id, verdict_words(counts.all)));
   }
   return all;
 }

@@ -21,9 +21,9 @@ namespace ikbench::claims {
 int decimals_of(std::string_view printed);  // digits after the point: 4 of "1.7824e-4"
 // Half a unit of the last printed digit: the possible rounding error of "1.7824e-4".
 double half_unit(std::string_view printed);
-// Whether our number rounds to the printed digits, or may be `slack` off.
+// Returns whether our number rounds to the printed digits, or may be `slack` off.
 bool agrees(double ours, std::string_view printed, double slack = 0);
-// Whether a number of the range rounds to the printed digits.
+// Returns whether a number of the range rounds to the printed digits.
 bool can_be(double low, double high, std::string_view printed);
 
 // A table as printed; without rows if the paper has none of that name.

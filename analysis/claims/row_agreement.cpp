@@ -28,12 +28,12 @@ using namespace fmt::literals;
 
 namespace {
 
-// What a statistic of searches needs of a solve.
+// Holds what a statistic of searches needs of a solve.
 struct Search {
   double iterations, searches;
   bool is_found, is_outside, is_solved;  // the solver did not give up; outside the joint limits; the status is ok
 };
-// Of a record, or of the numbers that the analysis keeps.
+// Reads a record, or the numbers that the analysis keeps.
 template <class Solve>
 Search search_of(const Solve& solve, bool is_outside) {
   using enum StopReason;
@@ -100,7 +100,7 @@ constexpr SearchStatistic search_statistics[]{
          [](Searches all) { return 100 * count_of(all, &Search::is_solved, false) / static_cast<double>(all.size()); },
      .is_percentage = true}};
 
-// Those that the printed table has.
+// Finds those that the printed table has.
 std::vector<const SearchStatistic*> statistics_in(const CsvTable& printed) {
   std::vector<const SearchStatistic*> found;
   for (const SearchStatistic& statistic : search_statistics) {
@@ -135,8 +135,8 @@ Range range_of_chance(Searches all, const SearchStatistic& statistic) {
   return {ours + differences[outside], ours + differences[differences.size() - 1 - outside]};
 }
 
-// How a printed number agrees with ours, the nearest first; a row agrees like the farthest of its numbers. open: it
-// does not agree, and resamples say nothing of it.
+// Grades the agreement of a printed number with ours, the nearest first; a row agrees like the farthest of its numbers.
+// open: it does not agree, and resamples say nothing of it.
 enum class Agreed { digits, open, rounding, chance, outside, not_attempted };
 using Counts = std::map<Agreed, int>;
 

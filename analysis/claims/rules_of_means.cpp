@@ -38,7 +38,7 @@ struct RankedSolver {
   double mean;
 };
 
-// By their means, the smallest first; those that are not finite come last.
+// Sorts by mean, the smallest first; those that are not finite come last.
 std::vector<RankedSolver> ranked(std::vector<RankedSolver> solvers) {
   std::ranges::stable_sort(solvers, {}, [](const RankedSolver& each) {
     return std::isfinite(each.mean) ? each.mean : worse_than_every_number;
@@ -80,7 +80,7 @@ std::string title_of(const Evidence& evidence, Metric metric) {
   return title(metric) + (evidence.scale == ValueScale::log10 ? ", geometric mean" : "");
 }
 
-// What the numbers of a claim are, short.
+// Names the numbers of a claim, short.
 std::string_view average_of(const Evidence& evidence) {
   return evidence.scale == ValueScale::log10 ? "typical" : evidence.scale == ValueScale::share ? "share" : "mean";
 }

@@ -1,4 +1,4 @@
-#include "analysis/inference/multiverse.hpp"
+#include "analysis/claims/claim_counts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,25 @@
 #include "tests/catch.hpp"
 
 using namespace ikbench;
+using namespace ikbench::claims;
 using namespace ikbench::inference;
 using namespace ikbench::results;
 using namespace ikbench::statistics;
 
 namespace {
 
-const AnalysisPlan plan;
+const AnalysisPlan usual_plan;
+
+// "A is best", or better than a rival, or better by a dimension's default.
+ClaimEntry claim_of_a(const std::string& rival = "", const std::string& dimension = "") {
+  return {.id = "best",
+          .sentence = "A is best",
+          .solver = "A",
+          .against = rival,
+          .metrics = {Metric::position_error_cm},
+          .universes = {Estimand::mean},
+          .dimension = dimension};
+}
 
 std::vector<double> runs_around(double centre, std::mt19937_64& engine) {
   std::vector<double> values;
@@ -79,10 +91,10 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, Uni
             const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
                                                    summarise(c.error_cm[seed])};
             int better = 0, worse = 0, rivals = 0;
-            for (const MeanDifference& pair : games_howell(groups, 1 - plan.significance, 0)) {
+            for (const MeanDifference& pair : games_howell(groups, 1 - usual_plan.significance, 0)) {
               if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
               ++rivals;
-              if (pair.p < plan.significance) ++(pair.difference.value < 0 ? better : worse);
+              if (pair.p < usual_plan.significance) ++(pair.difference.value < 0 ? better : worse);
             }
             const double weight = study.weight / (2 * 4);
             const UniverseCounts one{.holds = better == rivals ? weight : 0,
@@ -113,8 +125,7 @@ TEST_CASE("claims counted by products are those counted universe by universe", "
     CAPTURE(rival);
     UniverseCounts all;
     ByAlternative expected = listed(multiverse, rival, all);
-    const ClaimCounts counts =
-        counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A", .rival = rival}}, plan).front();
+    const ClaimCounts counts = counted(multiverse, {claim_of_a(rival)}, usual_plan).front();
     CHECK(counts.all.all() == Approx(2));  // seeds
     CHECK(are_same(counts.all, all));
     // Some of every kind, or this shows little.
@@ -136,7 +147,7 @@ TEST_CASE("claims counted by products are those counted universe by universe", "
 
 TEST_CASE("the deciding dimension is that with the largest difference of shares", "[multiverse]") {
   const Multiverse multiverse = small_multiverse();
-  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
+  const ClaimCounts counts = counted(multiverse, {claim_of_a()}, usual_plan).front();
   const std::size_t deciding = counts.deciding();
   REQUIRE(deciding < multiverse.dimensions.size());
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
@@ -151,10 +162,8 @@ TEST_CASE("a setting has no effect where another alternative gives the bits of t
     study.solvers[0][1].error_cm = study.solvers[0][0].error_cm;
     study.solvers[0][1].variation_deg = study.solvers[0][0].variation_deg;
   }
-  const std::vector<MultiverseClaim> claims{
-      {.id = "a", .words = "k makes A better", .solver = "A", .effect_of = "A.k"},
-      {.id = "none", .words = "no such dimension", .solver = "A", .effect_of = "A.z"}};
-  std::vector<ClaimCounts> counts = counted(multiverse, claims, plan);
+  const std::vector<ClaimEntry> claims{claim_of_a("", "A.k"), claim_of_a("", "A.z")};  // there is no A.z
+  std::vector<ClaimCounts> counts = counted(multiverse, claims, usual_plan);
   CHECK(counts[0].all.fails == counts[0].all.all());
   CHECK(counts[0].all.all() == Approx(1));  // two seeds, and half of the universes have the default
   CHECK(counts[0].alternatives[2][0].all() == 0);
@@ -163,11 +172,11 @@ TEST_CASE("a setting has no effect where another alternative gives the bits of t
   // The last bit of one run: not the same, and not found to be better.
   double& value = multiverse.studies[3].solvers[0][1].error_cm[1].back();
   value = std::nextafter(value, 2 * value);
-  counts = counted(multiverse, claims, plan);
+  counts = counted(multiverse, claims, usual_plan);
   CHECK(counts[0].all.undecided == Approx(1.0 / 3 / 2));  // in half of one choice of the study, for one seed
   // Much better with the default.
   for (double& run : multiverse.studies[3].solvers[0][1].error_cm[1]) run *= 100;
-  counts = counted(multiverse, claims, plan);
+  counts = counted(multiverse, claims, usual_plan);
   CHECK(counts[0].all.holds == Approx(1.0 / 3 / 2));
 }
 
@@ -176,7 +185,7 @@ TEST_CASE("a mean that is no number is worse than one that is, in every universe
   for (Multiverse::OfStudy& study : multiverse.studies) {
     for (Multiverse::ChosenSolver& own : study.solvers[0]) own.error_cm[0].front() = own.error_cm[1].front() = INFINITY;
   }
-  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
+  const ClaimCounts counts = counted(multiverse, {claim_of_a()}, usual_plan).front();
   CHECK(counts.all.fails == counts.all.all());
 }
 
@@ -190,7 +199,7 @@ TEST_CASE("a detail that only one choice of the study has does not change what t
       .solvers = {"A", "B"},
       .studies = {{.chosen = {{0, 0}}, .weight = 0.5, .solvers = {{own(1)}, {own(9), own(8), own(7)}}},
                   {.chosen = {{0, 1}}, .weight = 0.5, .solvers = {{own(9)}, {own(1)}}}}};
-  const ClaimCounts counts = counted(multiverse, {{.id = "best", .words = "A is best", .solver = "A"}}, plan).front();
+  const ClaimCounts counts = counted(multiverse, {claim_of_a()}, usual_plan).front();
   CHECK(multiverse.universes() == 4);
   CHECK(counts.all.holds == Approx(0.5));
   CHECK(counts.all.fails == Approx(0.5));
@@ -201,15 +210,14 @@ TEST_CASE("a detail that only one choice of the study has does not change what t
 TEST_CASE("pairs are judged at the level of the study's plan, and with a control only against it", "[multiverse]") {
   const Multiverse multiverse = small_multiverse();
   const auto decided = [&](const AnalysisPlan& of, const std::string& rival) {
-    const std::vector<MultiverseClaim> claims{{.id = "best", .words = "A is best", .solver = "A", .rival = rival}};
-    const UniverseCounts all = counted(multiverse, claims, of).front().all;
+    const UniverseCounts all = counted(multiverse, {claim_of_a(rival)}, of).front().all;
     return all.holds + all.fails;
   };
   AnalysisPlan strict, controlled;
   strict.significance = 0.001;
   controlled.control = "B";
-  CHECK(decided(strict, "B") < decided(plan, "B"));
-  CHECK(decided(controlled, "B") == decided(plan, "B"));
+  CHECK(decided(strict, "B") < decided(usual_plan, "B"));
+  CHECK(decided(controlled, "B") == decided(usual_plan, "B"));
   CHECK(decided(controlled, "C") == 0);
-  CHECK(decided(plan, "C") > 0);
+  CHECK(decided(usual_plan, "C") > 0);
 }

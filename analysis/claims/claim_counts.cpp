@@ -1,0 +1,199 @@
+#include "analysis/claims/claim_counts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "analysis/inference/judge.hpp"
+#include "analysis/statistics/descriptive.hpp"
+#include "analysis/statistics/multiple_comparisons.hpp"
+#include "analysis/statistics/studentized_range.hpp"
+
+namespace ikbench::claims {
+
+using namespace results;
+using namespace statistics;
+using namespace inference;
+
+namespace {
+
+using ChosenSolver = Multiverse::ChosenSolver;
+
+// Relation of the first to the second by Games and Howell's test; smaller is better.
+Relation relation_between(const GroupSummary& first, const GroupSummary& second, const StudentizedRange& range,
+                          double significance) {
+  const bool is_number = std::isfinite(first.mean), other_is_number = std::isfinite(second.mean);
+  if (is_number != other_is_number) return is_number ? Relation::better : Relation::worse;
+  const MeanDifference pair = tamhane(std::array{first, second}, 1 - significance).front();
+  const double p = range.upper_tail(pair.q, pair.df);
+  return std::isnan(p) ? Relation::undecided : relation_of(-sign_of(pair.difference.value), p, significance);
+}
+
+// Summarises the runs' means or, for typical, their logarithms; values below rounding count as rounding.
+GroupSummary summary_of(const ChosenSolver& own, std::size_t seed, Metric metric, Estimand by) {
+  std::vector<double> values = values_of(own, metric)[seed];
+  if (by == Estimand::mean) return summarise(values);
+  for (double& value : values) value = std::log10(std::max(value, info_of(metric).rounding));
+  return summarise(values);
+}
+
+// Counts a rival's choices: all, those that the solver is better than, and those that it is worse than.
+struct RivalCounts {
+  double all = 0, better = 0, worse = 0;
+  void operator+=(Relation answer) {
+    all += 1;
+    better += answer == Relation::better ? 1 : 0;
+    worse += answer == Relation::worse ? 1 : 0;
+  }
+};
+
+// Counts universes as products over rivals; each universe has the weight `weight`.
+UniverseCounts product_of(const std::vector<RivalCounts>& rivals, double weight) {
+  double all = 1, better = 1, not_worse = 1;
+  for (const RivalCounts& each : rivals) {
+    all *= each.all;
+    better *= each.better;
+    not_worse *= each.all - each.worse;
+  }
+  return {.holds = weight * better, .fails = weight * (all - not_worse), .undecided = weight * (not_worse - better)};
+}
+
+// Counts a claim in all universes of one choice of the study and one of the solver. `relation_to` is its relation to a
+// choice of a rival.
+template <class RelationTo>
+void add_universes(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed, std::size_t solver,
+                   const ChosenSolver& own, RelationTo relation_to) {
+  const double weight = study.weight / study.universes();  // of a universe
+  std::vector<RivalCounts> rivals(study.solvers.size(), {.all = 1, .better = 1});
+  std::vector<std::map<std::pair<std::size_t, std::size_t>, RivalCounts>> by_alternative(rivals.size());
+  for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
+    if (rival == solver) continue;
+    rivals[rival] = {};
+    for (const ChosenSolver& theirs : study.solvers[rival]) {
+      const Relation relation = relation_to(rival, theirs);
+      rivals[rival] += relation;
+      for (const auto& [dimension, alternative] : theirs.chosen)
+        by_alternative[rival][{dimension, alternative}] += relation;
+    }
+  }
+  const UniverseCounts counts = product_of(rivals, weight);
+  into.all += counts;
+  into.seeds[seed] += counts;
+  for (const auto* chosen : {&study.chosen, &own.chosen}) {
+    for (const auto& [dimension, alternative] : *chosen) into.alternatives[dimension][alternative] += counts;
+  }
+  for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
+    std::vector<RivalCounts> restricted = rivals;
+    for (const auto& [choice, against] : by_alternative[rival]) {
+      restricted[rival] = against;
+      into.alternatives[choice.first][choice.second] += product_of(restricted, weight);
+    }
+  }
+}
+
+// Index of a name; the number of names if it is missing.
+std::size_t index_of(const std::vector<std::string>& names, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+// Finds the choice that equals `own` but has the dimension's default; null if there is none, or `own` has the default.
+const ChosenSolver* twin_of(const std::vector<ChosenSolver>& all, const ChosenSolver& own, std::size_t dimension) {
+  Chosen wanted = own.chosen;
+  const auto found = std::ranges::find(wanted, dimension, &Choice::dimension);
+  if (found == wanted.end() || found->alternative == 0) return nullptr;
+  found->alternative = 0;
+  const auto twin = std::ranges::find(all, wanted, &ChosenSolver::chosen);
+  return twin == all.end() ? nullptr : &*twin;
+}
+
+bool has_same_bits(const ChosenSolver& one, const ChosenSolver& other, std::size_t seed) {
+  return one.error_cm[seed] == other.error_cm[seed] && one.variation_deg[seed] == other.variation_deg[seed];
+}
+
+void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand by, const AnalysisPlan& plan,
+                 ClaimCounts& counts) {
+  const std::vector<std::string>& solvers = multiverse.solvers;
+  const std::size_t solver = index_of(solvers, claim.solver), only_rival = index_of(solvers, claim.against);
+  const bool has_rival = !claim.against.empty(), is_of_effect = !claim.dimension.empty();
+  const auto dimension = std::ranges::find(multiverse.dimensions, claim.dimension, &Dimension::name);
+  if (solver == solvers.size() || (has_rival && only_rival == solvers.size())) return;
+  if (is_of_effect && dimension == multiverse.dimensions.end()) return;
+  const StudentizedRange range(static_cast<double>(solvers.size()));
+  const auto relation = [&](const GroupSummary& first, const GroupSummary& second) {
+    return relation_between(first, second, range, plan.significance);
+  };
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
+      std::map<const ChosenSolver*, GroupSummary> summaries;
+      for (const std::vector<ChosenSolver>& of_solver : study.solvers) {
+        for (const ChosenSolver& each : of_solver) summaries[&each] = summary_of(each, seed, claim.metrics.front(), by);
+      }
+      for (const ChosenSolver& own : study.solvers[solver]) {
+        if (!is_of_effect) {
+          add_universes(counts, study, seed, solver, own, [&](std::size_t rival, const ChosenSolver& theirs) {
+            if (has_rival && rival != only_rival) return Relation::better;
+            // With a control, the plan compares only pairs with it.
+            const bool is_compared =
+                plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
+            return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
+          });
+          continue;
+        }
+        const auto place = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
+        const ChosenSolver* const twin = twin_of(study.solvers[solver], own, place);
+        if (twin == nullptr) continue;
+        const Relation of_default =
+            has_same_bits(*twin, own, seed) ? Relation::worse : relation(summaries.at(twin), summaries.at(&own));
+        add_universes(counts, study, seed, solver, own, [&](std::size_t, const ChosenSolver&) { return of_default; });
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void UniverseCounts::operator+=(const UniverseCounts& more) {
+  holds += more.holds;
+  fails += more.fails;
+  undecided += more.undecided;
+}
+
+double ClaimCounts::difference(std::size_t dimension) const {
+  double least = 1, most = 0;
+  for (const UniverseCounts& each : alternatives[dimension]) {
+    if (each.all() == 0) continue;
+    least = std::min(least, each.holds / each.all());
+    most = std::max(most, each.holds / each.all());
+  }
+  return std::max(0.0, most - least);
+}
+
+std::size_t ClaimCounts::deciding() const {
+  std::size_t most = alternatives.size();
+  for (std::size_t d = 0; d < alternatives.size(); ++d) {
+    if (difference(d) > (most == alternatives.size() ? 0 : difference(most))) most = d;
+  }
+  return most;
+}
+
+std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<ClaimEntry>& entries,
+                                 const AnalysisPlan& plan) {
+  std::vector<ClaimCounts> all;
+  for (const ClaimEntry& entry : entries) {
+    for (const Estimand by : entry.universes) {
+      const bool is_typical = by == Estimand::typical;
+      ClaimCounts& counts =
+          all.emplace_back(ClaimCounts{.id = entry.id + (is_typical ? "_typically" : ""),
+                                       .words = entry.sentence + (is_typical ? " by geometric means" : "")});
+      counts.seeds.resize(multiverse.seeds());
+      for (const Dimension& each : multiverse.dimensions) counts.alternatives.emplace_back(each.alternatives.size());
+      count_claim(multiverse, entry, by, plan, counts);
+    }
+  }
+  return all;
+}
+
+}  // namespace ikbench::claims
