@@ -66,6 +66,26 @@ void add_marks(Figure& figure, std::vector<std::string>& clauses, std::span<cons
 
 }  // namespace
 
+Box box(std::span<const double> values, QuantileType type) {
+  Box result;
+  result.n = static_cast<int>(values.size());
+  std::vector<double> ranked = ranked_values(values);
+  result.q1 = quantile(ranked, 0.25, type);
+  result.median = quantile(ranked, 0.5, type);
+  result.q3 = quantile(ranked, 0.75, type);
+  result.not_finite = static_cast<int>(std::erase_if(ranked, [](double value) { return !std::isfinite(value); }));
+  if (!std::isfinite(result.q1) || !std::isfinite(result.q3)) return result;
+  const double reach = 1.5 * (result.q3 - result.q1);
+  result.whisker_low = result.q1;  // used if no value lies between the fence and the box
+  result.whisker_high = result.q3;
+  for (const double value : ranked) {
+    if (value < result.q1 - reach || value > result.q3 + reach) continue;
+    result.whisker_low = std::min(result.whisker_low, value);
+    result.whisker_high = std::max(result.whisker_high, value);
+  }
+  return result;
+}
+
 // Of a row, the box is above the middle, the values are below it, and marks lowest. The boxes are block 0 of the data;
 // the values of row 1, 2, ... are block 1, 2, ...
 Figure box_figure(const Observations& observations, QuantileType quartiles, const std::string& name,

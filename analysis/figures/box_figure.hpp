@@ -1,6 +1,7 @@
 // Box plots with the values of groups, a row each.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,19 @@
 #include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::figures {
+
+// The numbers of a box plot: quartiles, and whiskers to the last value within 1.5 box heights.
+struct Box {
+  int n = 0;
+  int not_finite = 0;  // counted and ranked, but not drawable
+  double q1 = statistics::not_defined;
+  double median = statistics::not_defined;
+  double q3 = statistics::not_defined;
+  double whisker_low = statistics::not_defined;
+  double whisker_high = statistics::not_defined;
+};
+
+Box box(std::span<const double> values, statistics::QuantileType type);
 
 // Numbers of a group from elsewhere, drawn in grey below its values.
 struct Mark {

@@ -1,4 +1,4 @@
-// Sample quantiles: the nine definitions of Hyndman and Fan, The American Statistician 50 (1996) 361, and box plots.
+// Sample quantiles: the nine definitions of Hyndman and Fan, The American Statistician 50 (1996) 361.
 #pragma once
 
 #include <limits>
@@ -23,19 +23,6 @@ double quantile(std::span<const double> sorted, double p, QuantileType type);
 // The number of decades that nine tenths of the values span: log10 of the 95 % quantile by the 5 % quantile. Not
 // defined if either is not positive or not finite.
 double decades(std::span<const double> values);
-
-// The numbers of a box plot: quartiles, and whiskers to the last value within 1.5 box heights.
-struct Box {
-  int n = 0;
-  int not_finite = 0;  // counted and ranked, but not drawable
-  double q1 = std::numeric_limits<double>::quiet_NaN();
-  double median = std::numeric_limits<double>::quiet_NaN();
-  double q3 = std::numeric_limits<double>::quiet_NaN();
-  double whisker_low = std::numeric_limits<double>::quiet_NaN();
-  double whisker_high = std::numeric_limits<double>::quiet_NaN();
-};
-
-Box box(std::span<const double> values, QuantileType type);
 
 // An interval of the median that holds for any distribution: two order statistics, by the binomial of one half
 // (Thompson, Annals of Mathematical Statistics 7 (1936) 122).

@@ -93,6 +93,28 @@ TEST_CASE("the figures of the paper have stable names, in the paper's order", "[
                                           "figure-10", "figure-11", "figure-12"});
 }
 
+TEST_CASE("whiskers end at the last value within 1.5 box heights", "[figure]") {
+  // Type 5 of 1..8 and 20: n p = 2.25 + 0.5, so q1 = 2.75, q3 = 7.25; fences -4 and 14.
+  const Box b = box(std::vector<double>{8, 7, 6, 5, 4, 3, 2, 1, 20}, QuantileType::type_5);
+  CHECK(b.q1 == 2.75);
+  CHECK(b.median == 5);
+  CHECK(b.q3 == 7.25);
+  CHECK(b.whisker_low == 1);
+  CHECK(b.whisker_high == 8);
+}
+
+TEST_CASE("a box with too many values that are not finite has no whiskers", "[figure]") {
+  const Box b = box(std::vector<double>{1, 2, NAN, NAN}, QuantileType::type_5);
+  CHECK(b.not_finite == 2);
+  CHECK(std::isnan(b.whisker_low));
+  CHECK(std::isnan(b.whisker_high));
+  const Box few = box(std::vector<double>{-HUGE_VAL, 1, 2, 3, 4, 5, 6, 7, HUGE_VAL}, QuantileType::type_7);
+  CHECK(few.not_finite == 2);
+  CHECK(few.q1 == 2);  // the third of nine
+  CHECK(few.whisker_low == 1);
+  CHECK(few.whisker_high == 7);
+}
+
 TEST_CASE("every figure is drawn as SVG, PDF and PNG, without a screen", "[figure]") {
   const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.runs = 3}));
