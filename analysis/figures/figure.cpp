@@ -73,7 +73,7 @@ void name_program_in_svg(std::string& svg, const std::string& program) {
   if (const std::size_t end = svg.find("</desc>"); end != std::string::npos) svg.insert(end, "for " + program);
 }
 
-// As a chunk of text, after the header, which has 13 bytes (https://www.w3.org/TR/png/#11tEXt).
+// Adds a chunk of text after the header, which has 13 bytes (https://www.w3.org/TR/png/#11tEXt).
 void name_program_in_png(std::string& png, const std::string& program) {
   constexpr std::size_t end_of_header = 8 + 4 + 4 + 13 + 4;
   if (png.size() < end_of_header) return;  // not a picture
@@ -88,20 +88,9 @@ void name_program_in_png(std::string& png, const std::string& program) {
   png.insert(end_of_header, number(static_cast<std::uint32_t>(text.size())) + chunk + number(sum.checksum()));
 }
 
-// Adds similar fonts: gnuplot names only one, and machines without it would show other letters.
-void name_similar_fonts(std::string& svg) {
-  constexpr std::string_view one = "font-family=\"Liberation Sans\"",
-                             several = "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"";
-  for (std::size_t at = svg.find(one); at != std::string::npos; at = svg.find(one, at + several.size())) {
-    svg.replace(at, one.size(), several);
-  }
-}
-
-// Makes it well-formed: gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text.
-void escape_ends_of_sections(std::string& svg) {
-  for (std::size_t at = svg.find("]]>"); at != std::string::npos; at = svg.find("]]>", at)) {
-    svg.replace(at, 3, "]]&gt;");
-  }
+void replace_all(std::string& text, std::string_view old, std::string_view by) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
+    text.replace(at, old.size(), by);
 }
 
 // Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
@@ -128,8 +117,11 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
     if (type == Picture::png && !options.program.empty()) name_program_in_png(*picture, options.program);
     if (type == Picture::svg) {
       if (!options.program.empty()) name_program_in_svg(*picture, options.program);
-      name_similar_fonts(*picture);
-      escape_ends_of_sections(*picture);
+      // gnuplot names only one font, and machines without it would show other letters.
+      replace_all(*picture, "font-family=\"Liberation Sans\"",
+                  "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
+      replace_all(*picture, "]]>",
+                  "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
     }
     write_file(place, *picture);
   }

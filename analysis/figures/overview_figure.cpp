@@ -49,7 +49,7 @@ std::vector<OverviewMark> beside(const std::vector<OverviewMark>& ours, const st
 
 constexpr std::size_t most_named = 12;
 constexpr double largest_size = 1.6, smallest_size = 0.4;
-// Around the axes.
+// Margins around the axes.
 constexpr double left_cm = 1.5, right_cm = 0.3, bottom_cm = 1.05, top_cm = 0.3;
 
 struct Disc {

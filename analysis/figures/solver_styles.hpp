@@ -1,5 +1,5 @@
-// Which line style of style.gp a solver has: its colour in every figure, and a line type that tells it from others of
-// that colour.
+// Chooses the line style of style.gp that a solver has: its colour in every figure, and a line type that tells it from
+// others of that colour.
 #pragma once
 
 #include <map>

@@ -22,23 +22,20 @@ constexpr std::size_t fewest_clusters = 10;
 constexpr std::size_t most_clusters = 1000;
 constexpr Resampling resampling{.resamples = 1000};
 
-// Numbers from 0 in the order in which the study's solves first have each of them.
-std::vector<std::uint32_t> in_order(std::vector<std::uint32_t> numbers) {
+// Numbers the study's solves by `key_of`, from 0 in the order in which they first have each key.
+template <class KeyOf>
+std::vector<std::uint32_t> numbered(const StudyResults& study, KeyOf key_of) {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> known(numbers.empty() ? 0 : std::size_t{std::ranges::max(numbers)} + 1, none);
+  std::vector<std::uint32_t> known, result;
   std::uint32_t count = 0;
-  for (std::uint32_t& number : numbers) {
-    if (known[number] == none) known[number] = count++;
-    number = known[number];
-  }
-  return numbers;
-}
-
-std::vector<std::uint32_t> run_numbers(const StudyResults& study) {
-  std::vector<std::uint32_t> result;
   result.reserve(study.solves.size());
-  for (const Solve& solve : study.solves) result.push_back(static_cast<std::uint32_t>(solve.run));
-  return in_order(std::move(result));
+  for (const Solve& solve : study.solves) {
+    const std::size_t key = key_of(solve);
+    if (key >= known.size()) known.resize(key + 1, none);
+    if (known[key] == none) known[key] = count++;
+    result.push_back(known[key]);
+  }
+  return result;
 }
 
 // Orders whatever numbers a target has, NaN too.
@@ -62,10 +59,7 @@ std::vector<std::uint32_t> target_numbers(const StudyResults& study) {
     const bool is_same = i > 0 && !is_less(problems[order[i - 1]], problems[order[i]]);
     target[order[i]] = is_same ? target[order[i - 1]] : order[i];
   }
-  std::vector<std::uint32_t> result;
-  result.reserve(study.solves.size());
-  for (const Solve& solve : study.solves) result.push_back(target[solve.problem]);
-  return in_order(std::move(result));
+  return numbered(study, [&](const Solve& solve) { return target[solve.problem]; });
 }
 
 Trials trials_of(const StudyResults& study) {
@@ -86,7 +80,7 @@ Clusters::Clusters(const StudyResults& study, const Clusters* other) : study_(st
   };
   of_solve_ = target_numbers(study);
   are_runs_ = is_chained(study) || count_of(of_solve_) == 1;
-  if (are_runs_) of_solve_ = run_numbers(study);
+  if (are_runs_) of_solve_ = numbered(study, [](const Solve& solve) { return static_cast<std::uint32_t>(solve.run); });
   const std::size_t count = count_of(of_solve_);
   drawn_at_once_ = std::min(count, most_clusters);
   for (std::uint32_t& cluster : of_solve_) cluster %= most_clusters;

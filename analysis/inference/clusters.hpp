@@ -43,7 +43,7 @@ class Clusters {
   std::string_view noun() const;  // "runs"
 
   double level() const;  // of intervals, as the plan of the study has it
-  // Whether the clusters are runs, and those of the solver copies of one.
+  // Returns whether the clusters are runs, and those of the solver are copies of one.
   bool are_copies(std::size_t solver) const;
 
   // A statistic with the expanded_percentiles of its replicates.

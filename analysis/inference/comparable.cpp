@@ -214,7 +214,7 @@ std::set<std::string> machines_of(std::span<const Session> sessions) {
 
 namespace {
 
-// What all solves of a solver took; not defined unless the suite counted its evaluations.
+// Sums what all solves of a solver took; not defined unless the suite counted its evaluations.
 struct Effort {
   double evaluations = 0, iterations = 0, solves = 0;
   double limited = 0;  // number of solves that the limit of iterations ended

@@ -34,8 +34,8 @@ Doubts times_doubts(const StudyResults& study);
 Doubts cpu_doubts(const std::set<std::string>& cpus);
 // Doubts of programs whose time is mostly that of their messages, or a share of a batch.
 Doubts program_doubts(const StudyResults& study);
-// Whether all solvers have the same effort, a gradient method is among them or in a companion, and the targets are more
-// than one.
+// Doubts that the comparison is fair: solvers differ in effort, no gradient method is among them or in a companion, or
+// there is one target only.
 Doubts fairness_doubts(const StudyResults& study, const JudgedStudies& companions = {});
 constexpr std::string_view times_not_judged = "times are not comparable";
 

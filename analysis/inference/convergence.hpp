@@ -24,13 +24,13 @@ double total_cost(const StudyResults& study, const Solve& solve, Metric cost);
 using Solves = std::vector<const Solve*>;
 std::vector<Solves> solves_by_solver(const StudyResults& study);  // in the order of study.solvers
 
-// Whether solves of a run depend on each other, as where each starts at the answer of the one before, or may do so.
+// Returns whether solves of a run may depend on each other: each may start at the answer of the one before.
 bool is_chained(const StudyResults& study);
 
-// Whether it is known how the solve went: it has a trace, or it ended before its first iteration.
+// Returns whether it is known how the solve went: it has a trace, or it ended before its first iteration.
 bool has_trace(const Solve& solve);
 const std::vector<double>& trace_cm(const Solve& solve);  // empty where it has none
-// Those whose course is known, and of poses those with a course or a trace.
+// Returns the solves whose course is known; of poses those with improvements or a trace.
 std::vector<Solves> traced_by_solver(const StudyResults& study);
 
 // The best error of a solve after so many evaluations.

@@ -1,5 +1,5 @@
-// What solvers spend until a solve succeeds, by expected running times, and who is ahead before the end, by shares of
-// targets reached within parts of the evaluation budget. Both are estimands with intervals over clusters
+// Computes what solvers spend until a solve succeeds, by expected running times, and who is ahead before the end, by
+// shares of targets reached within parts of the evaluation budget. Both are estimands with intervals over clusters
 // (clusters.hpp). The plan's test judges the final results.
 #pragma once
 

@@ -37,7 +37,8 @@ std::vector<int> common_runs(const StudyResults& study) {
   return runs;
 }
 
-// A foreign store may be wrong.
+// Returns whether the solvers had the same targets and, unless a run is a block, the same starts. A foreign store may
+// be wrong.
 bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   const std::vector<const Solve*> places = places_of(study);
   return std::ranges::all_of(study.solvers, [&](const std::string& solver) {

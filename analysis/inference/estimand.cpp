@@ -29,13 +29,13 @@ double tolerance_of(const StudyResults& study, Metric metric) {
   return std::isfinite(cm) && std::isfinite(deg) ? deg : not_defined;
 }
 
+namespace {
+
 // Errors below this are equal: the tolerance, or else rounding; not defined without either.
 double least_of(const StudyResults& study, Metric metric) {
   const double tolerance = tolerance_of(study, metric), rounding = info_of(metric).rounding;
   return std::isfinite(tolerance) || !is_error(metric) || rounding == 0 ? tolerance : rounding;
 }
-
-namespace {
 
 // The most that the study lets a solve cost; not defined if it does not say.
 double limit_of(const StudyResults& study, Metric metric) {
@@ -58,14 +58,6 @@ double most_of(const StudyResults& study, Metric metric, const ValueOf& counted)
   return most;
 }
 
-// The counted cost; of a solve that is not ok `penalty` times the most.
-ValueOf penalised(ValueOf counted, Metric metric, double most) {
-  return [counted = std::move(counted), metric, most](const Solve& solve) {
-    const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
-    return is_ok(solve) || !is_known ? counted(solve) : penalty * most;
-  };
-}
-
 // Penalises solves that are not ok, so that no solver gains by answers that solve nothing.
 ValueOf penalise(Observations& result, const StudyResults& study, Metric metric, ValueOf counted) {
   const MetricInfo& info = info_of(metric);
@@ -80,7 +72,10 @@ ValueOf penalise(Observations& result, const StudyResults& study, Metric metric,
       std::isfinite(limit_of(study, metric)) ? fmt::format("the study's limit of {}", value)
       : most > 0 ? fmt::format("what the dearest solve of all solvers cost, {}, because the study has no limit", value)
                  : fmt::format("1{}{}, because the study has no limit and no solve cost anything", space, info.unit)));
-  return penalised(std::move(counted), metric, most > 0 ? most : 1);
+  return [counted = std::move(counted), metric, failure = penalty * (most > 0 ? most : 1)](const Solve& solve) {
+    const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
+    return is_ok(solve) || !is_known ? counted(solve) : failure;
+  };
 }
 
 // The value of a whole run.

@@ -14,7 +14,7 @@ namespace ikbench::inference {
 
 constexpr double penalty = 10;
 
-// What observations by an estimand are, and how a run becomes one.
+// Describes observations by an estimand, and turns a run into one.
 struct Quantity {
   Observations described;        // name, quantity, unit, better, scale and counting, without groups
   std::string average = "mean";  // average of an observation's solves, in words

@@ -43,7 +43,7 @@ class StudyMaker {
 
 StudyResults make_study(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,
                         const std::vector<results::Session>& sessions = {});
-// Without a definition (a CSV of solves). Orders solvers by their first solve.
+// Makes a study without a definition (a CSV of solves). Orders solvers by their first solve.
 StudyResults make_study(std::string name, std::vector<results::SolveRecord> solves);
 // Reads all solves of the study from the store.
 StudyResults read_study(const results::Store& store, const results::StudyEntry& entry);

@@ -34,7 +34,7 @@ namespace {
 using Index = std::uint32_t;  // counts cells, since a text has at most max_csv_bytes
 static_assert(max_csv_bytes < std::numeric_limits<Index>::max());
 
-// Without blanks at both ends.
+// Cuts the blanks at both ends.
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t";
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
@@ -155,7 +155,7 @@ class CsvFile {
     return shortened(fmt::format("{}", fmt::join(titles, ", ")), longest_list);
   }
 
-  // Without folders, as one line.
+  // Returns the name without folders, as one line.
   std::string file_name() const { return one_line(std::string_view(source_).substr(source_.rfind('/') + 1)); }
 
   [[noreturn]] void refuse(std::string_view what) const {

@@ -192,7 +192,9 @@ double average_in(const Description& of, Metric metric) {
 std::vector<SolverCounts> counts(const StudyResults& study) {
   std::vector<SolverCounts> result;
   for (const std::string& solver : study.solvers) {
-    SolverCounts count{.solver = solver, .expected = std::int64_t{study.runs} * study.points};
+    SolverCounts count{.solver = solver,
+                       .expected = std::int64_t{study.runs} * study.points,
+                       .worst_outside_deg = solver_facts(study, solver).worst_outside_deg};
     for (const std::span<const Solve> run : runs_of(study, solver)) {
       ++(complete(run, study) ? count.complete_runs : count.incomplete_runs);
       for (const Solve& solve : run) {
@@ -200,7 +202,6 @@ std::vector<SolverCounts> counts(const StudyResults& study) {
         ++count.by_status[static_cast<std::size_t>(solve.status)];
         ++count.by_timing[static_cast<std::size_t>(solve.timing)];
         if (solve.is_outside_limits) ++count.outside_limits;
-        count.worst_outside_deg = study.solve_data->of_solver[solve.solver].worst_outside_deg;
       }
     }
     result.push_back(count);

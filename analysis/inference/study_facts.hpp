@@ -22,7 +22,7 @@ struct SweptEntry {
   std::map<std::string, std::string> settings;
 };
 
-// How `ikbench tune` chose the settings of an entry.
+// Describes how `ikbench tune` chose the settings of an entry.
 struct TunedEntry {
   std::string by;  // the quantity
   double candidates = not_defined, seed = not_defined;

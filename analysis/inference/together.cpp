@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "analysis/inference/comparable.hpp"
@@ -27,17 +28,12 @@ std::vector<const Group*> groups_named(const std::vector<OfStudy>& all, const st
   return groups;
 }
 
-// Copies of a run are as many runs as they are.
-double value_of_run(const Group& group, std::size_t run) { return group.values[group.copies > 0 ? 0 : run]; }
-
-std::size_t runs_of_group(const Group& group) {
-  return group.copies > 0 && !group.values.empty() ? std::numeric_limits<std::size_t>::max() : group.values.size();
-}
-
-// The number of runs that every study has of the group.
+// The number of runs that every study has of the group; copies of a run are as many runs as they are.
 std::size_t common_runs_of(const std::vector<const Group*>& groups) {
   std::size_t runs = std::numeric_limits<std::size_t>::max();
-  for (const Group* group : groups) runs = std::min(runs, runs_of_group(*group));
+  for (const Group* group : groups) {
+    if (group->copies == 0 || group->values.empty()) runs = std::min(runs, group->values.size());
+  }
   return runs;
 }
 
@@ -50,18 +46,9 @@ void add_means_of_runs(Group& result, const std::vector<const Group*>& groups) {
   }
   for (std::size_t run = 0; run < runs; ++run) {
     std::vector<double> values;
-    for (const Group* group : groups) values.push_back(value_of_run(*group, run));
+    for (const Group* group : groups) values.push_back(group->values[group->copies > 0 ? 0 : run]);
     result.values.push_back(mean(values));
   }
-}
-
-void add_means_of_studies(Group& result, const std::vector<const Group*>& groups) {
-  for (const Group* group : groups) result.values.push_back(mean(group->values));
-}
-
-void add_values_of_blocks(Group& result, const std::vector<const Group*>& groups) {
-  for (const Group* group : groups)
-    result.values.insert(result.values.end(), group->values.begin(), group->values.end());
 }
 
 // Groups have the same bits if they have them in every study.
@@ -163,12 +150,16 @@ Observations together(std::vector<OfStudy> all, bool are_seeds) {
       const auto widest = std::ranges::max_element(
           groups, {}, [](const Group* each) { return std::isnan(each->decades) ? -1 : each->decades; });
       group.decades = (*widest)->decades;
-      if (are_seeds)
-        add_means_of_studies(group, groups);
-      else if (have_blocks)
-        add_values_of_blocks(group, groups);
-      else
+      if (!are_seeds && !have_blocks) {
         add_means_of_runs(group, groups);
+      } else {
+        for (const Group* each : groups) {
+          if (are_seeds)
+            group.values.push_back(mean(each->values));
+          else
+            std::ranges::copy(each->values, std::back_inserter(group.values));
+        }
+      }
       result.groups.push_back(std::move(group));
     }
   }

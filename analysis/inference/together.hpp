@@ -26,7 +26,7 @@ Observations together(std::vector<OfStudy> all, bool are_seeds = false);
 // "together-".
 Observations together(const JudgedStudies& studies, Metric metric, results::Estimand estimand, bool are_seeds = false);
 
-// What is judged over all studies: the metrics and estimands that each of them judges, the deciding one first.
+// Names what is judged over all studies: the metrics and estimands that each of them judges, the deciding one first.
 struct Judged {
   Metric metric;
   results::Estimand estimand;

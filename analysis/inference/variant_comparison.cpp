@@ -21,21 +21,17 @@ using namespace statistics;
 
 namespace {
 
-// Metrics if none is named: for poses the orientation error too.
-std::vector<Metric> by_default(std::span<const VariantStudy> studies) {
-  std::vector<Metric> result = compared_metrics();
-  const auto is_of_poses = [](const VariantStudy& of) { return of.study.facts.pose; };
-  if (std::ranges::any_of(studies, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
-  return result;
-}
-
-// The named metrics, in the order given, each once.
-std::vector<Metric> chosen(std::span<const std::string> names) {
+// The named metrics, in the order given, each once; if none is named, for poses the orientation error too.
+std::vector<Metric> asked_metrics(std::span<const std::string> names, std::span<const VariantStudy> studies) {
   std::vector<Metric> result;
   for (const std::string& name : names) {
     const Metric metric = metric_named(name);
     if (std::ranges::find(result, metric) == result.end()) result.push_back(metric);
   }
+  if (!result.empty()) return result;
+  result = compared_metrics();
+  const auto is_of_poses = [](const VariantStudy& of) { return of.study.facts.pose; };
+  if (std::ranges::any_of(studies, is_of_poses)) result.insert(result.begin() + 1, Metric::orientation_error_deg);
   return result;
 }
 
@@ -142,16 +138,12 @@ std::vector<VariantStudy> first_runs(std::span<const VariantStudy> all, int runs
   return result;
 }
 
-// A fact of the first runs does not settle later ones.
-bool is_settled(const MetricComparison& metric) {
-  return metric.is_compared() && !metric.finding().is_fact && !is_open(metric);
-}
-
-// Keeps what an earlier look decided.
+// Keeps what an earlier look decided. A fact of the first runs does not settle later ones.
 void keep_settled(std::vector<VariantComparison>& now, const std::vector<VariantComparison>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     for (std::size_t m = 0; m < before[i].metrics.size(); ++m) {
-      if (is_settled(before[i].metrics[m])) now[i].metrics[m] = before[i].metrics[m];
+      const MetricComparison& metric = before[i].metrics[m];
+      if (metric.is_compared() && !metric.finding().is_fact && !is_open(metric)) now[i].metrics[m] = metric;
     }
   }
 }
@@ -172,7 +164,7 @@ bool is_open(const MetricComparison& metric) {
 
 std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> studies,
                                                 std::span<const std::string> metrics, const LevelOf& level_of) {
-  const std::vector<Metric> asked = metrics.empty() ? by_default(studies) : chosen(metrics);
+  const std::vector<Metric> asked = asked_metrics(metrics, studies);
   std::vector<VariantComparison> result;
   std::vector<Open> open;
   for (const VariantStudy& of : studies) {

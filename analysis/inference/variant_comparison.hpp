@@ -18,7 +18,7 @@ struct MetricComparison {
   Metric metric;
   results::Estimand estimand = results::Estimand::mean;
   Observations observed = {};
-  // Of A, the first group, and B, as a report has it; but p is not corrected, and the two differ if it is below the
+  // Judges A, the first group, and B as a report does; but p is not corrected, and the two differ if it is below the
   // plan's significance, which is the level of this metric. Without findings if the two are not compared.
   Evidence evidence = {};
   bool is_counted = true;    // false: nobody counted the evaluations; the comparison does not fail for it

@@ -89,7 +89,7 @@ std::vector<double> mean_trace(const Solves& traced) {
   }
 }
 
-// Nothing without a trace.
+// Returns nothing without a trace.
 std::optional<Figure> iterations_figure(const StudyResults& all_solvers) {
   const StudyResults study = drawn_part(all_solvers);
   Figure figure{.name = "figure-18",

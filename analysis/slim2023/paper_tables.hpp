@@ -56,7 +56,7 @@ std::string words_of(const Agreement& agreement);
 std::vector<Agreement> agreements(const inference::StudyResults& study,
                                   std::span<const report::RepeatedSolver> repetitions);
 
-// How many would agree if everything were as in the paper.
+// The number that would agree if everything were as in the paper.
 double expected_to_agree(const std::vector<Agreement>& agreements);
 // The number of agreements in our range, and the ratios of the other means; empty if there are none.
 std::string agreement_sentence(const std::vector<Agreement>& agreements);

@@ -13,7 +13,7 @@
 
 namespace ikbench::statistics {
 
-// Why a number is not defined; empty if it is. In the reason of a group "{}" stands for the group.
+// Says why a number is not defined; empty if it is. In the reason of a group "{}" stands for the group.
 struct Reason : std::string {
   Reason() = default;
   Reason(std::string words) : std::string(std::move(words)) {}

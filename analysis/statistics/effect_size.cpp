@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "analysis/statistics/tails.hpp"
@@ -10,48 +11,34 @@
 namespace ikbench::statistics {
 namespace {
 
-struct Dominance {
-  double delta = 0;
-  double variance = 0;
-};
-
 // For each value of a, the share of values of b below it less the share above it; and the share of tied pairs (one of
-// a, one of b).
-struct Dominances {
+// a, one of b). Requires sorted samples.
+std::pair<std::vector<double>, double> dominances(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> rows;
-  double tied = 0;
-};
-
-// Requires sorted samples.
-Dominances dominances(const std::vector<double>& a, const std::vector<double>& b) {
-  Dominances result;
-  result.rows.reserve(a.size());
   const auto m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
   auto first = b.begin(), last = b.begin();  // the values of b that equal a value of a
   double ties = 0;
   for (const double value : a) {
     while (first != b.end() && *first < value) ++first;
     while (last != b.end() && !(value < *last)) ++last;
-    result.rows.push_back(static_cast<double>((first - b.begin()) - (b.end() - last)) / n);
+    rows.push_back(static_cast<double>((first - b.begin()) - (b.end() - last)) / n);
     ties += static_cast<double>(last - first);
   }
-  result.tied = ties / (m * n);
-  return result;
+  return {rows, ties / (m * n)};
 }
 
-Dominance dominance(std::span<const double> a, std::span<const double> b) {
+// Returns delta and its variance by Cliff (1993), the consistent estimate:
+// ((n - 1) s_row^2 + (m - 1) s_column^2 + s_pair^2) / (m n).
+std::pair<double, double> dominance(std::span<const double> a, std::span<const double> b) {
   std::vector<double> sorted_a(a.begin(), a.end()), sorted_b(b.begin(), b.end());
   std::ranges::sort(sorted_a);
   std::ranges::sort(sorted_b);
   const auto [rows, tied] = dominances(sorted_a, sorted_b);
-  const std::vector<double> columns = dominances(sorted_b, sorted_a).rows;
-  const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
-  Dominance result{.delta = mean(rows)};
-  const double pairs = (1 - tied - result.delta * result.delta) * m * n;  // sum of (d_ij - delta)^2
-  // Cliff (1993), the consistent estimate: ((n - 1) s_row^2 + (m - 1) s_column^2 + s_pair^2) / (m n).
-  result.variance = (n - 1) / (m - 1) * sum_of_squares(rows) + (m - 1) / (n - 1) * sum_of_squares(columns);
-  result.variance = (result.variance + std::max(0.0, pairs) / ((m - 1) * (n - 1))) / (m * n);
-  return result;
+  const std::vector<double> columns = dominances(sorted_b, sorted_a).first;
+  const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size()), delta = mean(rows);
+  const double pairs = (1 - tied - delta * delta) * m * n;  // sum of (d_ij - delta)^2
+  const double of_means = (n - 1) / (m - 1) * sum_of_squares(rows) + (m - 1) / (n - 1) * sum_of_squares(columns);
+  return {delta, (of_means + std::max(0.0, pairs) / ((m - 1) * (n - 1))) / (m * n)};
 }
 
 double finite(double value) { return std::isfinite(value) ? value : not_defined; }

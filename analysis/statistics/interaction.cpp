@@ -37,7 +37,7 @@ double product(const Row& first, const Row& second) {
   return sum;
 }
 
-// Of the covariance matrix of the cells' means, projected on interactions.
+// Describes the covariance matrix of the cells' means, projected on interactions.
 struct Spread {
   double trace = 0, trace_of_square = 0, df_within = 0;
 };

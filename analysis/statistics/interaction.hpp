@@ -1,7 +1,7 @@
-// Does the effect of one factor depend on the other? F of the interaction in a table of two factors, every combination
-// observed. Degrees of freedom are lessened for variances that differ (Box, Annals of Mathematical Statistics 25 (1954)
-// 290; Brunner, Dette and Munk, J. American Statistical Association 92 (1997) 1494); within blocks also for
-// correlations (Greenhouse and Geisser, Psychometrika 24 (1959) 95).
+// Tests whether the effect of one factor depends on the other: F of the interaction in a table of two factors, every
+// combination observed. Degrees of freedom are lessened for variances that differ (Box, Annals of Mathematical
+// Statistics 25 (1954) 290; Brunner, Dette and Munk, J. American Statistical Association 92 (1997) 1494); within blocks
+// also for correlations (Greenhouse and Geisser, Psychometrika 24 (1959) 95).
 #pragma once
 
 #include <cstddef>

@@ -35,7 +35,8 @@ Test mann_whitney(std::span<const double> first, std::span<const double> second)
 // The distribution of U if samples of n1 and n2 values do not differ; `ranking` is of all their values.
 RankDistribution distribution_of_u(std::size_t n1, std::size_t n2, const Ranking& ranking);
 
-// Is a value of one sample as often below as above one of the other, whatever their spreads? Brunner and Munzel,
+// Tests whether a value of one sample is as often below as above one of the other, whatever their spreads. Brunner and
+// Munzel,
 // Biometrical J. 42 (2000) 17.
 
 // The statistic is positive if `first` is the larger, and infinite if no two values overlap. Then no variance is left

@@ -40,31 +40,22 @@ std::string too_many(std::size_t groups) {
   return groups > 1000 ? fmt::format("{} groups: the studentized range is computed for 1000 at most", groups) : "";
 }
 
-struct StudentizedResult {
-  double q, p, p_alone;
-  double reach;  // of the interval, in standard errors
-};
-
-void settle(MeanDifference& pair, const StudentizedResult& found) {
-  pair.q = found.q;
-  pair.p = found.p;
-  pair.p_alone = found.p_alone;
-  const double reach = found.reach * pair.standard_error;
-  const double low = pair.difference.value - reach, high = pair.difference.value + reach;
-  pair.difference.low = low;
-  pair.difference.high = high;
+// Adds the interval of a pair with q and p; `reach` is in standard errors.
+void add_interval(MeanDifference& pair, double reach) {
+  auto& [value, low, high] = pair.difference;
+  low = value - reach * pair.standard_error;
+  high = value + reach * pair.standard_error;
   if (std::isfinite(pair.q) && std::isfinite(pair.p) && std::isfinite(low) && std::isfinite(high)) return;
-  pair.q = pair.p = pair.p_alone = pair.difference.low = pair.difference.high = not_defined;
+  pair.q = pair.p = pair.p_alone = low = high = not_defined;
   pair.undefined = "the difference or its spread is too large for double precision";
 }
 
 // Computes q, p and interval of a pair whose standard error and df are known.
 void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
-  const double q = std::abs(pair.difference.value) / pair.standard_error * root_two;
-  settle(pair, {.q = q,
-                .p = range.upper_tail(q, pair.df),
-                .p_alone = 2 * t_upper_tail(q / root_two, pair.df),
-                .reach = critical / root_two});
+  pair.q = std::abs(pair.difference.value) / pair.standard_error * root_two;
+  pair.p = range.upper_tail(pair.q, pair.df);
+  pair.p_alone = 2 * t_upper_tail(pair.q / root_two, pair.df);
+  add_interval(pair, critical / root_two);
 }
 
 // Pairs with the standard errors and degrees of freedom of Welch's test, if these are defined.
@@ -159,11 +150,10 @@ std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double
   for (MeanDifference& pair : pairs) {
     if (!pair.undefined.empty()) continue;
     const double t = std::abs(pair.difference.value) / pair.standard_error;
-    const double p = 2 * t_upper_tail(t, pair.df);
-    settle(pair, {.q = t * root_two,
-                  .p = -std::expm1(comparisons * std::log1p(-p)),
-                  .p_alone = p,
-                  .reach = -t_quantile(tail, pair.df)});
+    pair.q = t * root_two;
+    pair.p_alone = 2 * t_upper_tail(t, pair.df);
+    pair.p = -std::expm1(comparisons * std::log1p(-pair.p_alone));
+    add_interval(pair, -t_quantile(tail, pair.df));
   }
   return pairs;
 }

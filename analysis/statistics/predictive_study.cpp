@@ -24,33 +24,21 @@ double tail_slope(std::span<const double> outwards) {
   return sum / static_cast<double>(tail);
 }
 
-class NextValues {
- public:
-  NextValues(std::vector<double> sorted_logs, std::size_t runs) : known_(std::move(sorted_logs)), runs_(runs) {
-    above_ = tail_slope(known_);
-    below_ = tail_slope(std::vector<double>(known_.rbegin(), known_.rend()));
+// Draws the values of a future study from the sorted logarithms of those that are known.
+std::vector<double> next_study(std::vector<double> known, std::size_t runs, double slope_below, double slope_above,
+                               Draws& draws) {
+  std::vector<double> study;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t gap = draws.below(known.size() + 1);
+    const double u = open_uniform(draws);
+    const double value = gap == 0              ? known.front() + slope_below * std::log(u)
+                         : gap == known.size() ? known.back() - slope_above * std::log(u)
+                                               : known[gap - 1] + u * (known[gap] - known[gap - 1]);
+    known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
+    study.push_back(std::exp(value));
   }
-
-  // Draws the values of one future study.
-  std::vector<double> draw_study(Draws& draws) const {
-    std::vector<double> known = known_, study;
-    for (std::size_t run = 0; run < runs_; ++run) {
-      const std::size_t gap = draws.below(known.size() + 1);
-      const double u = open_uniform(draws);
-      const double value = gap == 0              ? known.front() + below_ * std::log(u)
-                           : gap == known.size() ? known.back() - above_ * std::log(u)
-                                                 : known[gap - 1] + u * (known[gap] - known[gap - 1]);
-      known.insert(known.begin() + static_cast<std::ptrdiff_t>(gap), value);
-      study.push_back(std::exp(value));
-    }
-    return study;
-  }
-
- private:
-  std::vector<double> known_;
-  std::size_t runs_;
-  double above_ = 0, below_ = 0;
-};
+  return study;
+}
 
 }  // namespace
 
@@ -63,16 +51,13 @@ PredictedRanges predicted_ranges(std::span<const double> values, std::size_t run
     logs.push_back(std::log(value));
   }
   std::ranges::sort(logs);
-  const NextValues next(std::move(logs), runs);
+  const double above = tail_slope(logs), below = tail_slope(std::vector<double>(logs.rbegin(), logs.rend()));
   Draws draws(settings.seed);
   std::array<std::vector<double>, predicted_statistics> replicates;
   for (int i = 0; i < settings.resamples; ++i) {
-    const Description study = describe(next.draw_study(draws));
-    replicates[0].push_back(study.mean);
-    replicates[1].push_back(study.median);
-    replicates[2].push_back(study.std);
-    replicates[3].push_back(study.max);
-    replicates[4].push_back(study.min);
+    const Description study = describe(next_study(logs, runs, below, above, draws));
+    const std::array numbers{study.mean, study.median, study.std, study.max, study.min};
+    for (std::size_t s = 0; s < numbers.size(); ++s) replicates[s].push_back(numbers[s]);
   }
   const double tail = (1 - settings.level) / 2;
   for (std::size_t s = 0; s < predicted_statistics; ++s) {
