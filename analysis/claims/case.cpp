@@ -85,9 +85,15 @@ std::vector<Pair> Case::pairs(Metric metric) const {
   return result;
 }
 
-bool Case::has_solver() const {
+bool Case::is_printed() const {
   const std::vector<Pair> all = pairs(Metric::position_error_cm);
   return all.size() >= 2 && std::ranges::count(all, entry.solver, &Pair::solver) > 0;
+}
+
+bool Case::has_solver() const {
+  const auto has_solves = [&](const std::string& solver) { return !solves_of(study(), solver).empty(); };
+  return file.means.empty() ? has_solves(entry.solver) && std::ranges::count_if(study().solvers, has_solves) >= 2
+                            : is_printed();
 }
 
 Evidence Case::printed_evidence(const std::vector<Pair>& pairs) const {

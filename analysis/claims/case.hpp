@@ -32,11 +32,13 @@ struct Case {
   const inference::JudgedStudy& study() const { return reported.study; }
   // The claim, still undecided.
   report::Claim begun() const;
-  // True if the paper's means are about this study, or if the paper prints no means.
+  // Returns whether the paper's means are about this study, or if the paper prints no means.
   bool is_of_means() const;
   // The pairs in the printed order, the smallest first; those of the claim's two solvers, if it is about two.
   std::vector<Pair> pairs(inference::Metric metric) const;
-  // True if the study has the claim's solver and another one, among the printed ones if there are any.
+  // Returns whether the study has the claim's solver and another one whose means are printed.
+  bool is_printed() const;
+  // Returns whether it has both, among the printed ones if the paper prints means.
   bool has_solver() const;
   // The paper's numbers of those solvers, judged by the plan as far as means and standard deviations allow.
   inference::Evidence printed_evidence(const std::vector<Pair>& pairs) const;

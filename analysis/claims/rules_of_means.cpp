@@ -279,7 +279,7 @@ PairCounts dominated_by(const std::string& solver, const std::vector<Evidence>& 
 }  // namespace
 
 Claims compromise(const Case& of) {
-  if (!of.has_solver()) return {};
+  if (!of.is_printed()) return {};
   const std::string& solver = of.entry.solver;
   std::vector<Evidence> here, in_print;
   std::vector<Pair> solvers;
@@ -366,7 +366,7 @@ std::string list_of(const std::vector<Spread>& spreads, const std::string& solve
 Claims least_spread(const Case& of) {
   const StudyResults& study = of.study();
   const Metric metric = of.entry.metrics.front();
-  if (!of.has_solver() || study.plan.unit == Unit::point) return {};
+  if (!of.is_printed() || study.plan.unit == Unit::point) return {};
   std::map<std::string, std::vector<double>> values;
   for (Sample& sample : samples(study, metric)) values[sample.solver] = std::move(sample.values);
   const std::vector<Pair> all = of.pairs(metric);

@@ -400,7 +400,8 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
 namespace {
 
 const std::string good = "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"inside_limits\"\n";
-const std::string of_metrics = "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"smallest\"\n";
+const std::string of_metrics =
+    "[[claims]]\nid = \"a_claim\"\nsentence = \"S\"\ndecides = \"D.\"\nrule = \"smallest\"\n";
 
 std::vector<ClaimEntry> entries(const std::string& text) {
   return read_claims("slim2023", text, "claims.toml").entries;
@@ -448,6 +449,24 @@ TEST_CASE("a mistake among the claims is refused with file and line", "[claims]"
   refused("claims = []\n", ":", "expected tables [[claims]]");
   refused("", ":", "expected tables [[claims]]");
   refused("[[other]]\n", ":1:", "unknown key \"other\"");
+}
+
+TEST_CASE("a paper that prints no means has claims on its solver's answers too", "[claims]") {
+  ClaimsFile file = read_claims("slim2023", good + "solver = \"IK-BA\"\n", "claims.toml");
+  const auto verdicts = [&](std::vector<SolveRecord> solves) {
+    const JudgedStudy study(make_study("s", std::move(solves)));
+    std::vector<Verdict> all;
+    for (const Claim& claim : claims::judged(file, {study, {}})) all.push_back(claim.verdict);
+    return all;
+  };
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) solve.limit_violation_deg = 0;
+  CHECK(verdicts(solves) == std::vector{Verdict::holds});
+  std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver != "DE" && solve.solver != "PSO"; });
+  CHECK(verdicts(solves) == std::vector{Verdict::untested});
+  file = read_claims("slim2023", of_metrics + "solver = \"DE\"\nmetrics = [\"position_error_cm\"]\n", "claims.toml");
+  file.entries.front().rule = "least_spread";  // it compares with printed spreads
+  CHECK(verdicts(solves) == std::vector{Verdict::untested});
 }
 
 TEST_CASE("a claim is of the paper's own solver where it names none", "[claims]") {
