@@ -71,6 +71,12 @@ int PrintedSolvers::numbers() const {
   return numbers;
 }
 
+int PrintedSolvers::most_runs() const {
+  int most = 0;
+  for (const auto& [error, variation] : rows_) most = std::max({most, error.printed.n, variation.printed.n});
+  return most;
+}
+
 PrintedSolvers::Ranges PrintedSolvers::ranges(std::size_t solver, const Multiverse::ChosenSolver& own) {
   Ranges ranges;
   auto end = ranges.begin();

@@ -31,6 +31,7 @@ class PrintedSolvers {
 
   int numbers() const;  // 0 if no solver is printed, or there are too few runs to say what another study would print
   bool is_printed(std::size_t solver) const { return row(solver, 0).printed.n > 0; }
+  int most_runs() const;  // of a printed number
   const PrintedRow& row(std::size_t solver, std::size_t metric) const { return rows_[solver][metric]; }
   using Ranges = std::array<statistics::Estimate, numbers_of_solver>;
   Ranges ranges(std::size_t solver, const inference::Multiverse::ChosenSolver& own);

@@ -130,7 +130,7 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
 
 // `support` is null if nothing is explained.
 Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all,
-                         const UniverseSupport* support) {
+                         const UniverseSupport* support, int printed_runs) {
   Table table{.name = "multiverse-alternatives",
               .caption =
                   "How often each claim holds with each alternative [% of its interpretations], and how many printed "
@@ -139,10 +139,11 @@ Table alternatives_table(const Multiverse& multiverse, const std::vector<ClaimCo
   for (const ClaimCounts& counts : all) table.columns.push_back(counts.id);
   if (support != nullptr) {
     table.columns.insert(table.columns.end(), {"explained_on_average", "explained_at_most", "of_the_best_percent"});
-    table.notes.emplace_back(
-        "A number is explained where it lies, but for its rounding, in the range that 95 % of studies of 20 runs would "
+    table.notes.push_back(fmt::format(
+        "A number is explained where it lies, but for its rounding, in the range that 95 % of studies of {} runs would "
         "have (Hill's A(n)). Of the right interpretation about 5 % of the numbers would lie outside. of the best: share of the "
-        "interpretations that explain the most.");
+        "interpretations that explain the most.",
+        printed_runs));
   }
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Multiverse::Dimension& dimension = multiverse.dimensions[d];
@@ -352,15 +353,15 @@ MultiverseReport multiverse_report(const ClaimsFile& file, const Multiverse& mul
   MultiverseReport result;
   for (const ClaimCounts& counts : all) result.claims.push_back(shares_of(multiverse, counts));
   result.tables = {claims_table(multiverse, all, plan),
-                   alternatives_table(multiverse, all, numbers > 0 ? &support : nullptr)};
+                   alternatives_table(multiverse, all, numbers > 0 ? &support : nullptr, printed.most_runs())};
   result.figures = {error_curve(multiverse, file.solver)};
   if (numbers == 0) return result;
   result.tables.push_back(numbers_table(multiverse, printed, support));
   result.sentences = {
       fmt::format(
           "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
-          "of a study of 20 runs); {} of the interpretations explain more.",
-          numbers, support.by_default, share_words(support.more / support.all.weight)),
+          "of a study of {} runs); {} of the interpretations explain more.",
+          numbers, support.by_default, printed.most_runs(), share_words(support.more / support.all.weight)),
       best_sentence(multiverse, support)};
   return result;
 }

@@ -96,6 +96,7 @@ Table one_at_a_time(const ClaimsFile& file, const Multiverse& multiverse, const 
   if (multiverse.studies.empty() || multiverse.seeds() == 0) {
     throw std::invalid_argument("no universe to report; expected the default first");
   }
+  PrintedSolvers printed(file, multiverse);
   Table table{
       .name = "multiverse-one-at-a-time",
       .caption =
@@ -106,11 +107,10 @@ Table one_at_a_time(const ClaimsFile& file, const Multiverse& multiverse, const 
           "Means over the runs of {} seed{}. log_ratio: log10 of our mean divided by the printed mean; 0 means equal, 0.3 "
           "means twice as large. Rows for all algorithms have the root mean square. moved: change of log_ratio "
           "against the default. Algorithms without a row equal the default bit for bit. explained: of the "
-          "algorithm's ten printed numbers, how many lie in the range that 95 % of studies of 20 runs would have "
+          "algorithm's ten printed numbers, how many lie in the range that 95 % of studies of {} runs would have "
           "(Hill's A(n)). claims: by default all, elsewhere those that become another. out_of_reach: number "
           "of targets that no configuration reaches.",
-          multiverse.seeds(), multiverse.seeds() == 1 ? "" : "s")}};
-  PrintedSolvers printed(file, multiverse);
+          multiverse.seeds(), multiverse.seeds() == 1 ? "" : "s", printed.most_runs())}};
   const bool has_explained = printed.numbers() > 0;
   const std::vector<Lone> universes = lone_universes(multiverse);
   const Lone& usual = universes.front();
