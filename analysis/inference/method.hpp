@@ -73,6 +73,11 @@ void correct(const Evidence& evidence, std::vector<Finding>& pairs);
 
 // Shared by several rows.
 std::vector<Finding> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
+// Compares all pairs of means by summaries, as tukey() does.
+template <auto compare>
+std::vector<Finding> pairs_of_means(const Evidence& evidence, const Groups& groups) {
+  return of_means(evidence, compare(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
+}
 // Number of bootstrap resamples that so many values allow; 0 if there are too many values.
 int resamples_of(const Evidence& evidence);
 std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);

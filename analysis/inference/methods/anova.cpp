@@ -9,10 +9,6 @@ using namespace statistics;
 
 namespace {
 
-std::vector<Finding> anova_pairs(const Evidence& evidence, const Groups& groups) {
-  return of_means(evidence, tukey(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
-}
-
 std::optional<TestResult> anova_of_all(const Evidence&, const Groups& groups) {
   const AnovaTable table = groups.values.empty() ? anova_from_summaries(groups.summaries) : anova(groups.values);
   return TestResult{table, std::string(anova_name), "F", Role::paper, "omega^2", omega_squared(table)};
@@ -27,7 +23,7 @@ const Method anova_method{.name = "anova",
                           .interval = "Tukey, pooled variance",
                           .source = "Fisher 1925; Kramer, Biometrics 12 (1956) 307",
                           .corrects_all_pairs = true,
-                          .pairs = anova_pairs,
+                          .pairs = pairs_of_means<tukey>,
                           .all = anova_of_all};
 
 }  // namespace ikbench::inference

@@ -7,7 +7,6 @@
 
 namespace ikbench::inference {
 
-using namespace results;
 using namespace statistics;
 
 namespace {

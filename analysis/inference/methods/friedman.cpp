@@ -6,7 +6,6 @@
 
 namespace ikbench::inference {
 
-using namespace results;
 using namespace statistics;
 
 namespace {

@@ -41,14 +41,6 @@ std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& g
   return result;
 }
 
-namespace {
-
-std::vector<Finding> welch_pairs(const Evidence& evidence, const Groups& groups) {
-  return of_means(evidence, games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
-}
-
-}  // namespace
-
 const Method welch_method{.name = "welch",
                           .title = "Welch's ANOVA with the Games-Howell test",
                           .of_pair = "Games-Howell test",
@@ -58,7 +50,7 @@ const Method welch_method{.name = "welch",
                               "Welch, Biometrika 38 (1951) 330; Games and Howell, J. Educational Statistics 1 "
                               "(1976) 113",
                           .corrects_all_pairs = true,
-                          .pairs = welch_pairs,
+                          .pairs = pairs_of_means<games_howell>,
                           .all = welch_of_all};
 
 }  // namespace ikbench::inference
