@@ -136,15 +136,8 @@ template <class ValuesOf>
 std::vector<std::vector<Share>> shares_of(const std::vector<Solves>& by_solver, const Clusters& clusters,
                                           ValuesOf&& values_of) {
   std::vector<std::vector<Share>> curves;
-  for (const Solves& solves : by_solver) {
-    ClusteredValues all;
-    for (const Solve* solve : solves) {
-      const std::vector<double> values = values_of(*solve);
-      all.values.insert(all.values.end(), values.begin(), values.end());
-      all.clusters.insert(all.clusters.end(), values.size(), clusters.of(*solve));
-    }
-    curves.push_back(banded_shares(all, clusters));
-  }
+  for (const Solves& solves : by_solver)
+    curves.push_back(banded_shares(clustered(solves, clusters, values_of), clusters));
   return curves;
 }
 

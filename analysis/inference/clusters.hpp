@@ -67,9 +67,21 @@ void judge(std::vector<Finding>& family, std::span<const std::vector<double>> re
 
 // Values that come in clusters.
 struct ClusteredValues {
-  std::vector<double> values;
-  std::vector<std::size_t> clusters;
+  std::vector<double> values = {};
+  std::vector<std::size_t> clusters = {};
 };
+
+// Takes the values that each solve has.
+template <class ValuesOf>
+ClusteredValues clustered(const Solves& solves, const Clusters& clusters, ValuesOf values_of) {
+  ClusteredValues result;
+  for (const Solve* solve : solves) {
+    const std::vector<double> values = values_of(*solve);
+    result.values.insert(result.values.end(), values.begin(), values.end());
+    result.clusters.insert(result.clusters.end(), values.size(), clusters.of(*solve));
+  }
+  return result;
+}
 
 // The share of values at or below each position (ascending), in every replicate: [position][replicate].
 std::vector<std::vector<double>> resampled_shares(const ClusteredValues& of, const Clusters& clusters,

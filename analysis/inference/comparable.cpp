@@ -27,6 +27,11 @@ SolverLabels those(const StudyResults& study, Are are) {
   return labels;
 }
 
+// The doubt of these solvers; none if there are none.
+Doubts doubts_of(DoubtKind kind, SolverLabels labels) {
+  return labels.empty() ? Doubts() : Doubts{{.kind = kind, .who = std::move(labels)}};
+}
+
 std::ptrdiff_t timed(SolvesOfOne solves, Timing how) { return std::ranges::count(solves, how, &Solve::timing); }
 bool are_imported(SolvesOfOne solves) { return timed(solves, Timing::imported) > 0; }
 bool are_of_program(SolvesOfOne solves) { return timed(solves, Timing::process) > 0; }
@@ -69,10 +74,8 @@ Doubts times_left_out(const StudyResults& study) {
     return !solves.empty() && !are_imported(solves) && !are_of_program(solves);
   };
   if (those(study, are_of_this_program).empty() || study.plan.program_times == ProgramTimes::compared) return doubts;
-  const SolverLabels programs =
-      those(study, [](SolvesOfOne solves) { return are_of_program(solves) && !are_disturbed(solves); });
-  if (!programs.empty()) doubts.push_back({.kind = DoubtKind::times_of_programs, .who = programs});
-  return doubts;
+  const auto are_undisturbed = [](SolvesOfOne solves) { return are_of_program(solves) && !are_disturbed(solves); };
+  return doubts + doubts_of(DoubtKind::times_of_programs, those(study, are_undisturbed));
 }
 
 Doubts evaluations_left_out(const StudyResults& study) {
@@ -81,36 +84,26 @@ Doubts evaluations_left_out(const StudyResults& study) {
       return are_counted(solves, whom) && (whom == CountedBy::nobody || !are_counted(solves, CountedBy::nobody));
     });
   };
-  Doubts doubts;
-  if (const SolverLabels nobody = by(CountedBy::nobody); !nobody.empty()) {
-    doubts.push_back({.kind = DoubtKind::evaluations_uncounted, .who = nobody});
-  }
-  if (const SolverLabels claimed = by(CountedBy::solver); !claimed.empty() && !by(CountedBy::suite).empty()) {
-    doubts.push_back({.kind = DoubtKind::evaluations_claimed, .who = claimed});
-  }
-  return doubts;
+  const Doubts uncounted = doubts_of(DoubtKind::evaluations_uncounted, by(CountedBy::nobody));
+  if (by(CountedBy::suite).empty()) return uncounted;
+  return uncounted + doubts_of(DoubtKind::evaluations_claimed, by(CountedBy::solver));
 }
 
 Doubts instructions_left_out(const StudyResults& study) {
-  const SolverLabels uncounted = those(study, [&](SolvesOfOne solves) {
-    return std::ranges::any_of(solves, [&](const Solve& solve) {
-      return !is_without_answer(solve.status) && std::isnan(value_of(study, solve, Metric::instructions));
-    });
-  });
-  if (uncounted.empty()) return {};
-  return {{.kind = DoubtKind::instructions_uncounted, .who = uncounted}};
+  const auto is_uncounted = [&](const Solve& solve) {
+    return !is_without_answer(solve.status) && std::isnan(value_of(study, solve, Metric::instructions));
+  };
+  return doubts_of(DoubtKind::instructions_uncounted,
+                   those(study, [&](SolvesOfOne solves) { return std::ranges::any_of(solves, is_uncounted); }));
 }
 
 // An import without a column has no values of its metric, which does not mean that its solver failed.
 Doubts imports_left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::position_error_cm || is_of_run(metric)) return {};
-  const SolverLabels unmeasured = those(study, [&](SolvesOfOne solves) {
-    return are_imported(solves) && std::ranges::none_of(solves, [&](const Solve& solve) {
-             return std::isfinite(value_of(study, solve, metric));
-           });
-  });
-  if (unmeasured.empty()) return {};
-  return {{.kind = DoubtKind::imported_without, .who = unmeasured}};
+  const auto has_value = [&](const Solve& solve) { return std::isfinite(value_of(study, solve, metric)); };
+  return doubts_of(DoubtKind::imported_without, those(study, [&](SolvesOfOne solves) {
+                     return are_imported(solves) && std::ranges::none_of(solves, has_value);
+                   }));
 }
 
 // Doubts of the whole study's times, for all solvers.

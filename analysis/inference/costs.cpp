@@ -76,21 +76,11 @@ std::string why_without_ratio(const SolverCost& first, const SolverCost& second,
 // The evaluations that a solver took to reach each target.
 ClusteredValues evaluations_to_reach(const Solves& solves, const StudyResults& study, const Clusters& clusters) {
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
-  ClusteredValues result;
-  for (const Solve* solve : solves) {
-    std::vector<double> costs;
-    if (has_tolerance) {
-      costs.push_back(is_ok(*solve) ? total_cost(study, *solve, Metric::evaluations) : censored);
-    } else if (has_trace(*solve) && !study.facts.pose) {
-      costs =
-          costs_to_targets(study, *solve, target_errors_cm(study), Metric::evaluations, iterations_of(study, *solve));
-    }
-    for (const double cost : costs) {
-      result.values.push_back(cost);
-      result.clusters.push_back(clusters.of(*solve));
-    }
-  }
-  return result;
+  return clustered(solves, clusters, [&](const Solve& solve) -> std::vector<double> {
+    if (has_tolerance) return {is_ok(solve) ? total_cost(study, solve, Metric::evaluations) : censored};
+    if (!has_trace(solve) || study.facts.pose) return {};
+    return costs_to_targets(study, solve, target_errors_cm(study), Metric::evaluations, iterations_of(study, solve));
+  });
 }
 
 using SharesOfSolver = std::array<Replicated, budget_parts.size()>;  // not defined without values

@@ -58,9 +58,9 @@ Doubts load_doubts(const StudyResults& study) {
   constexpr double many = 0.05;  // share of a solver's solves
   bool is_loaded = false;
   double count = 0;
-  for (std::size_t i = 0; i < study.solve_data->labels.size(); ++i) {
-    const double uneven = study.solve_data->of_solver[i].uneven_repeats;
-    const auto solves = static_cast<double>(solves_of(study, study.solve_data->labels[i]).size());
+  for (const std::string& solver : study.solve_data->labels) {
+    const double uneven = solver_facts(study, solver).uneven_repeats;
+    const auto solves = static_cast<double>(solves_of(study, solver).size());
     is_loaded = is_loaded || (uneven > 1 && uneven > many * solves);
     count += uneven;
   }

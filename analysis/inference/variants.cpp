@@ -84,46 +84,40 @@ void refuse_other_arm(const Variant& a, const Variant& b) {
   }
 }
 
-// Passes on the solves of both sides as those of the solvers "A" and "B".
-class Reader {
- public:
-  explicit Reader(StudyMaker& maker) : maker_(maker) {}
-
-  // Sessions of the store that solved the label.
-  std::vector<Session> read(const Variant& variant, const std::string& name) {
-    std::map<std::int64_t, std::int64_t> used;  // by the sessions' numbers in the study of both
-    int points = 0;
-    variant.each_solve([&](SolveRecord solve) {
-      if (robot_.empty()) robot_ = solve.robot;
-      if (solve.robot != robot_) throw refused(fmt::format("different robots ({} and {})", robot_, solve.robot));
-      points = std::max(points, solve.point);
-      solve.solver = name;
-      solve.session = used.try_emplace(solve.session, std::ssize(sessions_) + std::ssize(used) + 1).first->second;
-      maker_.add(solve);
-    });
-    if (points_ > 0 && points > 0 && points != points_) {
-      throw refused(fmt::format("different targets ({} and {} points per run)", points_, points));
-    }
-    points_ = points;
-    std::vector<Session> result;
-    for (const Session& session : variant.sessions) {
-      const auto found = used.find(session.id);
-      if (found == used.end()) continue;
-      result.push_back(session);
-      sessions_.push_back(session);
-      sessions_.back().id = found->second;
-    }
-    return result;
-  }
-
-  const std::vector<Session>& sessions() const { return sessions_; }
-
- private:
-  std::vector<Session> sessions_;
-  StudyMaker& maker_;
-  std::string robot_;
-  int points_ = 0;
+// The study of both sides while they are read.
+struct BothSides {
+  StudyMaker maker;
+  std::vector<Session> sessions = {};
+  std::string robot = {};
+  int points = 0;
 };
+
+// Adds the solves of a side as those of the solver `name`. Returns the sessions of its store that solved the label.
+std::vector<Session> add_side(BothSides& both, const Variant& variant, const std::string& name) {
+  std::map<std::int64_t, std::int64_t> used;  // by the sessions' numbers in the study of both
+  int points = 0;
+  variant.each_solve([&](SolveRecord solve) {
+    if (both.robot.empty()) both.robot = solve.robot;
+    if (solve.robot != both.robot) throw refused(fmt::format("different robots ({} and {})", both.robot, solve.robot));
+    points = std::max(points, solve.point);
+    solve.solver = name;
+    solve.session = used.try_emplace(solve.session, std::ssize(both.sessions) + std::ssize(used) + 1).first->second;
+    both.maker.add(solve);
+  });
+  if (both.points > 0 && points > 0 && points != both.points) {
+    throw refused(fmt::format("different targets ({} and {} points per run)", both.points, points));
+  }
+  both.points = points;
+  std::vector<Session> result;
+  for (const Session& session : variant.sessions) {
+    const auto found = used.find(session.id);
+    if (found == used.end()) continue;
+    result.push_back(session);
+    both.sessions.push_back(session);
+    both.sessions.back().id = found->second;
+  }
+  return result;
+}
 
 using Facts = std::map<std::string, std::string>;
 
@@ -244,14 +238,13 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
   entry.series = {a.series, b.series};
   entry.series[0].label = name_of_a;
   entry.series[1].label = name_of_b;
-  StudyMaker maker(entry);
-  Reader reader(maker);
-  const std::vector<Session> of_a = reader.read(a, name_of_a), of_b = reader.read(b, name_of_b);
+  BothSides both{.maker = StudyMaker(entry)};
+  const std::vector<Session> of_a = add_side(both, a, name_of_a), of_b = add_side(both, b, name_of_b);
   VariantStudy result{.label = a.series.label == b.series.label
                                    ? b.series.label
                                    : fmt::format("{} against {}", b.series.label, a.series.label),
                       .is_of_two = a.series.label != b.series.label,
-                      .study = maker.finish(reader.sessions()),
+                      .study = both.maker.finish(both.sessions),
                       .times_differ = why_times_differ(of_a, of_b),
                       .differences = differences(a, of_a, b, of_b)};
   AnalysisPlan& judged = result.study.plan;
