@@ -135,7 +135,7 @@ void place(std::vector<AtBudget>& standings, std::size_t leader) {
     if (!standing.leader) continue;
     const Relation found = standing.leader->relation;
     standing.relation = reversed(found);
-    if (found != Relation::better) of_leader = found;
+    of_leader = std::max(of_leader, found);  // the least that is known of any other
   }
 }
 

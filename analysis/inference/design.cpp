@@ -164,16 +164,10 @@ bool have_same_bits(const StudyResults& study, Metric metric, const std::string&
 // Finds the groups with the same bits. Where tolerances differ, equal solves are not judged alike.
 void add_bits(Observations& result, const StudyResults& study, Metric metric) {
   if (is_of_run(metric)) return;
-  for (std::size_t i = 0; i < result.groups.size(); ++i) {
-    Group& group = result.groups[i];
-    for (std::size_t other = 0; other < i && group.bits == 0; ++other) {
-      Group& earlier = result.groups[other];
-      if (std::ranges::equal(earlier.values, group.values, is_same_value) &&
-          have_same_bits(study, metric, earlier.name, group.name)) {
-        group.bits = earlier.bits = other + 1;
-      }
-    }
-  }
+  mark_same_bits(result.groups, [&](const Group& one, const Group& other) {
+    return std::ranges::equal(one.values, other.values, is_same_value) &&
+           have_same_bits(study, metric, one.name, other.name);
+  });
 }
 
 // Takes a solver's runs or points. Tells of solvers that repeat themselves or lack points.

@@ -47,6 +47,16 @@ bool is_fact(const AnyGroup& first, const AnyGroup& second) {
   return (first.copies > 0 && second.copies > 0) || (first.bits > 0 && first.bits == second.bits);
 }
 
+// Gives groups with the same bits one number; `are_same` compares an earlier group with a later one.
+template <class AreSame>
+void mark_same_bits(std::vector<Group>& groups, AreSame are_same) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t other = 0; other < i && groups[i].bits == 0; ++other) {
+      if (are_same(groups[other], groups[i])) groups[i].bits = groups[other].bits = other + 1;
+    }
+  }
+}
+
 struct Observations {
   std::string name;       // of files and anchors: "error", "variation"; lower-case letters, digits and '-'
   std::string quantity;   // with its unit in brackets: "position error [cm]"

@@ -51,22 +51,6 @@ void add_means_of_runs(Group& result, const std::vector<const Group*>& groups) {
   }
 }
 
-// Groups have the same bits if they have them in every study.
-void add_common_bits(Observations& result, const std::vector<OfStudy>& all) {
-  for (std::size_t i = 0; i < result.groups.size(); ++i) {
-    Group& group = result.groups[i];
-    for (std::size_t other = 0; other < i && group.bits == 0; ++other) {
-      Group& earlier = result.groups[other];
-      const bool are_same = std::ranges::all_of(all, [&](const OfStudy& of) {
-        const Group &one = *group_named(of.observations.groups, earlier.name),
-                    &two = *group_named(of.observations.groups, group.name);
-        return one.bits > 0 && one.bits == two.bits;
-      });
-      if (are_same) group.bits = earlier.bits = other + 1;
-    }
-  }
-}
-
 // Notes that all studies have stand once; the others name their study.
 std::vector<std::string> notes_of(const std::vector<OfStudy>& all, std::vector<std::string> Observations::*notes) {
   std::vector<std::string> result;
@@ -163,7 +147,13 @@ Observations together(std::vector<OfStudy> all, bool are_seeds) {
       result.groups.push_back(std::move(group));
     }
   }
-  add_common_bits(result, all);
+  // Groups have the same bits if they have them in every study.
+  mark_same_bits(result.groups, [&](const Group& one, const Group& other) {
+    return std::ranges::all_of(all, [&](const OfStudy& of) {
+      const std::size_t bits = group_named(of.observations.groups, one.name)->bits;
+      return bits > 0 && bits == group_named(of.observations.groups, other.name)->bits;
+    });
+  });
   if (are_seeds)
     describe_seeds(result, all);
   else if (have_blocks)

@@ -413,6 +413,18 @@ TEST_CASE("who is ahead depends on the budget", "[anytime]") {
   CHECK(at(3, 0).leader->estimate.low < 0);
 }
 
+TEST_CASE("whether anybody is ahead does not depend on the order of the others", "[anytime]") {
+  const Runs all = twenty([](int) { return Spent{80}; });
+  Runs single = all;  // most samples have no solve of it
+  single.resize(1);
+  for (const auto& solvers : {std::vector{all, all, single}, std::vector{all, single, all}}) {
+    const StudyResults study = clustered_study(solvers, drawn_targets);
+    const std::optional<Anytime> found = anytime(study, Clusters(study));
+    REQUIRE(found);
+    CHECK(found->standings[2][0].relation == Relation::undefined);
+  }
+}
+
 TEST_CASE("runs that are copies of one show no difference, in cost and at no budget", "[clusters][anytime]") {
   const Runs a(12, {{100}, {100}}), b(12, {{900}, {900}});
   StudyResults study = clustered_study({a, b}, chained);
