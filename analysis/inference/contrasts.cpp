@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -73,11 +75,12 @@ double chance_of_unanimity(const Evidence& evidence, const Finding& contrast) {
 }
 
 // Fewest observations per group (or blocks) of which the order alone shows a difference.
-int fewest_in_order(const Evidence& evidence) {
+int fewest_in_order(const Evidence& evidence, double significance) {
   int n = 2;
-  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= evidence.plan.significance) ++n;
+  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= significance) ++n;
   return n;
 }
+int fewest_in_order(const Evidence& evidence) { return fewest_in_order(evidence, evidence.plan.significance); }
 
 int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
@@ -203,6 +206,9 @@ void judge_facts(const Evidence& evidence, Finding& contrast) {
   contrast.estimate = {.value = difference};
 }
 
+// Whether a test of order replaces the bootstrap must not depend on the level, so that is the usual one.
+constexpr double usual_significance = 0.05;
+
 void judge(const Evidence& evidence, Finding& contrast) {
   if (is_fact(evidence.groups[contrast.first], evidence.groups[contrast.second])) {
     judge_facts(evidence, contrast);
@@ -215,8 +221,7 @@ void judge(const Evidence& evidence, Finding& contrast) {
   if (has_order(evidence, contrast)) {
     const double alone = chance_of_order(evidence, contrast);  // depends on the numbers of values only
     const double by_chance = in_family(evidence, alone);
-    // Another level must not give another p, so the choice is that of the usual one.
-    if (constexpr double usual_significance = 0.05; by_chance < usual_significance) {
+    if (by_chance < usual_significance) {
       contrast.p = by_chance;
       contrast.p_alone = alone;
       contrast.ahead = ahead_by_means(evidence, contrast.estimate.value);
@@ -227,6 +232,10 @@ void judge(const Evidence& evidence, Finding& contrast) {
   if (!std::isfinite(contrast.p)) {
     if (contrast.lacks_spread) {
       contrast.relation = Relation::undecided;
+      if (evidence.blocks > 0) {
+        const int enough = fewest_in_order(evidence, std::min(evidence.plan.significance, usual_significance));
+        contrast.why += fmt::format(" different ones, or {} {} that all favour one group", enough, evidence.block_noun);
+      }
     } else if (has_known(evidence, contrast)) {
       const double ahead = contrast.superiority.value;
       contrast.why = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"

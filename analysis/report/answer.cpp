@@ -458,6 +458,18 @@ std::vector<std::string> short_answer(const Evidence& evidence, const Label& lab
   return Answer(evidence, label, true).sentences();
 }
 
+std::string reasons_of_undecided(const Evidence& evidence) {
+  Pairs open;
+  std::vector<std::string> reasons;
+  for (const Finding& pair : evidence.contrasts) {
+    if (pair.relation != Relation::undecided) continue;
+    open.push_back(&pair);
+    if (!pair.why.empty() && std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
+  }
+  if (std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) reasons.push_back(std::move(runs));
+  return reasons.empty() ? "" : fmt::format(words::why_undecided, "reasons"_a = fmt::join(reasons, "; "));
+}
+
 Sentence change_words(const Evidence& evidence, bool tells_extent) {
   Pairs open;
   bool is_within = false, is_across = false, is_doubted = false;

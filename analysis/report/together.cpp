@@ -108,16 +108,6 @@ StudyPieces companion_pieces(const StudyResults& companion) {
   return told_of(companion, std::move(pieces), prefix_of(companion));
 }
 
-// " Not decided: too few different differences within blocks: ..."; each reason once.
-std::string reasons_of_undecided(const Evidence& evidence) {
-  std::vector<std::string> reasons;
-  for (const Finding& pair : evidence.contrasts) {
-    if (is_decided(pair) || pair.relation == Relation::same || pair.why.empty()) continue;
-    if (std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
-  }
-  return reasons.empty() ? "" : fmt::format(words::why_undecided, "reasons"_a = fmt::join(reasons, "; "));
-}
-
 }  // namespace
 
 std::string prefix_of(const StudyResults& companion) { return companion.name + '-'; }

@@ -292,7 +292,7 @@ inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {
 inline constexpr Template together_alone =
     "What follows is about the study {study} alone; the tables and figures of each study are below.";
 inline constexpr Template all_studies = "All studies";
-inline constexpr Template why_undecided = " Undecided because of {reasons}.";
+inline constexpr Template why_undecided = " Undecided: {reasons}.";
 inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";

@@ -101,6 +101,9 @@ succeeds run helix.toml --set seed=6 --no-report --out alone
 [ "$(numbers out/seeds/store.sqlite helix-seed-6 | cut -d, -f 3,5-)" = "$(numbers alone/store.sqlite | cut -d, -f 3,5-)" ] ||
   fail "a seed of the collection has other solves than the study with that seed"
 succeeds compare ik_bat random_search --store out/seeds/store.sqlite --study helix-seed-2
+printf 'studies = ["helix.toml"]\nseeds = [1, 2, 3, 4, 5]\n' >five.toml
+succeeds run five.toml --no-figures --set stop.tolerance_cm=8
+has "$(<out/five/report.md)" "7 seeds that all favour one group"
 for seeds in '[1]' '[1, 1]' '[1, "2"]' '[1, -2]' '[1, 2.5]' 1; do
   printf 'studies = ["helix.toml"]\nseeds = %s\n' "$seeds" >wrong.toml
   refused 'expected a list of 2 to 50 whole numbers, each once' run wrong.toml

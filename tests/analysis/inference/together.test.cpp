@@ -1,6 +1,8 @@
 #include "analysis/inference/together.hpp"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "analysis/inference/evidence.hpp"
 #include "tests/catch.hpp"
@@ -109,6 +111,29 @@ TEST_CASE("a seed is a block, and its value is the mean over its runs", "[togeth
   const Finding found = evidence(two, {}).contrasts.at(0), expected = evidence(by_hand, {}).contrasts.at(0);
   CHECK(std::abs(found.estimate.value + 13.25 / 6) < 1e-12);
   CHECK(found.p == expected.p);
+}
+
+TEST_CASE("seeds with equal differences are too few, and the reason says how many decide", "[together]") {
+  const std::vector<std::vector<double>> shares{
+      {1, 1, 1, 1, 1, 1, 1}, {0.5, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25}, {0, 0, 0, 0, 0, 0, 0}};
+  const auto judged = [&](std::size_t seeds) {
+    std::vector<OfStudy> all;
+    for (std::size_t seed = 0; seed < seeds; ++seed) {
+      const auto of = [&](std::size_t solver) { return std::vector<double>(2, shares[solver][seed]); };
+      all.push_back({std::to_string(seed), of_groups({{"x", of(0)}, {"y", of(1)}, {"z", of(2)}})});
+    }
+    Observations seven = together(std::move(all), true);
+    seven.better = Better::larger;
+    return evidence(seven, AnalysisPlan()).contrasts.front();
+  };
+  const Finding five = judged(5), enough = judged(7);
+  CHECK(five.relation == Relation::undecided);
+  CHECK(
+      std::string(five.why) ==
+      "too few different differences within blocks: the bootstrap of 3 pairs needs 5 different ones, or 7 seeds that all "
+      "favour one group");
+  CHECK(enough.relation == Relation::better);
+  CHECK(std::abs(enough.p - 3 * 2 / 128.0) < 1e-12);
 }
 
 TEST_CASE("solvers with the same bits have them in every study, and notes name their study", "[together]") {
