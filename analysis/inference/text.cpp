@@ -8,6 +8,8 @@
 #include <cmath>
 #include <span>
 
+#include "analysis/statistics/power.hpp"
+
 namespace ikbench::inference {
 namespace {
 
@@ -185,6 +187,7 @@ std::string capitalised(std::string_view text) {
 
 std::string range_words(double low, double high) {
   constexpr double widest = 100;
+  if (low >= statistics::most_runs) return "more than 10 million";
   if (!(high <= widest * low)) return fmt::format("at least {:.0f}", low);
   return low == high ? fmt::format("{:.0f}", low) : fmt::format("{:.0f} to {:.0f}", low, high);
 }

@@ -14,6 +14,7 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
+#include "analysis/statistics/power.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
@@ -76,6 +77,7 @@ std::string runs_words(const Evidence& evidence, const Estimate& runs) {
   if (!more) return "";
   const std::string_view of = replicates_words(evidence);
   if (std::isnan(runs.high)) return fmt::format(words::runs_at_least, "runs"_a = runs.low, "of"_a = of);
+  if (runs.low >= most_runs) return fmt::format(words::runs_beyond, "margin"_a = margin_words(evidence), "of"_a = of);
   return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, std::max(runs.low, runs.high)),
                      "of"_a = of, "margin"_a = margin_words(evidence));
 }
@@ -483,7 +485,8 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
   std::vector<std::string> parts;
   if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
-  if (const std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) {
+  const Estimate runs_of_open = runs_of_all(open);
+  if (const std::string runs = runs_words(evidence, runs_of_open); !runs.empty() && !(runs_of_open.low >= most_runs)) {
     parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
   } else if (!open.empty() && evidence.ranks_decide() && evidence.decides_within_blocks()) {
     parts.push_back(fmt::format(words::more_blocks, "blocks"_a = evidence.block_noun));

@@ -126,11 +126,7 @@ std::string what_would_show(const MetricComparison& metric) {
   const Estimate runs = metric.finding().runs_to_decide;
   const double least = std::isfinite(runs.low) ? runs.low : runs.value;
   if (!(least > std::min(number_of(metric, 0), number_of(metric, 1)))) return "";
-  const bool is_range = std::isfinite(runs.high) && runs.high > least && runs.high < 100 * least;
-  return fmt::format(
-      words::takes,
-      "number"_a = is_range ? fmt::format("{:.0f} to {:.0f}", least, runs.high) : fmt::format("at least {:.0f}", least),
-      "of"_a = noun_of(metric.observed));
+  return fmt::format(words::takes, "number"_a = range_words(least, runs.high), "of"_a = noun_of(metric.observed));
 }
 
 std::string remark_on(const MetricComparison& metric, double significance) {

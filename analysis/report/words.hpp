@@ -40,6 +40,8 @@ inline constexpr Template not_by_ranks = "{means}, which ranks do not compare";
 inline constexpr Template ahead = "ahead in {share} of {of}";
 inline constexpr Template interval = "{what} between {low} and {high}{unit}";
 inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
+inline constexpr Template runs_beyond =
+    "no study will show a difference of {margin}: it takes more than 10 million {of}";
 inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
 // The leader, in a line.

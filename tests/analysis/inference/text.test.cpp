@@ -72,6 +72,7 @@ TEST_CASE("a range that is too wide has no end", "[text]") {
   CHECK(range_words(5, 500) == "5 to 500");
   CHECK(range_words(5, 5823119) == "at least 5");
   CHECK(range_words(5, HUGE_VAL) == "at least 5");
+  CHECK(range_words(1e7, HUGE_VAL) == "more than 10 million");  // nobody searched beyond
 }
 
 TEST_CASE("shares are said in percent with three digits", "[text]") {
