@@ -16,7 +16,8 @@ namespace {
 struct Words {
   DoubtKind kind;
   std::string_view title;
-  std::string_view text;  // a template (fmt) with the fields of a doubt as named arguments
+  std::string_view text;        // a template (fmt) with the fields of a doubt as named arguments
+  std::string_view brief = {};  // why solvers are not compared, in a few words
 };
 
 constexpr std::string_view times = "Times are not comparable";
@@ -25,29 +26,38 @@ using K = DoubtKind;
 constexpr std::array all_words{
     // For times, gives only the reason; the solvers stand in front.
     Words{K::solved_in_parallel, times,
-          "of {of} solves, {count} ran in parallel with others and {other} in a debug build."},
-    Words{K::several_machines, times, "they come from different machines ({who})."},
-    Words{K::unknown_machine, times, "the stores do not name the CPU."},
+          "of {of} solves, {count} ran in parallel with others and {other} in a debug build.",
+          "parallel or debug build"},
+    Words{K::several_machines, times, "they come from different machines ({who}).", "several machines"},
+    Words{K::unknown_machine, times, "the stores do not name the CPU.", "unknown machine"},
     Words{
         K::separate_sessions, times,
         "A and B were solved in separate sessions, and a machine that is slower in one of them slows all its runs. Run "
-        "both as labels of one study."},
-    Words{K::times_imported, times, "{count} of {of} solves were imported, so their times were taken elsewhere."},
+        "both as labels of one study.",
+        "separate sessions"},
+    Words{K::times_imported, times, "{count} of {of} solves were imported, so their times were taken elsewhere.",
+          "imported"},
     Words{K::times_disturbed, times,
-          "{count} of {of} solves took more than 1.1 times their CPU time{waited}, so other programs were running."},
+          "{count} of {of} solves took more than 1.1 times their CPU time{waited}, so other programs were running.",
+          "other programs ran"},
     Words{
         K::times_of_programs, times,
         "{whose} have messages and another process in them. analysis.program_times = \"compared\" compares them all the "
-        "same."},
-    Words{K::evaluations_uncounted, "Evaluations were not counted", "Nobody counted the evaluations of {who}."},
+        "same.",
+        "in a process of its own"},
+    Words{K::evaluations_uncounted, "Evaluations were not counted", "Nobody counted the evaluations of {who}.",
+          "nobody counted"},
     Words{
         K::evaluations_claimed, "Evaluations are claimed",
-        "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench."},
+        "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench.",
+        "counted by itself"},
     Words{K::imported_without, "Imports lack a quantity",
-          "The imports of {who} have no values of this quantity, so they are not compared in it."},
+          "The imports of {who} have no values of this quantity, so they are not compared in it.",
+          "imported without values"},
     Words{K::instructions_uncounted, "Instructions were not counted",
           "The instructions of {who} were not counted: the system has no counter, or forbids it "
-          "(kernel.perf_event_paranoid), or a program solved."},
+          "(kernel.perf_event_paranoid), or a program solved.",
+          "not counted"},
     Words{
         K::machine_loaded, "The machine was loaded",
         "The machine was loaded: {count} of {of} solves took more than {other} times as long in one repeat as in another. "
@@ -155,6 +165,13 @@ bool is_of_times(DoubtKind kind) { return kind <= K::times_of_programs; }
 
 std::string_view title_of(DoubtKind kind) { return words_for(kind).title; }
 
+std::string title_of(const Doubt& doubt) {
+  const bool is_of_some = doubt.kind == K::times_imported || doubt.kind == K::times_of_programs ||
+                          (doubt.kind == K::times_disturbed && !doubt.is_of_all);
+  if (!is_of_some) return std::string(title_of(doubt.kind));
+  return one_line(fmt::format("Times of {} are not comparable", fmt::join(doubt.who, ", ")));
+}
+
 std::string words_of(const Doubt& doubt) {
   const std::string who = one_line(fmt::format("{}", fmt::join(doubt.who, ", ")));
   std::string text = fmt::format(
@@ -179,6 +196,15 @@ std::vector<std::string> list_of(const Doubts& doubts) {
 }
 
 std::string words_of(const Doubts& doubts) { return fmt::format("{}", fmt::join(list_of(doubts), " ")); }
+
+std::string_view brief_of(DoubtKind kind) { return words_for(kind).brief; }
+
+std::string left_out_words(const Doubts& doubts) {
+  std::vector<std::string> all;
+  for (const Doubt& doubt : doubts)
+    all.push_back(one_line(fmt::format("{} ({})", fmt::join(doubt.who, ", "), brief_of(doubt.kind))));
+  return fmt::format("{}", fmt::join(all, ", "));
+}
 
 Doubts operator+(Doubts doubts, Doubts others) {
   std::ranges::move(others, std::back_inserter(doubts));

@@ -83,8 +83,12 @@ struct Doubt {
 using Doubts = std::vector<Doubt>;
 
 std::string_view title_of(DoubtKind kind);  // short title: "Times are not comparable"
+std::string title_of(const Doubt& doubt);   // the same, with the solvers if it is about the times of some
 std::string words_of(const Doubt& doubt);   // sentences
 std::string words_of(const Doubts& doubts);
+std::string_view brief_of(DoubtKind kind);  // why nothing is compared, in a few words; most kinds have none
+// Solvers that a metric is not compared of, each with the reason in a few words: "mine (counts by itself)".
+std::string left_out_words(const Doubts& doubts);
 std::vector<std::string> list_of(const Doubts& doubts);  // the words of each
 Doubts operator+(Doubts doubts, Doubts others);
 

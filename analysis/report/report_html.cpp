@@ -307,7 +307,7 @@ std::string series_css(const std::vector<ColouredSolver>& solvers) {
 // "5 warnings: Times are not comparable"
 std::string warnings_line(const Doubts& warnings) {
   return fmt::format("{}: {}", warnings.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings.size()),
-                     title_of(warnings.front().kind));
+                     title_of(warnings.front()));
 }
 
 std::string source(std::string_view code) { return fmt::format("'sha256-{}'", sha256_in_base64(code)); }

@@ -34,14 +34,17 @@ namespace {
 std::string first_by_words(const StudyResults& study, Metric metric, Estimand estimand) {
   if (estimand == Estimand::reliability) return fmt::format("Most often {}", within_words(study, metric));
   const MetricInfo& info = info_of(metric);
-  const bool is_penalised = is_cost(metric) && !is_of_run(metric) && std::isfinite(tolerance_cm(study));
-  const std::string penalised = is_penalised ? fmt::format(" ({})", penalty_words(study, metric)) : "";
-  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, penalised);
-  if (info.kind == Kind::time) return fmt::format("Shortest {} {}{}", name_of(estimand), info.slug, penalised);
+  std::vector<std::string> remarks;
+  if (estimand == Estimand::typical) remarks.emplace_back("geometric mean");
+  if (is_penalised(study, metric) && !is_of_run(metric)) remarks.push_back(penalty_words(study, metric));
+  if (const double least = tolerance_of(study, metric); std::isfinite(least) && !is_of_run(metric))
+    remarks.push_back(fmt::format(words::counts_as, "least"_a = figures::value_words(metric, least)));
+  if (metric == Metric::position_error_cm && estimand == Estimand::mean) remarks.emplace_back("large errors dominate");
+  const std::string remark = remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; "));
+  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, remark);
   if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
-  const std::string words = fmt::format("Smallest {} {}{}", name_of(estimand), info.slug, penalised);
-  if (metric != Metric::position_error_cm || estimand != Estimand::mean) return words;
-  return words + " (large errors dominate)";
+  return fmt::format("{} {} {}{}", info.kind == Kind::time ? "Shortest" : "Smallest", name_of(estimand), info.slug,
+                     remark);
 }
 
 // What a cost achieved, by solver: the mean error or, with a tolerance, the share of solves with status ok. Empty if
@@ -88,11 +91,13 @@ Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estim
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return group_score(evidence, evidence.groups[i]); });
   std::vector<std::string> labels;
   for (const std::size_t group : order) labels.push_back(label(group));
-  const std::string words = evidence.flaws.empty() && has_judged(evidence)
-                                ? fmt::format("{}", fmt::join(short_answer(evidence, label), ". "))
-                            : order.size() == 1 ? labels.front()
-                                                : fmt::format(words::none_tested, "values"_a = listed(labels));
-  return {first_by_words(study, metric, estimand), words + '.'};
+  const Doubts without = is_comparable(study, metric) ? left_out(study, metric) : Doubts();
+  const std::string words =
+      evidence.flaws.empty() && has_judged(evidence) ? fmt::format("{}", fmt::join(short_answer(evidence, label), ". "))
+      : order.size() == 1 && without.empty()         ? labels.front()
+                                                     : fmt::format(words::none_tested, "values"_a = listed(labels));
+  return {first_by_words(study, metric, estimand),
+          words + '.' + (without.empty() ? "" : ' ' + fmt::format(words::left_out, "who"_a = left_out_words(without)))};
 }
 
 namespace {

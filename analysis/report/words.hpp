@@ -46,6 +46,8 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
+inline constexpr Template left_out = "Not compared: {who}.";
+inline constexpr Template counts_as = "below {least} counts as {least}";
 inline constexpr Template exploratory =
     "the verdict is by {judged_by}. Nothing corrects for the {count} other quantit{ies}.";
 inline constexpr Template by_quantity = "the quantity above";

@@ -23,6 +23,10 @@ TEST_CASE("every kind of doubt has a title, and words that its fields fill", "[d
 
 TEST_CASE("times that are not compared say whose, and other studies in which it is so", "[doubt]") {
   Doubt doubt{.kind = DoubtKind::times_imported, .who = {"A"}, .count = 3, .of = 20};
+  CHECK(title_of(doubt) == "Times of A are not comparable");
+  CHECK(title_of(Doubt{.kind = DoubtKind::several_machines, .who = {"here"}}) == "Times are not comparable");
+  CHECK(left_out_words({doubt, {.kind = DoubtKind::evaluations_uncounted, .who = {"B", "C"}}}) ==
+        "A (imported), B, C (nobody counted)");
   CHECK(words_of(doubt) ==
         "Times of A are not compared, because 3 of 20 solves were imported, so their times were taken elsewhere.");
   doubt.is_of_all = true;

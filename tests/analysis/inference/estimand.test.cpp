@@ -219,7 +219,9 @@ TEST_CASE("where each estimand has another winner, the first sentence names the 
   // Means 0.02, 0.5 and 2; geometric means 0.02, sqrt(1e-6) and 0.009^0.8 10^0.2 = 0.0366, each times 1.0105 at most.
   CHECK(sentence.starts_with(
       "Smallest mean error (large errors dominate): A (0.0202 cm) is better than B (0.505 cm) and C: p at most "));
-  CHECK(contains(sentence, ". Smallest typical error: B (0.00101 cm) is better than A (0.0202 cm) and C: p at most "));
+  CHECK(contains(
+      sentence,
+      ". Smallest typical error (geometric mean): B (0.00101 cm) is better than A (0.0202 cm) and C: p at most "));
   CHECK(contains(sentence, ". Most often within 0.01 cm: C (80 %) is better than B (50 %) and A: p at most "));
 }
 
@@ -231,12 +233,12 @@ TEST_CASE("the verdict of a study without a paper is by one quantity, and the ot
   CHECK(lines[2] == fmt::format("Exploratory: the verdict is by the quantity above. Nothing corrects for the {} other "
                                 "quantities.",
                                 lines.size() - 4));
-  CHECK(lines[3].starts_with("Smallest typical error: B ("));
+  CHECK(lines[3].starts_with("Smallest typical error (geometric mean): B ("));
   CHECK(lines[lines.size() - 2].starts_with("Fewest evaluations: "));
   CHECK(lines.back() == "20 observations per group can miss what happens in up to 14 % of them.");
   const std::vector<std::string> typical =
       own_words(judged_runs(three_winners(), R"(, "analysis": {"estimands": ["typical", "reliability"]})"));
-  CHECK(typical[0].starts_with("Smallest typical error: B ("));
+  CHECK(typical[0].starts_with("Smallest typical error (geometric mean): B ("));
   const std::vector<std::string> solved =
       own_words(judged_runs(three_winners(), R"(, "stop": {"tolerance_cm": 0.01})"));
   CHECK(solved[0].starts_with("Most often within 0.01 cm and inside the joint limits: "));
@@ -399,6 +401,7 @@ TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
   for (const Estimand estimand : {Estimand::mean, Estimand::typical}) {
     CHECK(judge(study.evidence(position_error, estimand), "A", "B").relation == Relation::same);
     CHECK(contains(leader_words(study, position_error, estimand), "the same within 5 %"));
+    CHECK(contains(leader_words(study, position_error, estimand), "below 0.1 cm counts as 0.1 cm"));
   }
   CHECK(values(study, Estimand::mean).front() == 0.1);
   CHECK(contains(fmt::format("{}", fmt::join(observations(study, position_error).counting, " ")),

@@ -359,7 +359,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
   };
   const std::string clean = report_of(1, "clean");
   CHECK(!contains(clean, "not comparable"));
-  CHECK(contains(clean, "Shortest typical time: "));
+  CHECK(contains(clean, "Shortest typical time (geometric mean): "));
   CHECK(contains(clean, "## Statistics: typical computing time\n"));
   CHECK(!contains(table("clean", "table-3"), "not comparable"));
 
@@ -371,7 +371,7 @@ TEST_CASE("what is said of times follows one state of them, in every part of a r
     ++said;
   CHECK(said == 1);  // the reason, among the warnings
   CHECK(contains(head, "Computing times are not ranked or tested: times are not comparable"));
-  CHECK(!contains(head, "Shortest typical time: "));
+  CHECK(!contains(head, "Shortest typical time (geometric mean): "));
   CHECK(!contains(head, "relative time"));
   CHECK(!contains(head, "computing time \\[s\\]: "));
   CHECK(contains(
