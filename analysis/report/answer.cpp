@@ -427,7 +427,8 @@ std::string test_of(const Evidence& evidence, const Finding& pair) {
   return planned_test(evidence);
 }
 
-// Each test once, the planned one first.
+}  // namespace
+
 std::string decided_by(const Evidence& evidence) {
   std::vector<std::string> tests;
   for (const Finding& pair : evidence.contrasts) {
@@ -437,8 +438,6 @@ std::string decided_by(const Evidence& evidence) {
   }
   return fmt::format("{}", fmt::join(tests, "; "));
 }
-
-}  // namespace
 
 bool has_judged(const Evidence& evidence) {
   return std::ranges::any_of(evidence.contrasts, [](const Finding& c) { return c.relation != Relation::undefined; });

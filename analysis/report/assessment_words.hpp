@@ -63,6 +63,7 @@ std::vector<std::string> short_answer(const inference::Evidence& evidence,
 std::string reasons_of_undecided(const inference::Evidence& evidence);
 // Returns whether a pair is judged: better, worse, same or undecided.
 bool has_judged(const inference::Evidence& evidence);
+std::string decided_by(const inference::Evidence& evidence);  // each deciding test once, the planned one first
 
 // "What would change it: a larger new study ...": names the choices or data that could change the answer. Empty if no
 // pair is compared.

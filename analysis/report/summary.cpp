@@ -223,6 +223,26 @@ std::string_view start_words(std::string_view start) {
   return found == std::end(words) ? start : found->second;
 }
 
+// "McNemar's exact test (shares of solves); studentized bootstrap (position error and computing time)": what decided
+// which.
+std::string tests_and_quantities(const JudgedStudy& study) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> tests;
+  for (const Metric metric : shown_metrics(study).judged) {
+    for (const Estimand estimand : estimands_of(study, metric)) {
+      const Evidence& evidence = study.evidence(metric, estimand);
+      if (evidence.contrasts.empty() || !has_judged(evidence)) continue;
+      const std::string test = decided_by(evidence);
+      const std::string of = estimand == Estimand::reliability ? "shares of solves" : std::string(info_of(metric).name);
+      auto known = std::ranges::find(tests, test, &decltype(tests)::value_type::first);
+      if (known == tests.end()) known = tests.insert(known, {test, {}});
+      if (std::ranges::count(known->second, of) == 0) known->second.push_back(of);
+    }
+  }
+  std::vector<std::string> parts;
+  for (const auto& [test, quantities] : tests) parts.push_back(fmt::format("{} ({})", test, listed(quantities)));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 // The different values of a fact in the sessions.
 std::string values_of(const std::vector<Session>& sessions, const std::string& fact) {
   std::set<std::string> values;
@@ -312,11 +332,8 @@ std::vector<std::string> set_up_sentences(const JudgedStudy& study, const Paper&
     sentences.push_back(fmt::format(words::set_up_tolerance, "tolerance"_a = tolerance));
   }
   sentences.emplace_back(facts.enforces_limits ? words::set_up_enforced : words::set_up_recorded);
-  const Evidence& evidence = study.evidence(Metric::position_error_cm);
-  if (!evidence.contrasts.empty()) {
-    sentences.push_back(fmt::format(words::set_up_test, "test"_a = deciding_words(evidence),
-                                    "significance"_a = study.plan.significance));
-  }
+  if (const std::string tests = tests_and_quantities(study); !tests.empty())
+    sentences.push_back(fmt::format(words::set_up_test, "tests"_a = tests, "significance"_a = study.plan.significance));
   const std::string cpu = values_of(sessions, "cpu"), compiler = values_of(sessions, "compiler"),
                     version = values_of(sessions, "version");
   if (!cpu.empty()) {

@@ -284,11 +284,11 @@ inline constexpr Template set_up_drawn =
     "numbers follow from the seed {seed}.";
 inline constexpr Template set_up_limits = "A solve ends after at most {limits}.";
 inline constexpr Template set_up_tolerance =
-    "It counts as solved if the verifier finds its error to be at most {tolerance}.";
+    "It counts as solved if the verifier finds its error to be at most {tolerance} and its joints inside their limits.";
 inline constexpr Template set_up_enforced = "Answers outside the joint limits are refused.";
 inline constexpr Template set_up_recorded = "Answers outside the joint limits are kept and reported.";
 inline constexpr Template set_up_test =
-    "Pairs are compared at the level {significance} for all pairs together. Test: {test}.";
+    "Pairs are compared at the level {significance} for all pairs together: {tests}.";
 inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template together_caption = "{studies} {noun} together: the position error of each solver";
 inline constexpr Template together = "Over {studies} {noun} together, by {quantity}";
