@@ -141,7 +141,7 @@ std::string notes_of(const Table& table) {
 
 constexpr double column_of_article = 219, between_columns = 6;
 constexpr double em = 8.5, smaller = 7.0 / 8, bolder = 1.16, star = 4;
-constexpr double widest_name = 88;               // wider names break into lines, of ten letters at least
+constexpr double narrowest_name = 70;            // has room for lines of ten letters
 constexpr std::size_t longest_narrow_head = 10;  // longest line of a head [characters]
 
 double width_of(std::string_view text) {
@@ -192,7 +192,7 @@ double width_of(const Table& table, std::size_t column) {
       width = std::max({width, (average->is_best ? bolder : 1) * width_of_number(value_words(*average)) + of_star,
                         width_of_spread(*average)});
     else
-      width = std::max(width, std::min(widest_name, width_of(readable(row[column]))));
+      width = std::max(width, std::min(table.widest_name, width_of(readable(row[column]))));
   }
   return width;
 }
@@ -251,9 +251,9 @@ std::string narrow_latex(const Table& table) {
   std::vector<LatexColumn> columns = columns_of(table);
   std::string letters;
   for (LatexColumn& column : columns) {
-    const auto is_wide = [&](const auto& row) { return width_of(readable(row[column.index])) > widest_name; };
+    const auto is_wide = [&](const auto& row) { return width_of(readable(row[column.index])) > table.widest_name; };
     column.wraps = column.is_text && std::ranges::any_of(table.rows, is_wide);
-    letters += column.wraps     ? fmt::format(">{{\\raggedright\\arraybackslash}}p{{{}pt}}", widest_name)
+    letters += column.wraps     ? fmt::format(">{{\\raggedright\\arraybackslash}}p{{{}pt}}", table.widest_name)
                : column.is_text ? "l"
                                 : "r";
   }
@@ -291,7 +291,7 @@ std::string wide_latex(const Table& table) {
 
 }  // namespace
 
-Table fitted(Table table) {
+Table fitted(Table table, std::size_t needed) {
   const auto width = [](const Table& of) {
     const Table shown = for_people(of);
     double sum = -between_columns;
@@ -299,6 +299,10 @@ Table fitted(Table table) {
     return sum;
   };
   while (table.columns.size() > 2 && width(table) > column_of_article) {
+    if (table.columns.size() == needed && table.widest_name > narrowest_name) {
+      table.widest_name = narrowest_name;
+      continue;
+    }
     table.columns.pop_back();
     for (std::vector<Cell>& row : table.rows) row.pop_back();
   }

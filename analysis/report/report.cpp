@@ -83,6 +83,19 @@ std::vector<std::string> leave_out_others(StudyEntry& entry, const std::vector<s
   return others;
 }
 
+// The other studies of a user's collection, with the chosen solvers.
+std::vector<StudyEntry> together_with(const StudyEntry& entry, std::vector<StudyEntry> entries,
+                                      const ReportRequest& request) {
+  std::erase_if(entries, [&](const StudyEntry& other) {
+    return other.name == entry.name || std::ranges::none_of(request.collections, [&](const Collection& collection) {
+             return collection.is_together &&
+                    std::ranges::count(collection.studies, other.name, &CollectedStudy::name) > 0;
+           });
+  });
+  for (StudyEntry& other : entries) leave_out_others(other, request.solvers);
+  return entries;
+}
+
 // Refuses labels that are no solvers of the study, and a choice without its control.
 void check_chosen(const StudyEntry& entry, const ReportRequest& request, const FigureStyle& style) {
   const std::vector<std::string> labels = labels_of(entry);
@@ -126,8 +139,8 @@ class CheckedStore {
   StudyResults study(const StudyEntry& entry) {
     return read(entry, [](const SolveRecord&) {});
   }
-  // Reads the reported study and writes its solves as CSV.
-  StudyResults reported(const StudyEntry& entry) {
+  // Reads the reported study and writes its solves as CSV, and those of the studies that are judged together with it.
+  StudyResults reported(const StudyEntry& entry, const std::vector<StudyEntry>& together) {
     std::optional<StudyResults> study;
     remove_litter(request_.folder);  // an incomplete CSV may fill the disk
     write_csv(request_.folder / "solves.csv", [&](const std::function<void(const SolveRecord&)>& take) {
@@ -135,6 +148,7 @@ class CheckedStore {
         store_.each_of_study(entry, take);
       else
         study = read(entry, take);
+      for (const StudyEntry& other : together) store_.each_of_study(other, take);
     });
     return std::move(*study);
   }
@@ -408,6 +422,20 @@ void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, Repo
   }
 }
 
+// The table for an article: of a user's collection that of all its studies, then one of each.
+void add_article_tables(std::vector<Table>& tables, const Reported& reported, bool is_together) {
+  JudgedStudies studies{reported.study};
+  if (is_together) std::ranges::copy(reported.companions, std::back_inserter(studies));
+  const bool has_joint = std::ranges::count(tables, "paper", &Table::name) > 0;
+  for (const JudgedStudy& study : studies) {
+    if (study.solves.empty()) continue;
+    Table& table = tables.emplace_back(article_table(study));
+    if (!is_together) continue;
+    if (has_joint) table.name += '-' + study.name;
+    table.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", table.caption));
+  }
+}
+
 void add_seen(const std::vector<Table>& tables, std::span<const ClaimShares> shares, ReportContent& content) {
   if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
   const auto audit = std::ranges::find(tables, "audit", &Table::name);
@@ -450,7 +478,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
       looks_of(whole, entries, request.solvers.empty() ? std::vector<std::string>() : labels_of(entry), style),
       style.solvers);
   const std::vector<Session>& sessions = checked.sessions();
-  StudyResults stored = checked.reported(entry);
+  StudyResults stored = checked.reported(entry, together_with(entry, entries, request));
   if (request.plan) stored.plan = *request.plan;
   if (!stored.facts.published.empty()) std::ranges::copy(left_out, std::back_inserter(stored.facts.missing_solvers));
   const AnalysisPlan planned = stored.plan;
@@ -515,11 +543,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
-  if (!study.solves.empty()) {
-    Table& article = tables.emplace_back(article_table(study));
-    if (collection.is_together)
-      article.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", article.caption));
-  }
+  add_article_tables(tables, reported, collection.is_together);
   std::ranges::move(cost_tables(study), std::back_inserter(tables));
   for (Figure& figure : convergence_figures(study)) {
     if (collection.is_together)

@@ -103,7 +103,7 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
   fill({{"A table for your article",
          "It fits a column of a two-column article, in the size of footnotes: \\input{tables/paper}.",
          {},
-         {"paper"}}},
+         {"paper", "paper-*"}}},
        content.results);
   fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
         {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}},

@@ -78,6 +78,7 @@ struct Table {
   int number = 0;                            // number in its paper; 0: none
   std::vector<std::string> times = {};       // columns of times [s], besides those of a metric of times
   bool is_narrow = false;                    // its LaTeX fits a column of an article, in the size of footnotes
+  double widest_name = 88;                   // of a narrow table [pt]; wider names break into lines
 };
 
 // "Table 3: errors"
@@ -104,8 +105,9 @@ bool is_left(const Table& table, std::size_t column);  // true for a column of t
 // Indices of columns that are not empty in every row.
 std::vector<std::size_t> columns_in_use(const Table& table);
 
-// Leaves out the last columns of a narrow table until its LaTeX is as wide as a column of an article.
-Table fitted(Table table);
+// Leaves out the last columns of a narrow table until its LaTeX is as wide as a column of an article. Breaks names into
+// lines of ten letters if the first `needed` columns fit then.
+Table fitted(Table table, std::size_t needed = 0);
 // The table with these columns only, in this order; those that it lacks are left out.
 Table with_columns(const Table& table, std::span<const std::string_view> names);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "analysis/figures/convergence_figures.hpp"
@@ -13,6 +14,7 @@
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/together.hpp"
+#include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
 
@@ -56,6 +58,20 @@ std::string set_up_of(const JudgedStudy& study) {
 Evidence judged_over(const JudgedStudies& studies, const Judged& of, bool are_seeds) {
   const Observations observations = together(studies, of.metric, of.estimand, are_seeds);
   return evidence(observations, feasible(studies.front().get().plan, observations));
+}
+
+// The table for an article over all studies.
+Table article_together(const JudgedStudies& studies, const std::vector<Judged>& judged, bool are_seeds) {
+  std::map<std::pair<Metric, Estimand>, Evidence> known;
+  Table table = article_table(studies, [&](Metric metric, Estimand estimand) -> const Evidence* {
+    const auto is_it = [&](const Judged& of) { return of.metric == metric && of.estimand == estimand; };
+    const auto of = std::ranges::find_if(judged, is_it);
+    if (of == judged.end()) return nullptr;
+    return &known.emplace(std::pair(metric, estimand), judged_over(studies, *of, are_seeds)).first->second;
+  });
+  table.caption = fmt::format(words::article_together, "studies"_a = studies.size(), "noun"_a = noun_of(are_seeds),
+                              "what"_a = table.caption);
+  return table;
 }
 
 Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors, bool are_seeds) {
@@ -114,9 +130,11 @@ std::string prefix_of(const StudyResults& companion) { return companion.name + '
 
 void add_together(StudyPieces& pieces, const Reported& reported) {
   const JudgedStudies studies = studies_of(reported);
-  std::vector<Judged> errors = judged_together(studies);
+  if (studies.size() < 2) return;
+  const std::vector<Judged> judged = judged_together(studies);
+  std::vector<Judged> errors = judged;
   std::erase_if(errors, [](const Judged& each) { return each.metric != Metric::position_error_cm; });
-  if (studies.size() < 2 || errors.empty()) return;
+  if (errors.empty()) return;
   Table table = together_table(studies, errors, reported.are_seeds);
   const Evidence found = judged_over(studies, errors.front(), reported.are_seeds);
   const auto label = [&](std::size_t group) {
@@ -139,6 +157,7 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
   pieces.results = table.name;
   pieces.sections.insert(pieces.sections.begin(), {std::string(words::all_studies), "", {table.name}});
   pieces.tables.push_back(std::move(table));
+  pieces.tables.push_back(article_together(studies, judged, reported.are_seeds));
   pieces.verdict.push_back(sentence);
 }
 

@@ -143,7 +143,10 @@ inline constexpr Template article_averages = "{averages} over {observations} (n 
 inline constexpr Template article_tolerance = "An error below the tolerance counts as the tolerance.";
 inline constexpr Template article_marks =
     "Bold: the best. Star: these averages are found to differ from {from} (level {level} for all pairs of a column).";
+inline constexpr Template article_together = "{studies} {noun} together: {what}";
 inline constexpr Template article_not_compared = "Not compared: {names}.";
+inline constexpr Template article_left_out = "Not compared in {name}: {who}.";
+inline constexpr Template article_no_room = "No room for: {names}.";
 
 // The table of joint limits.
 inline constexpr Template limits =

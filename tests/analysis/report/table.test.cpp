@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::report;
@@ -177,4 +178,17 @@ TEST_CASE("a table for an article leaves out the last quantities that do not fit
   CHECK(many.columns.size() > 3);
   CHECK(many.columns.size() < 8);
   CHECK(many.rows[1].size() == many.columns.size());
+}
+
+TEST_CASE("a table for an article breaks long names where a column that it needs has no room otherwise", "[table]") {
+  Table table{.name = "paper",
+              .caption = "",
+              .columns = {"solver", "solved [%]", "position error [cm]", "orientation error [deg]"},
+              .is_narrow = true};
+  const AverageCell average{.value = 9.8, .spread = {9.31}, .differs = true};
+  table.rows = {{"damped_least_squares", average, average, average}};
+  CHECK(fitted(table).columns.size() == 3);
+  CHECK(fitted(table, 4).columns.size() == 4);
+  CHECK(contains(to_latex(fitted(table, 4)), "p{70pt}"));
+  CHECK(contains(to_latex(fitted(table)), "p{88pt}"));
 }

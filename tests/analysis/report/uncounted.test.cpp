@@ -3,21 +3,25 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
+#include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/report/article_table.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -69,6 +73,15 @@ TEST_CASE("where the control is left out of a metric, the others are compared wi
   const JudgedStudy judged(std::move(study));
   CHECK(judged.evidence(Metric::evaluations).plan.control.empty());
   CHECK(judged.evidence(Metric::evaluations).contrasts.size() == 1);
+  const auto leader_in = [&](Metric metric) {
+    return words_of(leader_sentence(judged, metric, average_estimand(metric)));
+  };
+  CHECK(leader_in(Metric::evaluations).ends_with(" Not compared: program (nobody counted)."));
+  StudyResults apart = study_without_counts(0.05);
+  apart.plan.program_times = ProgramTimes::apart;
+  CHECK(contains(article_table(JudgedStudy(std::move(apart))).caption,
+                 "Not compared in computing time: program (in a process of its own)."));
+  CHECK_FALSE(contains(leader_in(Metric::position_error_cm), "Not compared"));
   CHECK(judged.evidence(Metric::position_error_cm).plan.control == "program");
 }
 
