@@ -125,12 +125,14 @@ std::vector<SweptCurve> curves_of(const std::vector<SweptFamily>& families, std:
   return curves;
 }
 
-// A curve looks as its first entry does in the other figures: the colour of its solver, with a shade, markers and
-// dashes of its own.
+// A curve looks as its first entry with values does in the other figures: the colour of its solver, with a shade,
+// markers and dashes of its own.
 int style_of(const SweptCurve& curve, const Observations& observations) {
-  const int of_no_solver = static_cast<int>(curve.combination) + 1;
-  const Group* const group = group_named(observations.groups, curve.members.front()->label);
-  return group == nullptr ? of_no_solver : group->style.value_or(of_no_solver);
+  for (const SweptFamily::Member* member : curve.members) {
+    const Group* const group = group_named(observations.groups, member->label);
+    if (group != nullptr && group->style) return *group->style;
+  }
+  return static_cast<int>(curve.combination) + 1;
 }
 
 }  // namespace
@@ -183,6 +185,7 @@ Figure sweep_figure(const std::vector<SweptFamily>& families, const SweptQuantit
       observations.scale == ValueScale::log10 ? " (geometric means)" : "",
       axis.shows_at_edge ? " Values of zero are drawn at the lower edge." : "");
   if (is_cut) figure.caption += " Intervals that reach below 0 end at the lower edge.";
+  for (const std::string& note : observations.counting) figure.caption += ' ' + note;
   if (!observations.flaws.empty()) figure.caption += fmt::format(" Flawed: {}", words_of(observations.flaws));
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);

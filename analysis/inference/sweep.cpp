@@ -74,6 +74,15 @@ bool SweptQuantity::is_better(double one, double other) const {
   return evidence.better == Better::smaller ? one < other : one > other;
 }
 
+std::vector<SweptFamily> with_values(std::vector<SweptFamily> families, const SweptQuantity& quantity) {
+  std::erase_if(families, [&](const SweptFamily& family) {
+    return std::ranges::none_of(family.members, [&](const SweptFamily::Member& member) {
+      return std::isfinite(quantity.of(member.label).value);
+    });
+  });
+  return families;
+}
+
 std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics) {
   std::vector<SweptQuantity> quantities;
   const auto add = [&](Metric metric, Estimand estimand) {
@@ -85,10 +94,8 @@ std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const Sho
   for (const Metric metric : metrics.judged) {
     if (is_comparable(study, metric)) add(metric, average_estimand(metric));
   }
-  // What nobody counted of any swept entry has nothing to show.
-  std::erase_if(quantities, [&](const SweptQuantity& quantity) {
-    return std::ranges::none_of(study.facts.swept,
-                                [&](const auto& entry) { return std::isfinite(quantity.of(entry.first).value); });
+  std::erase_if(quantities, [families = swept_families(study)](const SweptQuantity& quantity) {
+    return with_values(families, quantity).empty();
   });
   return quantities;
 }

@@ -43,6 +43,9 @@ struct SweptQuantity {
 // The quantities of a sweep: what decides the study, and the average of each metric.
 std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics);
 
+// The families of which the quantity has values: that of others was not counted, or is not compared.
+std::vector<SweptFamily> with_values(std::vector<SweptFamily> families, const SweptQuantity& quantity);
+
 // The interaction of two settings of a family. Of further settings the averages over their values count.
 struct SettingsInteraction {
   std::size_t first, second;           // of the family's settings

@@ -63,7 +63,7 @@ Table swept_table(const std::vector<SweptFamily>& families, const std::vector<Sw
       std::string best_in;
       for (std::size_t i = 0; i < quantities.size(); ++i) {
         const Estimate mean = quantities[i].of(member.label);
-        row.emplace_back(mean.value);
+        row.push_back(or_nothing(mean.value));
         row.emplace_back(range_of(mean));
         if (best[i] == mean.value) best_in += (best_in.empty() ? "" : ", ") + quantities[i].observations.name;
       }
@@ -72,6 +72,11 @@ Table swept_table(const std::vector<SweptFamily>& families, const std::vector<Sw
   }
   table.notes = {
       fmt::format(words::sweep_note, "level"_a = percent(1 - quantities.front().evidence.plan.significance))};
+  for (const SweptQuantity& quantity : quantities) {
+    for (const std::string& note : quantity.evidence.notes) {
+      if (std::ranges::count(table.notes, note) == 0) table.notes.push_back(note);
+    }
+  }
   return table;
 }
 
@@ -90,6 +95,7 @@ Table interaction_table(const std::vector<SweptFamily>& families, const std::vec
               .notes = {std::string(words::interaction_note)}};
   for (const SweptFamily& family : families) {
     for (const SweptQuantity& quantity : quantities) {
+      if (with_values({family}, quantity).empty()) continue;
       for (const SettingsInteraction& pair : interactions(family, quantity)) {
         const Interaction& found = pair.found;
         const std::string settings =
@@ -135,8 +141,10 @@ std::vector<Figure> sweep_figures(const StudyResults& study, const ShownMetrics&
   std::vector<Figure> figures;
   for (const SweptQuantity& quantity : swept_quantities(study, metrics)) {
     int number = 0;
-    for (const auto& [names, families] : alike) {
+    for (const auto& [names, all] : alike) {
       const std::string end = ++number == 1 ? "" : fmt::format("-{}", number);
+      const std::vector<SweptFamily> families = with_values(all, quantity);
+      if (families.empty()) continue;
       figures.push_back(sweep_figure(families, quantity, fmt::format("sweep-{}{}", quantity.observations.name, end)));
     }
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,33 @@ TEST_CASE("an interval that is not defined has a low and a high end all the same
   for (const Table& table : tables_of(study)) {
     if (table.name == "sweep") CHECK(std::holds_alternative<Range>(cell_at(table, 0, "error interval")));
   }
+}
+
+TEST_CASE("a family that nobody counted has no figure of evaluations and no interaction in them", "[sweep]") {
+  StudyResults study = swept_study();
+  study.facts = facts_of(R"({"stop": {"iterations": 9, "tolerance_cm": 0.5}, "swept": {
+    "A a=1 b=0": {"family": "A", "settings": {"a": "1", "b": "0"}},
+    "A a=1 b=1": {"family": "A", "settings": {"a": "1", "b": "1"}},
+    "A a=50 b=0": {"family": "B", "settings": {"c": "1", "d": "0"}},
+    "A a=50 b=1": {"family": "B", "settings": {"c": "1", "d": "1"}}}})");
+  for (Solve& solve : study.solves.to_change()) {
+    if (solver_of(study, solve).starts_with("A a=1 ")) solve.counted_by = CountedBy::nobody;
+  }
+  const std::vector<Table> tables = tables_of(study);
+  std::set<std::string> in_evaluations;
+  for (const auto& row : swept_table_named(tables, "sweep-interactions").rows) {
+    if (contains(readable(row[2]), "evaluations")) in_evaluations.insert(readable(row[0]));
+  }
+  CHECK(in_evaluations == std::set<std::string>{"B"});
+  CHECK(has_note(swept_table_named(tables, "sweep"), "Nobody counted the evaluations of A a=1 b=0, A a=1 b=1."));
+  std::set<std::string> names;
+  for (const Figure& figure : sweep_figures(study, shown_metrics(study))) {
+    names.insert(figure.name);
+    if (figure.name == "sweep-error")
+      CHECK(contains(figure.caption, "An error below the tolerance of 0.5 cm counts as"));
+  }
+  CHECK_FALSE(names.contains("sweep-evaluations"));
+  CHECK(names.contains("sweep-evaluations-2"));
 }
 
 TEST_CASE("seeds of a study and of a training are compared as whole numbers", "[sweep]") {
