@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/margin.hpp"
@@ -73,6 +74,7 @@ std::optional<AnalysisPlan> examine(MetricComparison& row, const VariantStudy& o
   if (!why_not.empty() || observed.groups.size() < 2) {
     const auto has_nobody = [&](const Solve& solve) { return solve.counted_by == CountedBy::nobody; };
     row.is_counted = row.metric != Metric::evaluations || std::ranges::none_of(study.solves, has_nobody);
+    row.why_not = why_not + left_out(study, row.metric);
     std::ranges::move(list_of(why_not), std::back_inserter(notes));
     return std::nullopt;
   }

@@ -21,6 +21,7 @@ struct MetricComparison {
   // Judges A, the first group, and B as a report does; but p is not corrected, and the two differ if it is below the
   // plan's significance, which is the level of this metric. Without findings if the two are not compared.
   Evidence evidence = {};
+  Doubts why_not = {};       // why the two are not compared, if something is wrong with their values
   bool is_counted = true;    // false: nobody counted the evaluations; the comparison does not fail for it
   std::string refused = {};  // why the plan has no margin for these values
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "analysis/inference/margin.hpp"
@@ -87,9 +89,19 @@ std::string margin_words(Comparisons comparisons, const AnalysisPlan& plan) {
   return fmt::format(words::margins, "margin"_a = of_others, "of_shares"_a = of_shares);
 }
 
+bool has_same_bits(const MetricComparison& metric) {
+  return metric.finding().is_fact && metric.observed.groups.front().bits > 0;
+}
+
 // The verdict on B: "better", "worse by less than 5 %".
 std::string b_is(const MetricComparison& metric, const std::string& margin) {
-  if (!metric.is_compared()) return metric.is_counted ? "not compared" : "not compared: nobody counted";
+  if (!metric.is_compared()) {
+    std::set<std::string_view> reasons;
+    for (const Doubt& doubt : metric.why_not) reasons.insert(brief_of(doubt.kind));
+    if (!metric.refused.empty()) reasons.insert("no margin");
+    reasons.erase("");
+    return fmt::format("not compared{}{}", reasons.empty() ? "" : ": ", fmt::join(reasons, ", "));
+  }
   const Finding found = metric.finding();
   const auto sized = [&](std::string_view word) {
     return found.is_within_margin()   ? fmt::format(words::by_less, "word"_a = word, "margin"_a = margin)
@@ -103,7 +115,7 @@ std::string b_is(const MetricComparison& metric, const std::string& margin) {
     case Relation::worse:
       return sized("better");
     case Relation::same:
-      return "the same within " + margin;
+      return has_same_bits(metric) ? std::string(words::the_same_bits) : "the same within " + margin;
     case Relation::undefined:
       return "cannot be judged";
     default:
@@ -133,8 +145,7 @@ std::string remark_on(const MetricComparison& metric, double significance) {
   if (!metric.refused.empty()) return metric.refused;
   if (!metric.is_compared()) return metric.is_counted ? "see below" : "nobody counted";
   const Finding found = metric.finding();
-  if (found.is_fact)
-    return std::string(metric.observed.groups.front().bits > 0 ? words::equal_bits : words::repeats_itself);
+  if (found.is_fact) return std::string(has_same_bits(metric) ? words::equal_bits : words::repeats_itself);
   std::vector<std::string> parts{not_finite_words(metric.observed)};
   if (found.relation == Relation::undefined || !found.why.empty()) {
     parts.push_back(found.why);

@@ -175,6 +175,7 @@ inline constexpr Template comparisons = "Of {count} comparison{s}: {counts}.";
 inline constexpr Template by_less = "{word} by less than {margin}";
 inline constexpr Template by_more = "{word} by more than {margin}";
 inline constexpr Template perhaps_by_less = "{word}, perhaps by less than {margin}";
+inline constexpr std::string_view the_same_bits = "the same, bit for bit";
 inline constexpr Template equal_bits = "equal bit for bit";
 inline constexpr Template repeats_itself = "all runs of each are equal: a fact of these targets, without a test";
 inline constexpr Template lost = "not finite: {list}";
