@@ -10,10 +10,12 @@
 #include <string_view>
 
 #include "analysis/collections.hpp"
+#include "analysis/inference/text.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 
 namespace ikbench::cli {
 
@@ -33,7 +35,12 @@ void show(std::vector<AuditItem> items, const OutputArguments& output) {
            : item.verdict == Verdict::in_part ? 1
                                               : 2;
   });
-  constexpr std::array<std::string_view, 5> shown{"verdict", "id", "where", "printed", "follows"};
+  constexpr std::array<std::string_view, 5> shown{"verdict", "id", "printed", "follows", "where"};
+  constexpr std::size_t before = 23;  // of the widest verdict and id, with the room between columns
+  for (AuditItem& item : items) {     // so that what is printed and what follows stand side by side
+    if (!output.is_verbose && text_width() > 2 * before)
+      item.printed = shortened(item.printed, (text_width() - before) / 2);
+  }
   Tones tones{.column = 0};
   for (const AuditItem& item : items) tones.of_rows.push_back(tone_of(item.verdict));
   Part rows = table_rows(with_columns(audit_table(items), shown), output, 0, tones);
@@ -71,7 +78,7 @@ void add_audit(CLI::App& app, Invocation&) {
     if (!audit) throw std::invalid_argument(fmt::format("the program has no audit of the paper {}", arguments->paper));
     const std::vector<AuditItem> items = audit();
     if (!arguments->out.empty()) {
-      write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables");
+      write_table(audit_table(items), std::filesystem::path(arguments->out) / "tables", experiments::program_name());
     }
     if (arguments->output.is_json) return show_json(rows_json(audit_table(items)));
     show(items, arguments->output);

@@ -105,7 +105,7 @@ void look(Request& asked, bool is_planned, const Store& store, const StudyEntry&
 
 // The rules of the decision, in words.
 std::string rules(const AnalysisPlan& plan) {
-  return fmt::format("margin {}; if A and B are alike, the probability of any difference is at most {}",
+  return fmt::format("margin {}; if A and B are alike, some difference is found with a probability of at most {}",
                      margin_words(plan.margin, plan.margin_cm), percent(plan.significance));
 }
 

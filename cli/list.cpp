@@ -79,14 +79,14 @@ Listed solver_details(std::string_view name) {
   });
   const Listed options = listed(table);
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
-  return {
-      fmt::format("{}\n\n{}", wrapped(fmt::format("{}: {}\nfrom {}{}", info.name, info.summary, info.source, library)),
-                  options.text),
-      {{"name", info.name},
-       {"what", info.summary},
-       {"from", info.source},
-       {"library", info.library},
-       {"options", options.json}}};
+  return {fmt::format("{}\n\n{}",
+                      wrapped(fmt::format("{}: {}\nsource: {}{}", info.name, info.summary, info.source, library)),
+                      options.text),
+          {{"name", info.name},
+           {"what", info.summary},
+           {"from", info.source},
+           {"library", info.library},
+           {"options", options.json}}};
 }
 
 Table robot_list() {

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 
 namespace ikbench::cli {
 
@@ -94,7 +95,7 @@ void show(const Table& table, std::vector<std::string> said, const std::vector<s
 }
 
 void tell(const MultiverseReport& report, const MultiverseArguments& arguments, const std::filesystem::path& folder) {
-  for (const Table& table : report.tables) write_table(table, folder / "tables");
+  for (const Table& table : report.tables) write_table(table, folder / "tables", program_name());
   draw(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   std::vector<std::string> said;
   for (const ClaimShares& claim : report.claims) said.push_back(claim.sentence);
@@ -130,7 +131,7 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
   }
   const Table table = paper.one_at_a_time(solved->multiverse, solved->plan);
   judging.end();
-  write_table(table, folder / "tables");
+  write_table(table, folder / "tables", program_name());
   show(table, {}, {fmt::format("Table: {}", printable((folder / "tables" / (table.name + ".md")).string()))},
        arguments.output);
 }

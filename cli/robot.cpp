@@ -188,7 +188,7 @@ void draw_arm(const Figure& figure, const std::filesystem::path& folder, const O
 }  // namespace
 
 std::string robot_text(const Robot& arm) {
-  const std::string head = fmt::format("{}: {}\nfrom {}\n\n{}{}", arm.name, arm.summary, arm.source,
+  const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
   std::string rest =
       fmt::format("\n{}\n{}\nwrist: {}\n", reach_text(arm), family_text(arm.chain),

@@ -33,7 +33,7 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<fig
                const std::filesystem::path& folder, const figures::RenderOptions& options);
 
 // Writes one table as NAME.md, NAME.csv and NAME.tex, which names the program at its end.
-void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program = {});
+void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program);
 
 // The report of assessments only, for data from anywhere: report.html, report.md, statistics.json, tables/ and
 // figures/.

@@ -229,7 +229,7 @@ for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power
   read -r margin significance power <<<"$edge"
   make edge --set "$margin" --set "$significance" --set "$power"
   succeeds compare --verbose edge/store.sqlite $fewer --label K-ABC --metric variation_deg
-  has "$out" "the probability of any difference is at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
+  has "$out" "some difference is found with a probability of at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
   succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
     --significance "${significance#*=}" --power "${power#*=}" --out edge_stats

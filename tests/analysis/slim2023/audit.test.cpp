@@ -143,6 +143,7 @@ TEST_CASE("the audit's table has a row an item, in three forms", "[audit]") {
   CHECK(table.name == "audit");
   CHECK(table.rows.size() == audit().size());
   const ScratchFolder folder;
-  write_table(table, folder.path);
+  write_table(table, folder.path, "ikbench 1");
   CHECK(files_in(folder.path) == std::set<std::string>{"audit.csv", "audit.md", "audit.tex"});
+  CHECK(text_of_file(folder.path / "audit.tex").ends_with("% Made by ikbench 1\n"));
 }
