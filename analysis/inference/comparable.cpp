@@ -147,7 +147,7 @@ Doubts timing_doubts(const StudyResults& study) {
   if (number == 0 || number + 2 <= study.solvers.size()) return {};
   Doubts doubts = times_left_out(study);
   for (Doubt& doubt : doubts) {
-    if (doubt.kind == DoubtKind::times_disturbed) doubt = disturbed_doubt(study, study.solvers);
+    if (doubt.who.size() == study.solvers.size()) doubt.who.clear();  // then it needs no names
     doubt.is_of_all = true;
   }
   return doubts;

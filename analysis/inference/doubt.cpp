@@ -166,9 +166,8 @@ bool is_of_times(DoubtKind kind) { return kind <= K::times_of_programs; }
 std::string_view title_of(DoubtKind kind) { return words_for(kind).title; }
 
 std::string title_of(const Doubt& doubt) {
-  const bool is_of_some = doubt.kind == K::times_imported || doubt.kind == K::times_of_programs ||
-                          (doubt.kind == K::times_disturbed && !doubt.is_of_all);
-  if (!is_of_some) return std::string(title_of(doubt.kind));
+  const bool names_solvers = doubt.kind >= K::times_imported && doubt.kind <= K::times_of_programs;
+  if (!names_solvers || doubt.who.empty()) return std::string(title_of(doubt.kind));
   return one_line(fmt::format("Times of {} are not comparable", fmt::join(doubt.who, ", ")));
 }
 
@@ -181,7 +180,8 @@ std::string words_of(const Doubt& doubt) {
       fmt::arg("whose", doubt.is_of_all ? "those of " + who : "they"),
       fmt::arg("waited", doubt.has_programs ? ", or waited for a processor for more than a tenth of it" : ""));
   if (is_of_times(doubt.kind)) {
-    text = doubt.is_of_all ? fmt::format("{}: {}", times, text)
+    const bool names_solvers = doubt.kind == K::times_disturbed && !doubt.who.empty();
+    text = doubt.is_of_all ? fmt::format("{}: {}{}", times, names_solvers ? fmt::format("of {}, ", who) : "", text)
                            : fmt::format("Times of {} are not compared, because {}", who, text);
   }
   if (doubt.errors_too) text += " Solves end by their wall time, so that errors depend on that too.";

@@ -241,6 +241,21 @@ TEST_CASE("one disturbed solver takes no times from the others", "[uncounted]") 
   CHECK(judge(study.evidence(Metric::seconds), "IK-BA", "DE").relation == Relation::better);
 }
 
+TEST_CASE("of two solvers the disturbed one is named, and where all are none is", "[uncounted]") {
+  const auto doubt_where = [](bool is_of_all) {
+    std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "PSO"}, .runs = 12, .points = 2});
+    for (SolveRecord& solve : solves) {
+      if (is_of_all || solve.solver == "PSO") solve.cpu_seconds = solve.seconds / 2;
+    }
+    return timing_doubts(make_study("synthetic", std::move(solves))).front();
+  };
+  const Doubt of_one = doubt_where(false), of_all = doubt_where(true);
+  CHECK(title_of(of_one) == "Times of PSO are not comparable");
+  CHECK(words_of(of_one).starts_with("Times are not comparable: of PSO, 24 of 24 solves took"));
+  CHECK(title_of(of_all) == "Times are not comparable");
+  CHECK(words_of(of_all).starts_with("Times are not comparable: 48 of 48 solves took"));
+}
+
 TEST_CASE("a second reason why times are not comparable begins with a capital", "[uncounted]") {
   StudyResults study = study_without_counts(0.05);
   study.plan.program_times = ProgramTimes::apart;
