@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/figures/dark.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::figures {
 
@@ -71,10 +72,17 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   for (const auto& [label, place] : places) ++users[place];
   std::vector<NamedSolver> in_order = solvers;
   if (is_in_order) std::ranges::stable_partition(in_order, &NamedSolver::is_chosen);
+  std::map<std::string, std::size_t> places_of;  // of algorithms that are not built in
   for (const NamedSolver& solver : in_order) {
     if (places.contains(solver.label)) continue;
+    const bool has_family = !is_short && solver.algorithm != imported_algorithm;
+    if (const auto known = places_of.find(solver.algorithm); has_family && known != places_of.end()) {
+      places.emplace(solver.label, known->second);
+      continue;
+    }
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
     places.emplace(solver.label, static_cast<std::size_t>(rarest - users.begin()));
+    if (has_family) places_of.emplace(solver.algorithm, places.at(solver.label));
     ++*rarest;
   }
   std::map<std::string, int> styles;

@@ -16,8 +16,8 @@ struct NamedSolver {
 };
 
 // The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
-// built in, its own of the palette; the others get colours of the palette that no solver of the report has, while
-// there are any; so do built-in ones to which a short palette would give one colour. Chosen solvers
+// built in, its own of the palette; each other algorithm gets a colour of the palette that no solver of the report has,
+// while there are any; so do built-in ones to which a short palette would give one colour. Chosen solvers
 // get the colours of a short palette in their order. Solvers of one colour, such as two
 // variants of one algorithm, have different shades and line types. Colours of style.colours that the palette lacks are
 // added to it.
