@@ -187,6 +187,7 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
   }
   const Axis axis =
       value_axis(errors, {fmt::format("mean {}", info_of(Metric::position_error_cm).name), "cm"}, Scale::logarithmic);
+  if (std::isfinite(tolerance_cm(study))) figure.caption += " Errors are as measured, also below the tolerance.";
   if (axis.shows_at_edge) figure.caption += " Values of zero are drawn at the lower edge.";
   const double far = 1.12 * widest;
   figure.settings =
