@@ -164,14 +164,22 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) {
-  write_error((isatty(STDERR_FILENO) != 0 ? wrapped(text, columns_of(STDERR_FILENO)) : printable(text)) + '\n');
+void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
+
+void say_command(std::string_view command) {
+  const bool has_quotes =
+      command.find('\'') != std::string_view::npos;  // a line that breaks in them is another command
+  constexpr std::string_view goes_on = " \\";
+  const std::size_t width = columns_of(STDERR_FILENO) - goes_on.size();
+  std::string text = has_quotes ? printable(command) : wrapped(command, width);
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + goes_on.size() + 1))
+    text.insert(at, goes_on);
+  write_error(text + '\n');
 }
 
 void warn(std::string_view text) {
   constexpr std::string_view word = "warning:";
-  const std::string line = fmt::format("{} {}", word, text);
-  const std::string shown = isatty(STDERR_FILENO) != 0 ? wrapped(line, columns_of(STDERR_FILENO)) : printable(line);
+  const std::string shown = wrapped(fmt::format("{} {}", word, text), columns_of(STDERR_FILENO));
   write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
 }
 

@@ -18,10 +18,11 @@ namespace ikbench::cli {
 // terminal or reverses its writing; newlines stay.
 std::string printable(std::string_view text);
 
-// Prints a printable line on standard error, after all earlier standard output; a failure to print is ignored. On a
-// terminal, lines break between words.
+// Prints printable text on standard error, after all earlier standard output; a failure to print is ignored. Lines
+// break between words.
 void say(std::string_view text);
-void warn(std::string_view text);  // says "warning: " and the text
+void warn(std::string_view text);            // says "warning: " and the text
+void say_command(std::string_view command);  // breaks lines so that a shell takes them together
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t text_width();

@@ -102,7 +102,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     report::Json missing = report::Json::object();
     for (const StudyEntry& study : store.studies()) {
       const std::vector<std::string> lines = missing_parts(store, study);
-      for (const std::string& line : lines) say(line);
+      for (const std::string& line : lines) (line.starts_with(' ') ? say_command : say)(line);
       if (!lines.empty()) invocation.exit_code = 5;
       if (const std::int64_t lacks = solves_missing(store, study); lacks > 0) missing[study.name] = lacks;
     }

@@ -39,15 +39,15 @@ succeeds() {
   [ "$code" = 0 ] || fail "ikbench $*: exit code $code, expected 0; it said: $out $err"
 }
 
-# refused WORDS ARGUMENTS...: exit code 1, nothing on the standard output, and one line that has the words.
+# refused WORDS ARGUMENTS...: exit code 1, nothing on the standard output, and one sentence that has the words.
 refused() {
   local words=$1 line
   shift
   run_it "$@"
   [ "$code" = 1 ] || fail "ikbench $*: exit code $code, expected 1; it said: $out $err"
   [ -z "$out" ] || fail "ikbench $*: wrote to the standard output: $out"
-  line=$(grep -v '^warning: ' "$work/.err")
-  [ "$(wc -l <<<"$line")" = 1 ] || fail "ikbench $*: not one line: $line"
+  line=$(sed -e ':a;N;$!ba;s/\n  / /g' "$work/.err" | grep -v '^warning: ') # sentences, which are broken between words
+  [ "$(wc -l <<<"$line")" = 1 ] || fail "ikbench $*: not one sentence: $line"
   [[ $line == "ikbench: "* ]] || fail "ikbench $*: does not say who speaks: $line"
   [[ $line == *"$words"* ]] || fail "ikbench $*: expected '$words' in: $line"
 }
@@ -97,13 +97,12 @@ quiet() {
 
 # fits WORDS ARGUMENTS...: what it says is no more than a screen, with the warnings, and begins with the words.
 fits() {
-  local words=$1 lines
+  local words=$1 lines columns
   shift
   run_it "$@"
   [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $*: exit code $code: $err"
-  lines=$({ cat "$work/.out" && fold -s -w 98 "$work/.err"; } | wc -l)
-  [ "$lines" -le 30 ] && [ "$(wc -L <"$work/.out")" -le 100 ] ||
-    fail "ikbench $*: $lines lines of $(wc -L <"$work/.out") columns: $out $err"
+  lines=$(cat "$work/.out" "$work/.err" | wc -l) columns=$(cat "$work/.out" "$work/.err" | wc -L)
+  [ "$lines" -le 30 ] && [ "$columns" -le 100 ] || fail "ikbench $*: $lines lines of $columns columns: $out $err"
   [[ $(flat "$out") == "$words"* ]] || fail "ikbench $*: expected '$words' first in: $out"
   quiet
 }

@@ -78,7 +78,8 @@ has "$err" "--shard 2/3 --out here/shards/2-of-3"
 has_no "$err" "--shard 1/3"
 # as_told: does what the last command said.
 as_told() {
-  bash -c "ikbench() { \"$program\" \"\$@\"; }; $(grep '^  ikbench ' .err)" >.again 2>&1 || fail "the command fails: $(<.again)"
+  bash -c "ikbench() { \"$program\" \"\$@\"; }; $(sed -e ':a;/\\$/{N;s/\\\n//;ba}' .err | grep '^  ikbench ')" >.again 2>&1 ||
+    fail "the command fails: $(<.again)"
 }
 as_told
 succeeds merge here here/shards

@@ -207,7 +207,7 @@ from_store() { # ARGUMENTS...: as `ikbench export STORE | ikbench stats - ...`
 }
 from_store --no-figures --out dependent
 [ "$code" = 1 ] || fail "points of one run were taken as replicates: $out"
-[ -z "$out" ] && [ "$(wc -l <.err)" = 1 ] || fail "not one line: $out $err"
+[ -z "$out" ] && [ "$(grep -vc '^  ' .err)" = 1 ] || fail "not one sentence: $out $err"
 has "$err" "share run 1 of IK-BA, and are not replicates; average rows that depend on each other, such as points of a path, with --run run; compare problems that were solved separately within blocks with --block COLUMN --run run; or use --force"
 [ ! -e dependent ] || fail "a refused report was written"
 from_store --verbose --run run --no-figures --out means

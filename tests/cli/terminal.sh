@@ -10,7 +10,7 @@ has_no "$err" "solves,"
 PATH=/nonexistent "$program" run slim2023 --verbose "${small[@]}" --out logged >.log 2>&1 || fail "no figures: $(<.log)"
 grep -q '^warning: ' .log || fail "no warning on a line of its own: $(<.log)"
 ! grep -q '.warning: ' .log || fail "a warning within a line: $(grep '.warning: ' .log)"
-[ "$(grep -n '^warning: .*gnuplot' .log | head -n 1 | cut -d: -f1)" -gt "$(grep -n '^slim2023: 36 solves in' .log | cut -d: -f1)" ] ||
+[ "$(grep -n 'cannot start gnuplot' .log | head -n 1 | cut -d: -f1)" -gt "$(grep -n '^slim2023: 36 solves in' .log | cut -d: -f1)" ] ||
   fail "a warning before what was said before it: $(<.log)"
 [[ "$(tail -n 1 .log)" == "Report: "* ]] || fail "the report's path is not the last line: $(<.log)"
 
