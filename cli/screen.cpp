@@ -22,7 +22,17 @@ using namespace report;
 namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t longest_cell = 36;
+constexpr std::size_t longest_cell = 36;  // longer cells are wrapped, longer words are shortened
+
+std::string with_short_words(std::string_view cell) {
+  std::string text;
+  for (std::size_t at = 0; at <= cell.size();) {
+    const std::size_t end = std::min(cell.find(' ', at), cell.size());
+    text += (at > 0 ? " " : "") + shortened(printable(cell.substr(at, end - at)), longest_cell);
+    at = end + 1;
+  }
+  return text;
+}
 
 std::size_t lines_in(const Part& part, std::size_t item) {
   const std::string& text = part.items[item];
@@ -30,8 +40,8 @@ std::size_t lines_in(const Part& part, std::size_t item) {
   return 1 + static_cast<std::size_t>(std::ranges::count(shown, '\n'));
 }
 
-// How many items of each part are shown: first the parts that are always shown, then what each gets at least, then more
-// of each while there is room.
+// How many items of each part are shown: first the parts that are always shown, then what each gets at least, warnings
+// before all, then more of each while there is room.
 std::vector<std::size_t> fitting(const std::vector<Part>& parts, std::size_t room) {
   std::vector<std::size_t> taken(parts.size(), 0), lines(parts.size(), 0);
   const auto take = [&](std::size_t i, std::size_t most) {
@@ -46,7 +56,10 @@ std::vector<std::size_t> fitting(const std::vector<Part>& parts, std::size_t roo
   };
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (parts[i].noun.empty()) take(i, no_limit);
-  for (std::size_t i = 0; i < parts.size(); ++i) take(i, parts[i].least);
+  for (const bool are_warnings : {true, false}) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (parts[i].are_warnings == are_warnings) take(i, parts[i].least);
+  }
   for (std::size_t i = 0; i < parts.size(); ++i) take(i, no_limit);
   return taken;
 }
@@ -64,7 +77,10 @@ std::string left_out(const std::vector<Part>& parts, const std::vector<std::size
   for (const auto& [noun, count] : rest) what.push_back(fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"));
   std::vector<std::string> columns;
   for (const Part& part : parts) std::ranges::copy(part.columns, std::back_inserter(columns));
-  if (!columns.empty())
+  constexpr std::size_t most_named = 5;
+  if (columns.size() > most_named)
+    what.push_back(fmt::format("{} columns", columns.size()));
+  else if (!columns.empty())
     what.push_back(fmt::format("the column{} {}", columns.size() == 1 ? "" : "s", report::listed(columns)));
   return what.empty() ? "" : report::listed(what);
 }
@@ -106,36 +122,34 @@ Part table_rows(const Table& table, const OutputArguments& output, std::size_t l
     return std::move(part);
   };
   if (output.is_verbose) return finish(no_limit);
-  std::size_t used = 0, shown = 0;
-  for (; shown < rows.front().size(); ++shown) {
-    std::size_t width = shown == 0 ? 0 : 2;
-    for (const auto& row : rows)
-      width = std::max(width, (shown == 0 ? 0 : 2) + character_count(shortened(row[shown], longest_cell)));
-    if (used + width > text_width()) break;
-    used += width;
-  }
-  const std::size_t last = std::max<std::size_t>(shown, 1) - 1;  // it has the room that is left
+  std::vector<std::size_t> widths(rows.front().size(), 0);
   for (auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      row[c] = shortened(row[c], c < last ? longest_cell : longest_cell + text_width() - used);
+      row[c] = with_short_words(row[c]);
+      widths[c] = std::max(widths[c], std::min(character_count(row[c]), longest_cell));
     }
   }
-  part.columns.assign(rows.front().begin() + static_cast<std::ptrdiff_t>(last) + 1, rows.front().end());
-  for (auto& row : rows) row.resize(last + 1);
+  constexpr std::size_t gap = 2;
+  std::size_t shown = 1, used = widths.front();
+  for (; shown < widths.size() && used + gap + widths[shown] <= text_width(); ++shown) used += gap + widths[shown];
+  part.columns.assign(rows.front().begin() + static_cast<std::ptrdiff_t>(shown), rows.front().end());
+  for (auto& row : rows) row.resize(shown);
   return finish(text_width());
 }
 
 void show_screen(const std::vector<Part>& parts, const OutputArguments& output, const std::string& where) {
   std::vector<std::size_t> taken = fitting(parts, output.is_verbose ? no_limit : screen_lines);
-  if (!left_out(parts, taken).empty()) {
-    constexpr std::size_t to_say_so = 2;
-    taken = fitting(parts, screen_lines - to_say_so);
+  const auto rest_words = [&] {
+    const std::string rest = left_out(parts, taken);
+    return rest.empty() ? "" : wrapped(fmt::format("Not shown: {}. --verbose shows all{}.", rest, where)) + '\n';
+  };
+  const auto lines_of_rest = [&] { return static_cast<std::size_t>(std::ranges::count(rest_words(), '\n')); };
+  for (std::size_t kept = 0; lines_of_rest() > kept;) {  // the words need room, too
+    kept = lines_of_rest();
+    taken = fitting(parts, screen_lines - kept);
   }
-  const std::string rest = left_out(parts, taken);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i + 1 == parts.size() && !rest.empty()) {
-      fmt::print("{}\n", wrapped(fmt::format("Not shown: {}. --verbose shows all{}.", rest, where)));
-    }
+    if (i + 1 == parts.size()) fmt::print("{}", rest_words());
     for (std::size_t item = 0; item < taken[i]; ++item) {
       if (parts[i].are_warnings)
         warn(parts[i].items[item]);
