@@ -117,8 +117,8 @@ Table shown_results(const Report& report) {
 }
 
 // The verdict, the claims or the results, what else is to be said, and where the report is.
-std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& remarks,
-                            const OutputArguments& output) {
+std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& answers,
+                            const std::vector<std::string>& remarks, const OutputArguments& output) {
   std::vector<std::string> said = report.verdict.empty() ? report.summary : report.verdict;
   const std::string first = said.empty() ? "" : said.front();
   if (!said.empty()) said.erase(said.begin());
@@ -127,13 +127,18 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
       return std::ranges::find(report.verdict, sentence) == report.verdict.end();
     });
   }
+  std::erase_if(said, [&](const std::string& sentence) { return std::ranges::count(answers, sentence) > 0; });
   std::vector<Part> parts;
+  Part asked;
+  for (const std::string& answer : answers) asked.items.push_back(wrapped(answer));
   if (report.is_damaged || report.claims.empty()) {
     constexpr std::size_t of_table = 13, of_sentences = 6;
     if (!first.empty()) {
       const Tone tone = report.is_damaged ? Tone::bad : tone_of(report.findings.lead);
-      parts.push_back({.items = {coloured(wrapped(first), tone), ""}});
+      parts.push_back({.items = {coloured(wrapped(first), tone)}});
+      asked.items.emplace_back();
     }
+    parts.push_back(std::move(asked));
     parts.push_back(table_rows(shown_results(report), output, of_table));
     parts.push_back({.items = {""}});
     parts.push_back(sentences(said, of_sentences));
@@ -149,6 +154,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
     Part rows = table_rows(with_columns(verdict_table(claims), shown), output, of_claims, tones);
     if (of_paper > 0 && of_paper < rows.items.size()) rows.items[of_paper].insert(0, "our own questions:\n");
     parts.push_back(std::move(rows));
+    parts.push_back(std::move(asked));
     parts.push_back(sentences(said));
     if (output.is_verbose) parts.push_back(table_rows(shown_results(report), output, 0));
   }
@@ -348,7 +354,8 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
     for (const std::string& warning : report.warnings) warn(warning);
     show_json(json_of(report, std::move(wanted)));
   } else {
-    show_screen(screen_of(report, wanted.remarks, output), output,
+    std::ranges::copy(report.answers, std::back_inserter(wanted.answers));
+    show_screen(screen_of(report, wanted.answers, wanted.remarks, output), output,
                 fmt::format(", and {} has it", report.file.string()));
   }
   if (!report.is_damaged) return;
@@ -419,8 +426,13 @@ void warn_of_unreachable(const Study& study) {
   if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
 }
 
-Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request,
-                   const OutputArguments& output, Store::Mode mode) {
+std::string Solved::words(const std::filesystem::path& store) const {
+  return fmt::format("{}: {} solves in {}{}", studies == 1 ? study : fmt::format("{} studies", studies), solves,
+                     store.string(), reused == 0 ? "" : fmt::format(" ({} were already stored)", reused));
+}
+
+Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequest request, Solved& solved,
+                Store::Mode mode) {
   warn_of_unreachable(study);
   for (const LeftOut& left_out : study.left_out) {
     warn(fmt::format("{} is left out: it is {}", left_out.label, left_out.why));
@@ -464,18 +476,26 @@ Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunR
   }
   for (const std::string& note : progress.notes) warn(note);
   tell_of_log(store.finish());
-  const std::string place = printable(store_in(folder).string());
   if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
-                    progress.total, place));
+                    progress.total, store_in(folder).string()));
     return Ended::stopped;
   }
-  if (output.is_json) return Ended::complete;
-  const std::string part = request.shard.count == 1 ? std::string() : fmt::format(", shard {}", request.shard.text());
-  fmt::print("{}{}: {} solves in {}{}\n", printable(study.name), part, progress.total, place,
-             progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
-  std::fflush(stdout);  // the report may take a while
+  solved.study = study.name + (request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()));
+  ++solved.studies;
+  solved.solves += progress.total;
+  solved.reused += progress.reused;
   return Ended::complete;
+}
+
+Ended run_and_tell(const Study& study, const std::filesystem::path& folder, RunRequest request,
+                   const OutputArguments& output, Store::Mode mode) {
+  Solved solved;
+  const Ended ended = run_study(study, folder, std::move(request), solved, mode);
+  if (ended == Ended::stopped || output.is_json) return ended;
+  fmt::print("{}\n", wrapped(solved.words(store_in(folder))));
+  std::fflush(stdout);  // the next study may take a while
+  return ended;
 }
 
 Tone tone_of(Verdict verdict) {

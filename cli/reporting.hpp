@@ -57,7 +57,8 @@ struct WrittenReport {
   std::string study;
   std::filesystem::path folder;
   ReportArguments arguments = {};
-  std::vector<std::string> remarks = {};       // printed after the verdict
+  std::vector<std::string> answers = {};       // printed after the verdict, before the results
+  std::vector<std::string> remarks = {};       // printed after the results
   report::Json data = report::Json::object();  // printed with the verdict as JSON
   std::vector<report::Table> tables = {};
   std::vector<figures::Figure> figures = {};
@@ -120,13 +121,25 @@ void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
+// What was solved into a store, to be told after the verdict of its report.
+struct Solved {
+  std::string study;  // the last one
+  int studies = 0;
+  std::int64_t solves = 0, reused = 0;
+
+  std::string words(const std::filesystem::path& store) const;  // "six: 288 solves in out/six/store.sqlite"
+};
+
 // The study's copy with targets that differ in their last bits, from 1. Times count for nothing there, so it repeats
 // none.
 experiments::Study perturbed_copy(experiments::Study study, int number);
 void add_perturb_option(CLI::App& command, int& copies);
 
-// Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, says
-// what was done, and after Ctrl-C how to continue.
+// Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, and
+// says after Ctrl-C how to continue.
+Ended run_study(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request,
+                Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
+// The same, and says what was solved.
 Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,
                    experiments::RunRequest request, const OutputArguments& output,
                    results::Store::Mode mode = results::Store::Mode::write);

@@ -54,6 +54,10 @@ struct StudyToRun {
   int copies = 0;
 };
 
+void tell_unless_json(const std::string& text, const OutputArguments& output) {
+  if (!output.is_json) fmt::print("{}\n", wrapped(text));
+}
+
 // Runs the studies of a collection into one store, with one report.
 void run_collection(const StudyCollection& collection, const StudyToRun& arguments, Invocation& invocation) {
   if (arguments.shard || arguments.copies > 0) {
@@ -64,18 +68,22 @@ void run_collection(const StudyCollection& collection, const StudyToRun& argumen
   const std::filesystem::path folder =
       arguments.run.out.empty() ? default_folder(collection.name) : std::filesystem::path(arguments.run.out);
   if (!arguments.without_report) refuse_reproduction(folder);
+  Solved solved;
   for (const Study& study : collection.studies) {
-    if (run_and_tell(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command},
-                     arguments.report.output) == Ended::stopped) {
+    if (run_study(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command}, solved) ==
+        Ended::stopped) {
       invocation.exit_code = cancelled_exit_code();
       return;
     }
   }
-  if (arguments.without_report) return;
+  const std::string words = solved.words(store_in(folder));
+  if (arguments.without_report) return tell_unless_json(words, arguments.report.output);
   const Store store(store_in(folder), Store::Mode::read);
   for (const Study& study : collection.studies) check_is_stored(study, store);
   const std::string& first = collection.studies.front().name;
-  write_and_announce(store, {.study = first, .folder = folder, .arguments = arguments.report, .collection = reported});
+  write_and_announce(
+      store,
+      {.study = first, .folder = folder, .arguments = arguments.report, .remarks = {words}, .collection = reported});
 }
 
 }  // namespace
@@ -128,18 +136,20 @@ void add_run(CLI::App& app, Invocation& invocation) {
       refuse_reproduction(folder);
       warn_of_too_few(study);
     }
-    Ended ended = Ended::complete;
-    for (int copy = 0; copy <= arguments->copies && ended == Ended::complete; ++copy) {
-      ended = run_and_tell(copy == 0 ? study : perturbed_copy(study, copy), folder, request, arguments->report.output,
-                           is_part ? Store::Mode::write_shared : Store::Mode::write);
+    Solved solved;
+    for (int copy = 0; copy <= arguments->copies; ++copy) {
+      if (run_study(copy == 0 ? study : perturbed_copy(study, copy), folder, request, solved,
+                    is_part ? Store::Mode::write_shared : Store::Mode::write) == Ended::stopped) {
+        invocation.exit_code = cancelled_exit_code();
+        return;
+      }
     }
-    if (ended == Ended::stopped) {
-      invocation.exit_code = cancelled_exit_code();
-    } else if (has_report) {
-      const Store store(store_in(folder), Store::Mode::read);
-      check_is_stored(study, store);
-      write_and_announce(store, {.study = study.name, .folder = folder, .arguments = arguments->report});
-    }
+    const std::string words = solved.words(store_in(folder));
+    if (!has_report) return tell_unless_json(words, arguments->report.output);
+    const Store store(store_in(folder), Store::Mode::read);
+    check_is_stored(study, store);
+    write_and_announce(store,
+                       {.study = study.name, .folder = folder, .arguments = arguments->report, .remarks = {words}});
   });
 }
 

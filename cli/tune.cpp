@@ -125,14 +125,17 @@ void refuse_foreign(const fs::path& file) {
 
 // Text for people; with --json nothing but the data is printed.
 void tell(const OutputArguments& output, std::string_view text) {
-  if (!output.is_json) fmt::print("{}\n", text);
+  if (output.is_json) return;
+  fmt::print("{}\n", wrapped(text));
+  std::fflush(stdout);  // the next round may take a while
 }
 
 // The training of all rounds.
 class Training {
  public:
-  Training(const Study& study, std::vector<SolverEntry> candidates, Criterion criterion, const OutputArguments& output)
-      : study_(study), criterion_(criterion), output_(output), left_(std::move(candidates)) {
+  Training(const Study& study, std::vector<SolverEntry> candidates, std::size_t rounds, Criterion criterion,
+           const OutputArguments& output)
+      : study_(study), rounds_(rounds), criterion_(criterion), output_(output), left_(std::move(candidates)) {
     study_.published.clear();
     study_.figures.solvers.clear();
     study_.analysis.control.clear();
@@ -148,7 +151,7 @@ class Training {
     round.name = fmt::format("{}-round-{}", study_.name, number);
     round.solvers = left_;
     round.runs = runs;
-    if (run_and_tell(round, folder, request, output_) == Ended::stopped) return Ended::stopped;
+    if (Solved solved; run_study(round, folder, request, solved) == Ended::stopped) return Ended::stopped;
     const Store store(store_in(folder), Store::Mode::read);
     const StudyEntry entry = store.study(round.name);
     StudyMaker maker(entry, static_cast<std::size_t>(store.solves_of(entry.series)));
@@ -156,9 +159,9 @@ class Training {
       maker.add(solve);
       if (solve.run > tuning_.runs * (number > 1 ? 1 : 0)) count(solve);
     });
-    halve(maker.finish(store.sessions()));
     tuning_.rounds = number;
     tuning_.runs = runs;
+    halve(maker.finish(store.sessions()));
     return Ended::complete;
   }
 
@@ -181,17 +184,21 @@ class Training {
                               evaluations = samples(results, Metric::evaluations);
     for (std::size_t i = 0; i < left_.size(); ++i)
       standings.push_back({sign * statistics::mean(values[i].values), statistics::mean(evaluations[i].values)});
+    const std::size_t candidates = left_.size();
     std::vector<SolverEntry> kept;
     const std::vector<std::size_t> places = better_half(standings);
     for (const std::size_t place : places) kept.push_back(left_[place]);
     left_ = std::move(kept);
     const double value = sign * standings[places.front()].value;
     const bool is_log = quantity.described.scale == ValueScale::log10;
-    tell(output_, fmt::format("  best so far: {}, mean {} {}", printable(left_.front().label), printable(tuning_.by),
-                              rounded_number(is_log ? std::pow(10, value) : value, 4)));
+    tell(output_,
+         fmt::format("Round {} of {}: {} candidates, {} run{} each; best so far: {}, mean {} {}", tuning_.rounds,
+                     rounds_, candidates, tuning_.runs, tuning_.runs == 1 ? "" : "s", left_.front().label, tuning_.by,
+                     rounded_number(is_log ? std::pow(10, value) : value, 4)));
   }
 
   Study study_;
+  std::size_t rounds_;
   Criterion criterion_;
   OutputArguments output_;
   std::vector<SolverEntry> left_;
@@ -250,37 +257,40 @@ Ended tune(const TuneArguments& arguments, const std::string& command) {
   static_cast<void>(styled({}, arguments.report));
   const RunRequest request{.jobs = arguments.run.jobs, .command = command};
   const OutputArguments& output = arguments.report.output;
-  Training training(study, candidates, criterion, output);
+  Training training(study, candidates, rounds.size(), criterion, output);
   check_is_readable(tuned_study(study, own, own, training.tuning()), file);
-  tell(output, fmt::format("{} candidates, {} rounds, {} solves of training with seed {}", candidates.size(),
-                           rounds.size(), solves_of(rounds, points), training.tuning().seed));
+  const std::string training_words =
+      fmt::format("{} candidates, {} round{}, {} solves of training with seed {}", candidates.size(), rounds.size(),
+                  rounds.size() == 1 ? "" : "s", solves_of(rounds, points), training.tuning().seed);
+  tell(output, training_words);
   for (std::size_t i = 0; i < rounds.size(); ++i) {
-    tell(output, fmt::format("Round {} of {}: {} candidates with {} run{} each", i + 1, rounds.size(),
-                             rounds[i].candidates, rounds[i].runs, rounds[i].runs == 1 ? "" : "s"));
     if (training.round(static_cast<int>(i) + 1, rounds[i].runs, folder / "training", request) == Ended::stopped)
       return Ended::stopped;
   }
   const std::string chosen = settings_words(training.best());
-  tell(output, "Chosen: " + printable(chosen));
   if (effective_options(study, training.best()) == effective_options(study, own) &&
       effective_population(study, training.best()) == effective_population(study, own)) {
-    const std::string found = fmt::format("The search found nothing better than the settings that {} has", own.label);
+    const std::string found =
+        fmt::format("The search found nothing better than the settings that {} has: {}", own.label, chosen);
     if (output.is_json)
       show_json({{"study", study.name}, {"chosen", chosen}, {"tuned_study", nullptr}, {"found", found}});
-    tell(output, printable(found));
+    tell(output, found);
     return Ended::complete;
   }
   const std::string text = to_toml(tuned_study(study, own, training.best(), training.tuning()));
   write_through(file, fmt::format("{}: the study with the settings that it chose.\n{}", mark_of_file, text));
-  tell(output, "Tuned study: " + printable(file.string()));
   const Study tuned = load_study(file.string());
-  if (run_and_tell(tuned, folder, request, output) == Ended::stopped) return Ended::stopped;
+  Solved solved;
+  if (run_study(tuned, folder, request, solved) == Ended::stopped) return Ended::stopped;
   const Store store(store_in(folder), Store::Mode::read);
   check_is_stored(tuned, store);
-  write_and_announce(store, {.study = tuned.name,
-                             .folder = folder,
-                             .arguments = arguments.report,
-                             .data = {{"chosen", chosen}, {"tuned_study", file.string()}}});
+  write_and_announce(
+      store, {.study = tuned.name,
+              .folder = folder,
+              .arguments = arguments.report,
+              .answers = {fmt::format("Chosen from {}: {}. {} has them.", training_words, chosen, file.string())},
+              .remarks = {solved.words(store_in(folder))},
+              .data = {{"chosen", chosen}, {"tuned_study", file.string()}}});
   return Ended::complete;
 }
 

@@ -24,6 +24,7 @@ struct Report {
   std::vector<std::string> warnings;         // figures not drawn, an incomplete study, ...
   bool is_damaged = false;                   // the store has impossible numbers
   std::vector<std::string> best_first = {};  // solvers of a sweep, by the quantity that decides; else none
+  std::vector<std::string> answers = {};     // the best settings of a sweep; what the last bits of targets change
   std::vector<std::string> further = {};     // studies of the store that the report is not about
 };
 

@@ -296,6 +296,27 @@ std::vector<std::string> swept_best_first(const JudgedStudy& study) {
   return solvers;
 }
 
+// What each sweep found; nothing of a family whose settings are all equal.
+std::vector<std::string> best_of_sweeps(const JudgedStudy& study, const std::vector<std::string>& best_first) {
+  std::vector<std::string> sentences;
+  if (best_first.empty()) return sentences;
+  const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
+  for (const SweptFamily& family : swept_families(study)) {
+    const auto place = [&](const SweptFamily::Member& member) { return std::ranges::find(best_first, member.label); };
+    const SweptFamily::Member& best = *std::ranges::min_element(family.members, {}, place);
+    const GroupEvidence* const group = group_named(evidence.groups, best.label);
+    if (group == nullptr || family.members.size() < 2) continue;
+    const double mean = group->described.mean;
+    sentences.push_back(fmt::format(words::best_of_sweep, fmt::arg("count", family.members.size()),
+                                    fmt::arg("family", family.name), fmt::arg("best", best.label),
+                                    fmt::arg("quantity", split_unit(evidence.quantity).name),
+                                    fmt::arg("value", evidence.scale == ValueScale::share
+                                                          ? percent(mean)
+                                                          : figures::value_words(Metric::position_error_cm, mean))));
+  }
+  return sentences;
+}
+
 // Doubts of solvers whose solves come from a file.
 Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
   Doubts doubts;
@@ -588,6 +609,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
   report.best_first = swept_best_first(study);
+  report.answers = best_of_sweeps(study, report.best_first);
+  if (!copies.empty()) report.answers.push_back(last_bits_sentence(study, copies));
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
   }

@@ -87,15 +87,15 @@ Table together_table(const JudgedStudies& studies, const std::vector<Judged>& er
     table.notes.push_back(set_up_of(study));
   }
   for (const std::string& solver : solvers) table.rows.push_back({solver});
-  for (const JudgedStudy& study : studies) {
-    for (const Judged& of : errors) add_columns(table, study.name, study.evidence(of.metric, of.estimand), of.estimand);
-  }
   for (const Judged& of : errors) {
     const Evidence found = judged_over(studies, of, are_seeds);
     add_columns(table, "all", found, of.estimand);
     for (const std::string& note : found.notes) {
       if (std::ranges::count(table.notes, note) == 0) table.notes.push_back(note);
     }
+  }
+  for (const JudgedStudy& study : studies) {
+    for (const Judged& of : errors) add_columns(table, study.name, study.evidence(of.metric, of.estimand), of.estimand);
   }
   return table;
 }

@@ -68,14 +68,14 @@ refused 'unknown metric "eror"' tune my.toml --solver mine --budget 100 --sweep 
 tune=(tune my.toml --solver mine --budget 50 --sweep population=4,6,8,16 --no-figures)
 succeeds "${tune[@]}" --verbose
 has "$out" '4 candidates, 2 rounds, 36 solves of training with seed 2'
-has "$out" 'Tuned study: my-tuned.toml'
+has "$out" 'my-tuned.toml has them.'
 has "$err" 'has the best of 4 settings by position error [cm], found by ikbench tune. The search cost 36 solves'
 has_no "$err" 'tuning saw them'
 grep -q 'label = .mine tuned' my-tuned.toml || fail "$(<my-tuned.toml)"
 grep -q 'found by ikbench tune. The search cost 36 solves' out/my-tuned/report.md || fail "the report does not say what tuning cost"
 # The same again solves nothing and chooses the same; the tuned study runs by itself.
 cp my-tuned.toml first.toml
-chosen=$(grep ^Chosen <<<"$out")
+chosen=$(flat "$out" | grep -o 'Chosen from 4 candidates, .* population = [0-9]*\.')
 succeeds "${tune[@]}"
 has "$out" "$chosen"
 has "$out" 'my-tuned: 24 solves in out/my-tuned/store.sqlite (24 were already stored)'
