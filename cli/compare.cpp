@@ -7,12 +7,15 @@
 #include <array>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/text.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/variants_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/comparing.hpp"
@@ -41,18 +44,65 @@ std::string metric_names() {
   return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-// Which settings differ; once if they are those of all labels.
-std::vector<std::string> settings_notes(const ComparedLabels& compared) {
+// A note of each label; once if it is that of all labels.
+std::vector<std::string> notes_of(const ComparedLabels& compared, const std::vector<std::string>& notes) {
   std::vector<VariantComparison> bare;
   for (std::size_t i = 0; i < compared.comparisons.size(); ++i)
-    bare.push_back({.label = compared.comparisons[i].label, .notes = {compared.differences[i]}});
+    bare.push_back({.label = compared.comparisons[i].label, .notes = {notes[i]}});
   return variants_notes(bare);
 }
 
+std::vector<std::string> failures_of(const ComparedLabels& compared) {
+  std::vector<std::string> failures;
+  for (const VariantComparison& comparison : compared.comparisons) failures.push_back(comparison.failures);
+  return notes_of(compared, failures);
+}
+
+// The notes without those on settings, failures and what is not compared.
 std::vector<std::string> other_notes(const ComparedLabels& compared) {
   std::vector<VariantComparison> others = compared.comparisons;
-  for (std::size_t i = 0; i < others.size(); ++i) std::erase(others[i].notes, compared.differences[i]);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    std::vector<std::string>& notes = others[i].notes;
+    std::erase(notes, compared.differences[i]);
+    std::erase(notes, others[i].failures);
+    for (const MetricComparison& metric : others[i].metrics) {
+      for (const std::string& why : list_of(metric.why_not)) std::erase(notes, why);
+    }
+  }
   return variants_notes(others);
+}
+
+// Returns whether a row says no more than that the two are not compared, or are equal in every bit.
+bool is_bare(const MetricComparison& metric) {
+  const Finding finding = metric.finding();
+  return !metric.is_compared() || (finding.is_fact && finding.relation == Relation::same);
+}
+
+// Says the bare rows in sentences: "Equal bit for bit: solved, evaluations of DLS."
+std::vector<std::string> bare_rows(const ComparedLabels& compared, const Table& table) {
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> said;  // labels by metric by what is said
+  std::size_t row = 0;
+  for (const VariantComparison& comparison : compared.comparisons) {
+    for (const MetricComparison& metric : comparison.metrics) {
+      const std::vector<Cell>& cells = table.rows[row++];
+      if (!is_bare(metric)) continue;
+      const std::string remark = metric.is_compared() ? capitalised(readable(cells.back()))
+                                 : metric.why_not.empty()
+                                     ? fmt::format("Not compared: {}", readable(cells.back()))
+                                     : fmt::format("{} Not compared", fmt::join(list_of(metric.why_not), " "));
+      said[remark][readable(cells[1])].push_back(comparison.label);
+    }
+  }
+  std::vector<std::string> sentences;
+  for (const auto& [what, metrics] : said) {
+    std::vector<std::string> names;
+    for (const auto& [metric, labels] : metrics) {
+      const bool is_of_all = labels.size() == compared.comparisons.size();
+      names.push_back(is_of_all ? metric : fmt::format("{} of {}", metric, listed(labels)));
+    }
+    sentences.push_back(fmt::format("{}: {}.", what, fmt::join(names, ", ")));
+  }
+  return sentences;
 }
 
 // The metrics in the order of a reader: what is worse, what is open, the others. Numbers of rows of the table.
@@ -61,19 +111,19 @@ struct Shown {
   std::vector<Tone> tones;
 };
 
-Shown shown_first(const std::vector<VariantComparison>& comparisons) {
+Shown shown_first(const std::vector<VariantComparison>& comparisons, bool with_bare) {
   struct Row {
     int place;
     std::size_t row;
     Tone tone;
   };
   std::vector<Row> rows;
+  std::size_t number = 0;
   for (const VariantComparison& comparison : comparisons) {
     for (const MetricComparison& metric : comparison.metrics) {
-      rows.push_back({is_regression(metric) ? 0
-                      : is_open(metric)     ? 1
-                                            : 2,
-                      rows.size(), tone_of(reversed(metric.finding().relation))});
+      const int place = is_regression(metric) ? 0 : is_open(metric) ? 1 : 2;
+      if (with_bare || !is_bare(metric)) rows.push_back({place, number, tone_of(reversed(metric.finding().relation))});
+      ++number;
     }
   }
   std::ranges::stable_sort(rows, {}, &Row::place);
@@ -110,10 +160,12 @@ std::vector<std::string> remarks_on_open(const Table& table, const std::vector<V
 
 // The verdict, what is compared, the rows with their tones, and the notes.
 std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArguments& output, bool counts_as_failure) {
-  constexpr std::array<std::string_view, 11> shown{"label", "metric", "B_is",   "B_by_A", "p",     "low",
-                                                   "high",  "mean_A", "mean_B", "level",  "remark"};
+  constexpr std::array<std::string_view, 11> columns{"label", "metric", "B_is",   "B_by_A", "p",     "low",
+                                                     "high",  "mean_A", "mean_B", "level",  "remark"};
+  constexpr std::size_t of_screen = 9;  // sentences have the remarks there
+  const auto shown = std::span(columns).first(output.is_verbose ? columns.size() : of_screen);
   constexpr std::size_t of_rows = 14, of_settings = 3, of_notes = 6;
-  Shown order = shown_first(compared.comparisons);
+  Shown order = shown_first(compared.comparisons, output.is_verbose);
   Tones tones{.column = 2};
   tones.of_rows = std::move(order.tones);
   const auto is_unknown = [](const MetricComparison& metric) { return is_open(metric); };
@@ -126,24 +178,34 @@ std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArgument
   if (!output.is_verbose) notes = remarks_on_open(table, compared.comparisons);
   std::ranges::copy(compared.notes, std::back_inserter(notes));
   std::ranges::move(other_notes(compared), std::back_inserter(notes));
-  return {{.items = {coloured(wrapped(verdict + (counts_as_failure ? " With --strict this counts as a failure." : "")),
-                              tone)}},
-          sentences(settings_notes(compared), of_settings),
-          {.items = {wrapped(compared.headline), ""}},
-          table_rows(with_columns(in_order(table, order.rows), shown), output, of_rows, tones),
-          {.items = {""}},
-          sentences(notes, of_notes),
-          {}};
+  const bool is_of_two = compared.comparisons.front().is_of_two;
+  const std::vector<std::string> settings = notes_of(compared, compared.differences);
+  std::vector<Part> parts{
+      {.items = {coloured(wrapped(verdict + (counts_as_failure ? " With --strict this counts as a failure." : "")),
+                          tone)}},
+      sentences(failures_of(compared), of_settings),
+      sentences(is_of_two ? std::vector<std::string>() : settings, of_settings),
+      {.items = {wrapped(compared.headline), ""}}};
+  if (!order.rows.empty()) {
+    parts.push_back(table_rows(with_columns(in_order(table, order.rows), shown), output, of_rows, tones));
+    parts.push_back({.items = {""}});
+  }
+  parts.push_back(sentences(bare_rows(compared, table), of_settings));
+  if (is_of_two) parts.push_back(sentences(settings, of_settings));  // two solvers differ in many
+  parts.push_back(sentences(notes, of_notes));
+  parts.emplace_back();
+  return parts;
 }
 
 std::string markdown(const ComparedLabels& compared, Table table) {
   std::vector<std::string> notes{variants_verdict(compared.comparisons, compared.plan)};
-  std::ranges::move(settings_notes(compared), std::back_inserter(notes));
   notes.push_back(compared.headline);
-  for (const std::vector<std::string>& more : {table.notes, compared.notes, other_notes(compared)})
+  std::ranges::move(notes_of(compared, compared.differences), std::back_inserter(notes));
+  for (const std::vector<std::string>& more :
+       {failures_of(compared), bare_rows(compared, table), table.notes, compared.notes, other_notes(compared)})
     std::ranges::copy(more, std::back_inserter(notes));
   table.notes = std::move(notes);
-  return to_markdown(in_order(std::move(table), shown_first(compared.comparisons).rows));
+  return to_markdown(in_order(std::move(table), shown_first(compared.comparisons, true).rows));
 }
 
 void refuse_output(const CompareArguments& arguments, const std::filesystem::path& file) {
@@ -238,9 +300,12 @@ int run_and_compare(const CompareArguments& arguments, const Invocation& invocat
   ComparedLabels compared;
   for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
     const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
-    if (run_and_tell(study, folder, request, arguments.output_as) == Ended::stopped) return cancelled_exit_code();
+    Solved solved;
+    if (run_study(study, folder, request, solved) == Ended::stopped) return cancelled_exit_code();
     compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments, std::move(compared));
-    if (compared.state != LookState::open) return tell(compared, arguments);
+    if (compared.state == LookState::open) continue;
+    compared.notes.push_back(solved.words(store_in(folder)) + '.');
+    return tell(compared, arguments);
   }
 }
 

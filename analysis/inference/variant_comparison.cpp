@@ -178,7 +178,8 @@ std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> st
       MetricComparison& row = comparison.metrics.emplace_back(MetricComparison{.metric = metric});
       if (const auto plan = examine(row, of, notes)) open.push_back({&row, *plan});
     }
-    notes.push_back(failures_note(of.study));
+    comparison.failures = failures_note(of.study);
+    notes.push_back(comparison.failures);
     notes.push_back(of.differences);
     for (std::string& note : notes) {
       if (std::ranges::find(comparison.notes, note) == comparison.notes.end())

@@ -40,6 +40,7 @@ struct VariantComparison {
   bool is_of_two = false;  // two solvers, not two variants of one
   std::vector<MetricComparison> metrics = {};
   std::vector<std::string> notes = {};  // say what is left out, and which settings differ
+  std::string failures = {};            // a note too: how many solves of each have no answer
 };
 
 // Returns whether `is` holds for any metric of any label.

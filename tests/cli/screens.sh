@@ -19,7 +19,7 @@ fits "Smallest mean error" report $store --no-figures --out reported
   fail "it does not say what is left out, and where that is: $out"
 has_no "$out" "random_search  iterations"
 fits "No regression beyond 5 %" compare $store other.sqlite
-has "$out" "--verbose shows all, and -o FILE writes it."
+has "$out" "Equal bit for bit: evaluations, position_error_cm, "
 fits "" compare newton "$long" --store $store
 RANDOM=1
 printf 'solver,run,error,time,cost\n' >values.csv
