@@ -167,7 +167,7 @@ void check_margin_cm(const AnalysisPlan& plan, const std::vector<Assessment>& al
       "--margin-cm: no quantity is in cm; expected a column whose name ends in _cm, or --quantity \"NAME [cm]\"");
 }
 
-// The answer of each quantity, then the groups and pairs of each, and what else is to be said of it.
+// The answer of each quantity, then the groups of each, the pairs of each, the tests, and what else is to be said.
 std::vector<Part> screen_of(const std::vector<Assessment>& all, const Report& report, const OutputArguments& output) {
   std::vector<Part> parts;
   for (const Assessment& assessment : all) {
@@ -177,15 +177,22 @@ std::vector<Part> screen_of(const std::vector<Assessment>& all, const Report& re
                      .noun = "answer",
                      .least = screen_lines});
   }
-  for (const Assessment& assessment : all) {
-    for (const Table& table : assessment.tables) {
-      Part rows = table_rows(table, output, 0);
-      rows.items.front().insert(0, fmt::format("\n{}\n", wrapped(table.caption)));
-      parts.push_back(std::move(rows));
+  for (const std::string_view kind : {"groups", "contrasts", "tests"}) {
+    for (const Assessment& assessment : all) {
+      for (const Table& table : assessment.tables) {
+        if (!table.name.ends_with(kind)) continue;
+        Part rows = table_rows(table, output, 0);
+        rows.items.front().insert(0, fmt::format("\n{}\n", wrapped(table.caption)));
+        parts.push_back(std::move(rows));
+      }
     }
+  }
+  for (const Assessment& assessment : all) {
     std::vector<std::string> said = words_of(assessment.sentences);
     if (!said.empty()) said.erase(said.begin());
-    if (all.size() > 1 && !said.empty()) said.front().insert(0, heading_of(assessment) + ". ");
+    if (all.size() > 1) {
+      for (std::string& sentence : said) sentence.insert(0, assessment.quantity + ": ");
+    }
     parts.push_back(sentences(said));
   }
   parts.push_back(warnings(report.warnings));

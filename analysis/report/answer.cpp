@@ -39,7 +39,7 @@ std::string words_of(const Clause& clause) {
   return fmt::format("{}{}({})", clause.text, clause.text.empty() ? "" : " ", fmt::join(clause.remarks, "; "));
 }
 
-// The unit in which averages are told, and its size: milliseconds where all times are short.
+// The unit in which times are told, and its size: milliseconds where all are short.
 struct ToldUnit {
   std::string_view unit = "";
   double size = 1;
@@ -47,8 +47,8 @@ struct ToldUnit {
 ToldUnit told_unit(const Evidence& evidence) {
   constexpr double longest_in_ms = 0.1;
   const auto is_long = [](const GroupEvidence& group) { return group.described.mean >= longest_in_ms; };
-  if (evidence.unit != "s" || std::ranges::any_of(evidence.groups, is_long)) return {};
-  return {" ms", 0.001};
+  if (evidence.unit != "s") return {};
+  return std::ranges::any_of(evidence.groups, is_long) ? ToldUnit{" s"} : ToldUnit{" ms", 0.001};
 }
 
 // "0.0019 vs 0.365", with enough digits to tell them apart.
