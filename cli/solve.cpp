@@ -155,9 +155,8 @@ void show(const SolveRecord& record, const Study& study) {
                     fmt::format("{:.6f}", record.answer_rad[j] / (slides ? centimetre : degree))});
   }
   rows.push_back({"position error [cm]", fmt::format("{:.6g}", record.position_error_cm)});
-  rows.push_back({"orientation error", fmt::format("{:.6g}{}", record.orientation_error,
-                                                   study.search == Search::all_joints ? " (not sought)" : "")});
-  rows.push_back({"orientation error [deg]", fmt::format("{:.6g}", orientation_angle_deg(record.orientation_error))});
+  rows.push_back({"orientation error [deg]", fmt::format("{:.6g}{}", orientation_angle_deg(record.orientation_error),
+                                                         study.search == Search::all_joints ? " (not sought)" : "")});
   rows.push_back({"variation [deg]", fmt::format("{:.4f}", record.variation_deg)});
   rows.push_back({"limit violation [deg]", fmt::format("{:.4f}", record.limit_violation_deg)});
   const std::vector<DhLink>& links = arm.chain.links();

@@ -23,7 +23,7 @@ quiet
 for tool in down eq27; do
   succeeds solve --position-cm 50 10 40 --tool $tool --tolerance-cm 1e-7
   [ "$(grep -c '^joint' .out)" = 7 ] || fail "the iiwa has seven joints: $out"
-  awk -v e="$(value 'orientation error')" 'BEGIN { exit !(e < 1e-9) }' || fail "orientation: $out"
+  awk -v e="$(value 'orientation error \[deg]')" 'BEGIN { exit !(e < 1e-9) }' || fail "orientation: $out"
   awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e < 1e-6) }' || fail "position: $out"
 done
 succeeds solve --position-cm 50 10 40 --rpy-deg 180 0 180
@@ -37,7 +37,7 @@ succeeds solve --robot ur5e --position-cm 40 20 30 --rpy-deg 180 0 90 --toleranc
 awk -v e="$(value 'position error \[cm\]')" 'BEGIN { exit !(e < 2e-6) }' || fail "position: $out"
 awk -v e="$(value 'orientation error \[deg\]')" 'BEGIN { exit !(e < 2e-6) }' || fail "angle: $out"
 succeeds solve --robot ur5e --position-cm 40 20 30
-[[ $(value 'orientation error') == *"(not sought)" ]] || fail "the position alone: $out"
+[[ $(value 'orientation error \[deg\]') == *"(not sought)" ]] || fail "the position alone: $out"
 refused 'about the orientation, which is not searched' solve --robot ur5e --position-cm 40 20 30 --tolerance-deg 1
 refused 'expects both, or neither' solve --robot ur5e --position-cm 40 20 30 --search pose --tolerance-cm 0 --tolerance-deg 1
 succeeds solve --search pose --position-cm 50 10 40 --tolerance-cm 0
