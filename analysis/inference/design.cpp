@@ -38,7 +38,7 @@ std::vector<int> common_runs(const StudyResults& study) {
 }
 
 // Returns whether the solvers had the same targets and, unless a run is a block, the same starts. A foreign store may
-// be wrong.
+// be wrong. Imports of errors alone have no starts.
 bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   const std::vector<const Solve*> places = places_of(study);
   return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
@@ -46,7 +46,8 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
     return std::ranges::all_of(solves_of(study, solver), [&](const Solve& solve) {
       while ((*first)->run != solve.run || (*first)->point != solve.point) ++first;
       const Problem asked = problem_of(study, solve), other = problem_of(study, **first);
-      return same_target(asked, other) && (blocks == Blocks::runs || same_start(asked, other));
+      const bool knows_starts = !asked.start_rad.empty() && !other.start_rad.empty();
+      return same_target(asked, other) && (blocks == Blocks::runs || !knows_starts || same_start(asked, other));
     });
   });
 }

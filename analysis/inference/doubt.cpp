@@ -105,7 +105,8 @@ constexpr std::array all_words{
     Words{K::no_path_for_blocks, "There are no blocks", "There are no blocks: the study does not state its path."},
     Words{K::chained_solves, "There are no blocks",
           "There are no blocks: each solve starts where the solver's previous answer left the arm."},
-    Words{K::other_targets, "There are no blocks", "There are no blocks: the solvers did not have the same targets."},
+    Words{K::other_targets, "There are no blocks",
+          "There are no blocks: the solvers did not have the same targets and starts."},
     Words{K::no_common_run, "There are no blocks", "There are no blocks: no run is complete for all solvers."},
     Words{K::single_block, "There is one block", "There are no blocks to compare, because there is only one."},
     Words{

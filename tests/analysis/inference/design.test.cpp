@@ -229,10 +229,12 @@ TEST_CASE("a store that claims the same targets for all, and has others, has no 
   std::vector<SolveRecord> solves = solves_of({.path = "random"});
   solves.back().target_position_m[2] = 1e-9;
   CHECK(words_of(why_not_blocked(study_of({.path = "random"}, solves))) ==
-        "There are no blocks: the solvers did not have the same targets.");
+        "There are no blocks: the solvers did not have the same targets and starts.");
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
   CHECK(observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean).blocks.empty());
+  solves.back().start_rad = {};  // imported without answers
+  CHECK(!observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean).blocks.empty());
 }
 
 TEST_CASE("what is not finite stays in its place and is counted, and times that are not clean are said", "[design]") {
