@@ -58,10 +58,13 @@ Estimate superiority(const Evidence& evidence, const std::vector<double>& first,
   return vargha_delaney(second, first, level);  // the chance that second is larger, so first better
 }
 
+// Probability that `n` runs lie on one side of a known value, or that blocks differ in one direction: the sign test.
+double chance_of_one_side(int n) { return 2 * std::exp2(-n); }
+
 // Probability that all values of two equal groups agree by chance: within blocks, that no difference has the other
 // sign; else by Fisher's exact test.
 double chance_of_unanimity(const Evidence& evidence, int n, int m) {
-  return evidence.blocks > 0 ? 2 * std::exp2(-n) : fisher_exact({.successes = n, .trials = n}, {.trials = m});
+  return evidence.blocks > 0 ? chance_of_one_side(n) : fisher_exact({.successes = n, .trials = n}, {.trials = m});
 }
 
 // Corrects a probability for all pairs of the family (Bonferroni).
@@ -74,11 +77,17 @@ double chance_of_unanimity(const Evidence& evidence, const Finding& contrast) {
   return chance_of_unanimity(evidence, first.n, second.n);
 }
 
+// Fewest observations whose chance shows a difference.
+template <class Chance>
+int fewest_to_show(const Evidence& evidence, double significance, const Chance& chance_of) {
+  int n = 2;
+  while (in_family(evidence, chance_of(n)) >= significance) ++n;
+  return n;
+}
+
 // Fewest observations per group (or blocks) of which the order alone shows a difference.
 int fewest_in_order(const Evidence& evidence, double significance) {
-  int n = 2;
-  while (in_family(evidence, chance_of_unanimity(evidence, n, n)) >= significance) ++n;
-  return n;
+  return fewest_to_show(evidence, significance, [&](int n) { return chance_of_unanimity(evidence, n, n); });
 }
 int fewest_in_order(const Evidence& evidence) { return fewest_in_order(evidence, evidence.plan.significance); }
 
@@ -86,11 +95,12 @@ int ahead_by_means(const Evidence& evidence, double difference) {
   return evidence.better == Better::smaller ? -sign_of(difference) : sign_of(difference);
 }
 
-// Returns whether an exact test of order replaces the bootstrap: the groups do not overlap, or differ in one direction
-// in every block, and one group has a single value or the bootstrap has no spread to judge by.
+// Returns whether an exact test of order replaces the bootstrap, or any test that a known value leaves without p: the
+// groups do not overlap, or differ in one direction in every block, and one group has a single value or the bootstrap
+// has no spread to judge by.
 bool has_order(const Evidence& evidence, const Finding& contrast) {
   const auto& [first, second] = both_described(evidence, contrast);
-  if (!evidence.method->resamples) return false;
+  if (!evidence.method->resamples && !(has_known(evidence, contrast) && std::isnan(contrast.p))) return false;
   if (!std::isfinite(first.mean) || !std::isfinite(second.mean)) return false;
   const double ahead = contrast.superiority.value;
   if (evidence.blocks > 0) return std::isnan(contrast.p) && (ahead == 0 || ahead == 1);
@@ -122,7 +132,7 @@ double chance_of_order(const Evidence& evidence, const Finding& contrast) {
   const auto& [first, second] = both_described(evidence, contrast);
   const int n = first.n, m = second.n;
   if (evidence.blocks > 0) return chance_of_unanimity(evidence, n, m);
-  if (has_known(evidence, contrast)) return 2 * std::exp2(-std::max(n, m));
+  if (has_known(evidence, contrast)) return chance_of_one_side(std::max(n, m));
   double chance = 2;
   for (int i = 1; i <= n; ++i) chance *= static_cast<double>(i) / (m + i);
   return chance;
@@ -221,9 +231,12 @@ void judge(const Evidence& evidence, Finding& contrast) {
   if (has_order(evidence, contrast)) {
     const double alone = chance_of_order(evidence, contrast);  // depends on the numbers of values only
     const double by_chance = in_family(evidence, alone);
-    if (by_chance < usual_significance) {
+    const bool is_against_known = has_known(evidence, contrast);  // which no other test judges
+    if (by_chance < usual_significance || is_against_known) {
       contrast.p = by_chance;
-      contrast.p_alone = alone;
+      contrast.p_alone = std::min(1.0, alone);
+      if (is_against_known && by_chance >= evidence.plan.significance)
+        contrast.runs_to_decide.value = fewest_to_show(evidence, evidence.plan.significance, chance_of_one_side);
       contrast.ahead = ahead_by_means(evidence, contrast.estimate.value);
       contrast.is_by_order = true;
       contrast.lacks_spread = false;
@@ -236,10 +249,9 @@ void judge(const Evidence& evidence, Finding& contrast) {
         const int enough = fewest_in_order(evidence, std::min(evidence.plan.significance, usual_significance));
         contrast.why += fmt::format(" different ones, or {} {} that all favour one group", enough, evidence.block_noun);
       }
-    } else if (has_known(evidence, contrast)) {
-      const double ahead = contrast.superiority.value;
-      contrast.why = ahead == 0 || ahead == 1 ? "too few runs to hold against a known value"
-                                              : "a known value has runs of the other on both sides";
+    } else if (const double ahead = contrast.superiority.value;
+               has_known(evidence, contrast) && ahead != 0 && ahead != 1) {
+      contrast.why = "the runs of the other are not all on one side of a known value";
     } else if (contrast.why.empty()) {
       contrast.why = "a group has fewer than two values, or values that are not finite";
     }

@@ -198,7 +198,20 @@ TEST_CASE("what equals a known value is the same where so many runs are not equa
   CHECK(against_known(std::vector<double>(59, 1.0), 1).relation == Relation::same);
   const Finding around = against_known({6, 6.5, 7.5, 8, 9, 9.5}, 7);
   CHECK(around.relation == Relation::undefined);
-  CHECK(std::string_view(around.why).find("on both sides") != std::string_view::npos);
+  CHECK(std::string_view(around.why).find("not all on one side") != std::string_view::npos);
+}
+
+TEST_CASE("runs on one side of a known value are undecided if they are too few, and how many it takes is said",
+          "[assessment]") {
+  for (const std::string test : {"bootstrap", "welch", "tamhane"}) {
+    Observations observed = with({{7}, {8, 8.5, 9.5}, {7}});
+    observed.groups[0].copies = observed.groups[2].copies = 20;
+    const Finding few = evidence(observed, {.test = test}).contrasts.at(0);
+    CHECK(few.relation == Relation::undecided);
+    CHECK(few.p_alone == Approx(0.25));    // 2 * 2^-3
+    CHECK(few.p == Approx(0.75));          // Bonferroni, three pairs
+    CHECK(few.runs_to_decide.value == 7);  // 3 * 2 * 2^-7 < 0.05
+  }
 }
 
 TEST_CASE("typical values near 1 are not kept apart by rounding", "[assessment][equivalence]") {
