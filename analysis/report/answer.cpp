@@ -140,25 +140,30 @@ bool is_against(const Evidence& evidence, const Finding& pair, double Descriptio
   return is_against(pair, evidence.better == Better::smaller ? difference : -difference);
 }
 
+// Averages and shares that favour the other: "the median".
+std::vector<std::string> measures_against(const Evidence& evidence, const Finding& pair) {
+  std::vector<std::string> measures;
+  if (!is_decided(pair)) return measures;
+  if (is_against(evidence, pair, &Description::mean)) measures.emplace_back("the mean");
+  if (is_against(evidence, pair, &Description::median)) measures.emplace_back("the median");
+  if (is_against(pair, pair.superiority.value - 0.5)) {
+    measures.push_back(evidence.blocks > 0 ? "the share of " + evidence.block_noun : "A12");
+  }
+  return measures;
+}
+
 // Numbers that contradict the test: "the interval of the difference includes zero and the median favours the other".
 std::string doubt_words(const Evidence& evidence, const Finding& pair) {
   const bool is_open = pair.relation == Relation::undecided;
   if (!is_open && !is_decided(pair)) return "";
   const double none = no_difference(evidence);
-  std::vector<std::string> doubts, measures;
+  std::vector<std::string> doubts;
   if (is_open ? pair.estimate.low > none || pair.estimate.high < none : includes_none(evidence, pair)) {
     const ScaleWords scale = words_of_scale(evidence);
     doubts.push_back(fmt::format(words::interval_against, "of"_a = scale.of_averages,
                                  "includes"_a = is_open ? "excludes" : "includes", "none"_a = scale.none));
   }
-  if (!is_open) {
-    if (is_against(evidence, pair, &Description::mean)) measures.emplace_back("the mean");
-    if (is_against(evidence, pair, &Description::median)) measures.emplace_back("the median");
-    if (is_against(pair, pair.superiority.value - 0.5)) {
-      measures.push_back(evidence.blocks > 0 ? "the share of " + evidence.block_noun : "A12");
-    }
-  }
-  if (!measures.empty()) {
+  if (const std::vector<std::string> measures = measures_against(evidence, pair); !measures.empty()) {
     doubts.push_back(fmt::format(words::favour_other, "measures"_a = listed(measures),
                                  "favour"_a = measures.size() == 1 ? "favours" : "favour"));
   }
@@ -479,7 +484,7 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
     if (!is_decided(pair)) continue;
     is_within = is_within || pair.is_within_margin();
     is_across = is_across || pair.is_across_margin();
-    is_doubted = is_doubted || !doubt_words(evidence, pair).empty();
+    is_doubted = is_doubted || !measures_against(evidence, pair).empty();
   }
   if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
   std::vector<std::string> parts;

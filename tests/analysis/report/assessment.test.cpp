@@ -567,6 +567,23 @@ TEST_CASE("of two values a group nothing is judged, and more are asked for", "[a
   CHECK_FALSE(says(found, "Decided by: "));
 }
 
+TEST_CASE("an interval that includes zero is no measure for another group", "[assessment]") {
+  const auto share = [](std::size_t ones, std::size_t zeros) {
+    std::vector<double> values(ones, 1);
+    values.resize(ones + zeros, 0);
+    return values;
+  };
+  const Observations shares{
+      .name = "failed",
+      .quantity = "failed",
+      .groups = {{"A", share(20, 0)}, {"B", share(0, 12)}, {"C", share(13, 6)}, {"D", share(1, 1)}}};
+  const Evidence found = evidence(shares, {});
+  const Finding& pair = contrast(found, "A", "C");  // by Fisher and Holm; Newcombe's interval is by Bonferroni
+  REQUIRE(pair.relation == Relation::worse);
+  REQUIRE(pair.estimate.low < 0);
+  CHECK_FALSE(says(found, "another measure"));
+}
+
 TEST_CASE("groups of one value each differ as far as Fisher's exact test says", "[assessment]") {
   const auto constants = [](std::size_t n) {
     return Observations{.name = "x",
