@@ -64,6 +64,7 @@ has "$err" "theirs was imported from theirs.csv: its errors are not verified"
 has "$err" "mine was imported from edited.csv: its answers are verified"
 has "$err" "Times are not comparable"
 grep -q 'theirs' made/report.md && grep -q 'not verified' made/report.md || fail "the report does not name it"
+has_no "$(<made/report.md)" "There are no blocks" # the targets are those of all, whatever the starts were
 "$program" export made/store.sqlite >all.csv
 [ "$(of theirs "status evaluations counted_by position_error_cm" | head -n 1)" = "not_verified 100 solver 0.011 " ] ||
   fail "errors alone are: $(of theirs "status evaluations counted_by position_error_cm")"
