@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -47,11 +48,10 @@ report::Json json_of(const ImportedSolver& solver) {
 }
 
 std::string text_in(const std::filesystem::path& file) {
-  std::error_code none;
-  if (std::filesystem::file_size(file, none) > max_csv_bytes && !none)
-    throw std::invalid_argument(fmt::format("{} has more than {} bytes", file.string(), max_csv_bytes));
-  if (std::optional<std::string> text = read_file(file)) return std::move(*text);
-  throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV of solves", file.string()));
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file))
+    throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV of solves", file.string()));
+  return csv_text(stream, file.filename().string());
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -43,21 +42,11 @@ struct StatsArguments {
   OutputArguments output;
 };
 
-// Reads the whole text, or just more than the CSV reader takes: a stream may have no end.
-std::string contents_of(std::istream& stream, std::size_t expected = 0) {
-  std::string text;
-  text.reserve(std::min(expected, results::max_csv_bytes));
-  std::array<char, 1 << 16> buffer{};
-  while (text.size() <= max_csv_bytes && stream) {
-    stream.read(buffer.data(), buffer.size());
-    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-  }
-  return text;
-}
+std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 // Reads the file, or standard input for "-".
 std::string contents_of(const std::string& file) {
-  if (file == "-") return contents_of(std::cin);
+  if (file == "-") return csv_text(std::cin, name_of_source(file));
   if (std::filesystem::is_directory(file)) {
     throw std::invalid_argument(fmt::format("{} is a folder; expected a CSV file", file));
   }
@@ -67,7 +56,7 @@ std::string contents_of(const std::string& file) {
   }
   std::error_code error;  // a pipe has no size
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  return contents_of(stream, error ? 0 : size);
+  return csv_text(stream, name_of_source(file), error ? 0 : size);
 }
 
 // A name for the files of a quantity; if two quantities share a name, the later one gets a number.
@@ -76,8 +65,6 @@ std::string distinct(const std::string& name, std::set<std::string>& taken) {
   for (int number = 2; !taken.insert(result).second; ++number) result = fmt::format("{}-{}", name, number);
   return result;
 }
-
-std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::vector<Assessment> assessments_of(const StatsArguments& arguments, ReportProgress& progress) {
   std::vector<Assessment> result;

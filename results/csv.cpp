@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <istream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -166,6 +168,26 @@ void CsvView::append_plain(std::string_view cell) {
 void CsvView::append_unquoted(std::string cell) {
   unquoted_.push_back(std::move(cell));
   places_.push_back(static_cast<std::uint32_t>(text_.size() + unquoted_.size()));
+}
+
+void expect_text(std::string_view text, std::string_view source) {
+  const std::size_t nul = text.find('\0');
+  if (nul == std::string_view::npos) return;
+  throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
+                                          1 + std::ranges::count(text.substr(0, nul), '\n')));
+}
+
+std::string csv_text(std::istream& stream, std::string_view source, std::uintmax_t expected) {
+  std::string text;
+  text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(expected, max_csv_bytes)));
+  std::array<char, 1 << 16> buffer{};
+  while (text.size() <= max_csv_bytes && stream) {
+    stream.read(buffer.data(), buffer.size());
+    const std::string_view part(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    text += part;
+    if (part.find('\0') != std::string_view::npos) expect_text(text, source);
+  }
+  return text;
 }
 
 CsvTable parse_csv(std::string_view text, std::string_view source) {

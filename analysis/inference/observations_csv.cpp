@@ -78,10 +78,7 @@ constexpr std::size_t longest_name = 1000;  // of a group [bytes]
 
 // Refuses what is no text, and a header with semicolons or tabs, as spreadsheets in other languages write it.
 std::string_view expect_commas(std::string_view text, std::string_view source) {
-  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("{}:{}: a NUL byte; expected text in UTF-8", source,
-                                            1 + std::ranges::count(text.substr(0, nul), '\n')));
-  }
+  expect_text(text, source);
   const std::string_view titles = text.substr(0, text.find_first_of("\r\n"));
   if (titles.find_first_of(",\"") == std::string_view::npos && titles.find_first_of(";\t") != std::string_view::npos) {
     throw std::invalid_argument(fmt::format(

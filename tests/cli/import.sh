@@ -85,7 +85,8 @@ has_no "$out$err" "lacks"
 succeeds status merged
 has "$out" "Merged: 12 of 12 solves"
 
-# Mistakes, by line and column.
+# Mistakes, by line and column; what is no file has no end.
+refused "zero:1: a NUL byte" import /dev/zero --out made --no-report
 mistake() { # mistake WORDS, with the CSV on the standard input
   cat >wrong.csv
   refused "$1" import wrong.csv --out made --no-report
