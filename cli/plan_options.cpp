@@ -47,12 +47,12 @@ CLI::Option* add_margin_option(CLI::App& command, double& margin) {
         const auto value = number_from(percent ? text.substr(0, text.size() - 1) : text);
         const double share = value ? *value / (percent ? 100 : 1) : -1;
         const auto [least, most] = margins_percent;
-        if (!(share >= least / 100 && share <= most / 100) || (!percent && share == 0 && text != "0")) {
+        if (!(share >= least / 100 && share <= most / 100)) {
           throw CLI::ValidationError(
               fmt::format("--margin: {} is not a share from {} % to {} %; expected for example 5% or 0.05",
                           text.substr(0, 100), least, most));
         }
-        margin = share;
+        margin = share == 0 ? 0 : share;  // "-0" is 0
       },
       fmt::format("smallest relative difference that matters, for example 5% or 0.05 [{:g}%]", 100 * margin));
 }

@@ -167,7 +167,7 @@ refused '--margin excludes --margin-absolute' stats cold.csv --value t --margin-
 succeeds stats --verbose cold.csv --value t --margin-absolute 3 --no-figures --out cold
 has "$out" "C and A are the same within 3 ("
 has "$out" "differences below 3 do not matter"
-succeeds stats --verbose cold.csv --value t --margin 0 --no-figures --out cold
+for margin in 0.0 -0 0% 0; do succeeds stats --verbose cold.csv --value t --margin=$margin --no-figures --out cold; done
 printf 'name,mean,sd,n\nA,-1,2,9\nB,1,2,9\n' >cold.csv
 refused 'has negative values' stats --summaries cold.csv
 
