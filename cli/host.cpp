@@ -1,8 +1,12 @@
 // ikbench host: the child process in which a shared object solves, so that even its crash is only a row of the study.
 #include "experiments/foreign/host.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "cli/commands.hpp"
 
@@ -21,7 +25,14 @@ void add_host(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench host ./libmine.so\n\n"
       "A study with shared_object = \"./libmine.so\" starts it. docs/solvers-in-any-language.md has the messages.");
-  command->callback([arguments] { experiments::host(arguments->object, arguments->name); });
+  command->callback([arguments] {
+    try {
+      experiments::host(arguments->object, arguments->name);
+    } catch (const std::invalid_argument& error) {
+      fmt::print(stderr, "ikbench: {}\n", error.what());  // one line: the parent reads the last
+      throw CLI::RuntimeError(1);
+    }
+  });
 }
 
 }  // namespace ikbench::cli
