@@ -26,11 +26,11 @@ using namespace report;
 
 namespace {
 
-// How many checks have which verdict, then the checks, those that fail first, with --verbose each with its reason.
+// How many checks have which verdict, then the checks, contradictions first, with --verbose each with its reason.
 void show(std::vector<AuditItem> items, const OutputArguments& output) {
   const std::string first = audit_sentence(items);
   std::ranges::stable_sort(items, std::greater(), [](const AuditItem& item) {
-    return item.verdict == Verdict::fails     ? 3
+    return item.verdict == Verdict::fails     ? (item.is_misprint ? 3 : 4)
            : item.verdict == Verdict::holds   ? 0
            : item.verdict == Verdict::in_part ? 1
                                               : 2;
@@ -43,7 +43,8 @@ void show(std::vector<AuditItem> items, const OutputArguments& output) {
   }
   Tones tones{.column = 0};
   for (const AuditItem& item : items) tones.of_rows.push_back(tone_of(item.verdict));
-  Part rows = table_rows(with_columns(audit_table(items), shown), output, 0, tones);
+  constexpr std::size_t longest = 24;  // all columns fit
+  Part rows = table_rows(with_columns(audit_table(items), shown), output, 0, tones, longest);
   if (output.is_verbose) {
     for (std::size_t i = 0; i < items.size(); ++i) rows.items[i] += '\n' + wrapped("  " + items[i].why);
   }

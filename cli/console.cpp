@@ -72,6 +72,13 @@ void write_error(const std::string& text) {
   std::fflush(stderr);
 }
 
+std::atomic<std::size_t> said_lines{0};
+
+void write_lines(const std::string& text) {
+  said_lines += 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  write_error(text + '\n');
+}
+
 constexpr std::size_t most_columns = 100, fewest_columns = 40;
 
 // The columns of a stream; those of standard error break its lines too.
@@ -164,7 +171,7 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
+void say(std::string_view text) { write_lines(wrapped(text, columns_of(STDERR_FILENO))); }
 
 void say_command(std::string_view command) {
   const bool has_quotes =
@@ -174,13 +181,15 @@ void say_command(std::string_view command) {
   std::string text = has_quotes ? printable(command) : wrapped(command, width);
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + goes_on.size() + 1))
     text.insert(at, goes_on);
-  write_error(text + '\n');
+  write_lines(text);
 }
+
+std::size_t take_said_lines() { return said_lines.exchange(0); }
 
 void warn(std::string_view text) {
   constexpr std::string_view word = "warning:";
   const std::string shown = wrapped(fmt::format("{} {}", word, text), columns_of(STDERR_FILENO));
-  write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
+  write_lines(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()));
 }
 
 std::size_t text_width() { return columns_of(STDOUT_FILENO); }

@@ -22,13 +22,12 @@ using namespace report;
 namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t longest_cell = 36;  // longer cells are wrapped, longer words are shortened
 
-std::string with_short_words(std::string_view cell) {
+std::string with_short_words(std::string_view cell, std::size_t longest) {
   std::string text;
   for (std::size_t at = 0; at <= cell.size();) {
     const std::size_t end = std::min(cell.find(' ', at), cell.size());
-    text += (at > 0 ? " " : "") + shortened(printable(cell.substr(at, end - at)), longest_cell);
+    text += (at > 0 ? " " : "") + shortened(printable(cell.substr(at, end - at)), longest);
     at = end + 1;
   }
   return text;
@@ -109,7 +108,8 @@ Part warnings(const std::vector<std::string>& texts) {
   return {.items = texts, .noun = "warning", .least = least, .are_warnings = true};
 }
 
-Part table_rows(const Table& table, const OutputArguments& output, std::size_t least, Tones tones) {
+Part table_rows(const Table& table, const OutputArguments& output, std::size_t least, Tones tones,
+                std::size_t longest) {
   Part part{.noun = "row", .least = least};
   Rows rows = readable_cells(table);
   const auto finish = [&](std::size_t width) {
@@ -125,8 +125,8 @@ Part table_rows(const Table& table, const OutputArguments& output, std::size_t l
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      row[c] = with_short_words(row[c]);
-      widths[c] = std::max(widths[c], std::min(character_count(row[c]), longest_cell));
+      row[c] = with_short_words(row[c], longest);
+      widths[c] = std::max(widths[c], std::min(character_count(row[c]), longest));
     }
   }
   constexpr std::size_t gap = 2;
@@ -138,7 +138,9 @@ Part table_rows(const Table& table, const OutputArguments& output, std::size_t l
 }
 
 void show_screen(const std::vector<Part>& parts, const OutputArguments& output, const std::string& where) {
-  std::vector<std::size_t> taken = fitting(parts, output.is_verbose ? no_limit : screen_lines);
+  constexpr std::size_t most_said = 10;  // a screen shows its answer, whatever came before
+  const std::size_t room = screen_lines - std::min(take_said_lines(), most_said);
+  std::vector<std::size_t> taken = fitting(parts, output.is_verbose ? no_limit : room);
   const auto rest_words = [&] {
     const std::string rest = left_out(parts, taken);
     return rest.empty() ? "" : wrapped(fmt::format("Not shown: {}. --verbose shows all{}.", rest, where)) + '\n';
@@ -146,7 +148,7 @@ void show_screen(const std::vector<Part>& parts, const OutputArguments& output, 
   const auto lines_of_rest = [&] { return static_cast<std::size_t>(std::ranges::count(rest_words(), '\n')); };
   for (std::size_t kept = 0; lines_of_rest() > kept;) {  // the words need room, too
     kept = lines_of_rest();
-    taken = fitting(parts, screen_lines - kept);
+    taken = fitting(parts, room - kept);
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i + 1 == parts.size()) fmt::print("{}", rest_words());
@@ -158,6 +160,7 @@ void show_screen(const std::vector<Part>& parts, const OutputArguments& output, 
     }
   }
   std::fflush(stdout);
+  take_said_lines();
 }
 
 void show_json(const report::Json& json) { fmt::print("{}\n", numerics::text_of(json, 2)); }

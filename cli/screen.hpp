@@ -35,12 +35,15 @@ struct Part {
 
 Part sentences(const std::vector<std::string>& texts, std::size_t least = 0);
 Part warnings(const std::vector<std::string>& texts);
-// A row is one line: columns that do not fit are left out from the right, unless all is shown. Tones are of the rows
-// below the head.
-Part table_rows(const report::Table& table, const OutputArguments& output, std::size_t least, Tones tones = {});
+constexpr std::size_t longest_cell = 36;
 
-// Shows the parts, all of each with --verbose. `where` follows the words "--verbose shows all": ", and report.md has
-// it".
+// Longer cells are wrapped, longer words are shortened. Columns that do not fit are left out from the right, unless all
+// is shown. Tones are of the rows below the head.
+Part table_rows(const report::Table& table, const OutputArguments& output, std::size_t least, Tones tones = {},
+                std::size_t longest = longest_cell);
+
+// Shows the parts, all of each with --verbose, in the room that messages before have left. `where` follows the words
+// "--verbose shows all": ", and report.md has it".
 void show_screen(const std::vector<Part>& parts, const OutputArguments& output, const std::string& where);
 
 void show_json(const report::Json& json);
