@@ -110,9 +110,10 @@ std::vector<std::string> labels_of(const std::vector<Version>& versions, const T
 }
 
 // Compares a version with the one where the label changed last.
-void compare(const Variant& base, const Variant& next, const AnalysisPlan& plan, const std::string& metric,
-             Point& point) {
-  const std::vector<VariantStudy> studies{study_of_both(base, next, plan)};
+void compare(const Version& base, const Version& next, const std::string& label, const AnalysisPlan& plan,
+             const std::string& metric, Point& point) {
+  const std::vector<VariantStudy> studies{
+      study_of_both(*find_label(base, label), *find_label(next, label), plan, base.name, next.name)};
   const std::vector<VariantComparison> comparisons = compare_variants(studies, std::vector{metric});
   const MetricComparison& compared = comparisons.at(0).metrics.at(0);
   const Finding found = compared.finding();
@@ -126,14 +127,13 @@ Trend trend_of(const std::string& label, const std::vector<Version>& versions, c
                const std::string& metric) {
   Trend trend{.label = label};
   for (std::size_t i = 0; i < versions.size(); ++i) {
-    const Variant* const variant = find_label(versions[i], label);
-    if (!variant) continue;
+    if (!find_label(versions[i], label)) continue;
     Point point{.version = i};
     if (const auto mean = versions[i].means.find(label); mean != versions[i].means.end()) point.mean = mean->second;
     if (!trend.points.empty()) {
       const Point& before = trend.points.back();
       point.base = before.has_changed || trend.points.size() == 1 ? before.version : before.base;
-      compare(*find_label(versions[point.base], label), *variant, plan, metric, point);
+      compare(versions[point.base], versions[i], label, plan, metric, point);
     }
     trend.points.push_back(std::move(point));
   }
@@ -145,26 +145,24 @@ Table table_of(const std::vector<Trend>& trends, const std::vector<Version>& ver
   Table table{
       .name = "trend",
       .caption = fmt::format("{} over {} versions", capitalised(quantity(metric)), versions.size()),
-      .columns = {"label", "version", quantity(metric), percent(1 - plan.significance) + " interval", "compared with",
-                  "it is"},
+      .columns = {"label", "version", quantity(metric), "it is", "compared with",
+                  percent(1 - plan.significance) + " interval"},
       .notes = {fmt::format("Each version is compared with the one where the label changed last. All "
                             "comparisons together find a difference where there is none in at most {} of cases.",
                             percent(plan.significance))}};
   std::set<std::string> differences;
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
-      if (point.differences.empty()) continue;
-      differences.insert(
-          fmt::format("{} and {}: {}", versions[point.base].name, versions[point.version].name, point.differences));
+      if (!point.differences.empty()) differences.insert(point.differences);
     }
   }
   table.notes.insert(table.notes.end(), differences.begin(), differences.end());
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
       table.rows.push_back({trend.label, versions[point.version].name, point.mean.value,
-                            Range{point.mean.low, point.mean.high},
+                            point.has_changed ? point.verdict + " (changed)" : point.verdict,
                             point.verdict.empty() ? std::string() : versions[point.base].name,
-                            point.has_changed ? point.verdict + " (changed)" : point.verdict});
+                            Range{point.mean.low, point.mean.high}});
     }
   }
   return table;
@@ -218,13 +216,10 @@ void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions
   }
   if (output.is_json) return show_json({{"changes", changes}, {"rows", rows_json(table)}, {"notes", table.notes}});
   if (said.empty()) said = {fmt::format("No change beyond the margin was found in {} versions.", versions.size())};
-  constexpr std::size_t of_changes = 8, of_table = 14;
-  std::vector<Part> parts{sentences(said, of_changes),
-                          {.items = {""}},
-                          table_rows(table, output, of_table),
-                          {.items = {""}},
-                          sentences(table.notes),
-                          {}};
+  constexpr std::size_t of_changes = 8, of_table = 12, of_notes = 4;
+  std::vector<Part> parts{sentences(said, of_changes),         {.items = {""}},
+                          table_rows(table, output, of_table), {.items = {""}},
+                          sentences(table.notes, of_notes),    {}};
   if (!picture.empty()) parts.back().items = {printable(picture.string())};
   show_screen(parts, output, picture.empty() ? ", and --out FOLDER writes it" : ", and trend.md has it");
 }
