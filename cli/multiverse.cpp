@@ -58,12 +58,15 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
   return multiverse;
 }
 
-// Lists every dimension with its alternatives; marks those that vary by default.
+// Lists every dimension with its alternatives; --verbose explains them and marks those that vary by default.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all, const std::vector<Dimension>& varied,
-                           Combined combined) {
-  std::vector<std::vector<std::string>> rows{{"ALTERNATIVE", "NOTES", "IN", "WHERE"}};
+                           Combined combined, bool is_verbose) {
+  Rows rows{{"ALTERNATIVE", "NOTES", "IN", "WHERE"}},
+      in_short{{"DIMENSION", "ALTERNATIVES, THE DEFAULT FIRST (--verbose explains them)"}};
   for (const Dimension& each : all) {
+    in_short.push_back({each.name, ""});
     for (const Alternative& one : each.alternatives) {
+      in_short.back().back() += (in_short.back().back().empty() ? "" : ", ") + one.set.substr(one.set.find('=') + 1);
       const bool is_default = &one == &each.alternatives.front();
       rows.push_back({one.set, each.section,
                       is_default                  ? "the default"
@@ -76,17 +79,17 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   const MultiverseSize size = size_of(varied, labels, combined);
-  return fmt::format("{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n\n{}",
-                     size.universes, varied.size(), size.studies, size.series, aligned(rows));
+  return fmt::format("{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n{}",
+                     size.universes, varied.size(), size.studies, size.series, aligned(is_verbose ? rows : in_short));
 }
 
-// A table with what is said of it, and at the end where the files are.
-void show(const Table& table, std::vector<std::string> said, const std::vector<std::string>& places,
-          const OutputArguments& output) {
+// The verdict, a table with what is said of it, and at the end where the files are.
+void show(const std::string& verdict, const Table& table, std::vector<std::string> said,
+          const std::vector<std::string>& places, const OutputArguments& output) {
   if (output.is_json) return show_json(rows_json(table));
   std::ranges::copy(table.notes, std::back_inserter(said));
   constexpr std::size_t of_table = 15;
-  show_screen({{.items = {wrapped(table.caption), ""}},
+  show_screen({{.items = {wrapped(verdict), ""}},
                table_rows(table, output, of_table),
                {.items = {""}},
                sentences(said),
@@ -94,15 +97,25 @@ void show(const Table& table, std::vector<std::string> said, const std::vector<s
               output, ", and the tables have it");
 }
 
+std::string majority_words(const std::vector<ClaimShares>& claims) {
+  const auto in_most = [&](double ClaimShares::*share) {
+    return std::ranges::count_if(claims, [&](const ClaimShares& claim) { return claim.*share > 0.5; });
+  };
+  return fmt::format(
+      "Of {} claims, {} hold in most interpretations of what the paper leaves open, {} fail in most and {} "
+      "are undecided in most.",
+      claims.size(), in_most(&ClaimShares::holds), in_most(&ClaimShares::fails), in_most(&ClaimShares::undecided));
+}
+
 void tell(const MultiverseReport& report, const MultiverseArguments& arguments, const std::filesystem::path& folder) {
   for (const Table& table : report.tables) write_table(table, folder / "tables", program_name());
   draw(report.figures, folder / "figures", {.render = !arguments.without_figures, .jobs = 1});
   std::vector<std::string> said;
-  for (const ClaimShares& claim : report.claims) said.push_back(claim.sentence);
   std::ranges::copy(report.sentences, std::back_inserter(said));
+  for (const ClaimShares& claim : report.claims) said.push_back(claim.sentence);  // the table has most of it
   const std::filesystem::path figure =
       folder / "figures" / (arguments.without_figures ? "multiverse.gp" : "multiverse.png");
-  show(report.tables.front(), std::move(said),
+  show(majority_words(report.claims), report.tables.front(), std::move(said),
        {fmt::format("Tables: {}", printable((folder / "tables").string())),
         fmt::format("Figure: {}", printable(figure.string()))},
        arguments.output);
@@ -132,8 +145,8 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
   const Table table = paper.one_at_a_time(solved->multiverse, solved->plan);
   judging.end();
   write_table(table, folder / "tables", program_name());
-  show(table, {}, {fmt::format("Table: {}", printable((folder / "tables" / (table.name + ".md")).string()))},
-       arguments.output);
+  show(table.caption + '.', table, {},
+       {fmt::format("Table: {}", printable((folder / "tables" / (table.name + ".md")).string()))}, arguments.output);
 }
 
 }  // namespace
@@ -197,7 +210,8 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
         arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);
     if (arguments->list) {
       refuse_varied(arguments->overrides, varied);
-      fmt::print("{}", dimension_list(load_study(study, arguments->overrides), all, varied, arguments->combined()));
+      fmt::print("{}", dimension_list(load_study(study, arguments->overrides), all, varied, arguments->combined(),
+                                      arguments->output.is_verbose));
       return;
     }
     solve_and_tell(paper, *arguments, varied, invocation);
