@@ -1,5 +1,6 @@
 // ikbench check-solver: checks a program for its author before a study runs it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -50,23 +51,25 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "  ikbench check-solver ./libmine.so\n\n"
       "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
-    int failed = 0;
+    std::vector<std::string> failed;
     report::Json all = report::Json::array();
     check_program(choice_of(arguments->words, arguments->patience), [&](const CheckLine& line) {
-      failed += line.passed ? 0 : 1;
       all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
+      if (!line.passed) failed.push_back(line.what);
       if (arguments->output.is_json) return;
       constexpr std::size_t length_of_state = 8;
-      fmt::print("{}{}\n", line.passed ? coloured("ok      ", Tone::good) : coloured("FAILED  ", Tone::bad),
-                 wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
-                         text_width() - length_of_state));
+      const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
+                                       text_width() - length_of_state);
+      fmt::print("{}{}\n", line.passed ? coloured("ok      ", Tone::good) : coloured("FAILED  ", Tone::bad), text);
       std::fflush(stdout);
     });
-    if (arguments->output.is_json)
-      show_json(all);
-    else
-      fmt::print("{} of {} checks failed\n", failed, all.size());
-    if (failed > 0) invocation.exit_code = 1;
+    if (!failed.empty()) invocation.exit_code = 1;
+    if (arguments->output.is_json) return show_json(all);
+    const std::string verdict =
+        failed.empty() ? fmt::format("All {} checks passed", all.size())
+                       : fmt::format("{} of {} checks failed: {}", failed.size(), all.size(), fmt::join(failed, "; "));
+    fmt::print("\n{}\n{}\n", coloured(wrapped(verdict + '.'), failed.empty() ? Tone::good : Tone::bad),
+               wrapped("They ask for positions. Whole poses (search = \"pose\") are not checked."));
   });
 }
 
