@@ -42,3 +42,35 @@ has "$(<summary.md)" "Regression beyond 5 %"
 code=0
 STUDY=none.toml OUT=none bash "$gate" >.out 2>.err || code=$?
 [ "$code" = 1 ] || fail "no study: exit code $code, expected 1"
+[ "$(tail -n 1 .err)" = "Nothing was compared: ikbench run failed with exit code 1." ] || fail "it does not say that nothing was compared: $(<.err)"
+has "$(<outputs)" "outcome=failed"
+code=0
+echo "no store" >broken.sqlite
+BASELINE=broken.sqlite OUT=broken bash "$gate" >.out 2>.err || code=$?
+[ "$code" = 1 ] || fail "a broken baseline: exit code $code, expected 1"
+has "$(<.err)" "Nothing was compared: ikbench compare failed with exit code 1."
+
+# A program that crashes is red, and the screen says so above the table.
+command -v python3 >/dev/null || exit 77
+cat >mine.py <<'E2'
+import json, os, sys
+def say(**message): print(json.dumps(message), flush=True)
+say(ikbench=1, message="hello", name="mine", version="1", modes=["solve"], deterministic=True, options=[])
+for line in sys.stdin:
+    told = json.loads(line)
+    if told["message"] == "robot": say(message="ready")
+    elif told["message"] == "ping": say(message="pong", id=told["id"])
+    elif told["message"] == "solve":
+        if "CRASH" in os.environ: os._exit(4)
+        say(message="solved", id=told["id"], q=told["start"], error=None)
+    elif told["message"] == "bye": break
+E2
+study crashing '[[solvers]]' 'label = "mine"' 'process = ["python3", "mine.py"]'
+sed -i 's/^runs = 2/runs = 8/' crashing.toml
+STUDY=crashing.toml BASELINE=none.sqlite OUT=alive bash "$gate" >.out 2>.err || fail "no baseline: $(<.out) $(<.err)"
+code=0
+CRASH=1 STUDY=crashing.toml BASELINE=alive/store.sqlite OUT=dead bash "$gate" >.out 2>.err || code=$?
+[ "$code" = 3 ] || fail "a program that crashes: exit code $code, expected 3: $(<.out) $(<.err)"
+[[ $(flat "$(<.out)") == "Regression "*"mine: Solves without an answer: none of A's 64; 64 of B's 64 (crashed 64)."*"label "* ]] ||
+  fail "it does not say that it crashed: $(<.out)"
+[ "$(cat .out .err | wc -l)" -le 30 ] && [ "$(cat .out .err | wc -L)" -le 100 ] || fail "the gate: not one screen: $(<.out) $(<.err)"

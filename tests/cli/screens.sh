@@ -29,9 +29,14 @@ done >>values.csv
 fits "Statistics: error" stats values.csv --value error --no-figures --out stats
 fits "Statistics: error" stats values.csv --value error --value time --value cost --no-figures --out stats
 [ "$(grep -c '^Statistics: ' .out)" = 3 ] || fail "not an answer for each of three quantities: $out"
+has "$(sed -n '/^Observations: error$/,/^Observations: time$/p' .out)" "than what fits into the column" # wrapped, not cut
+has_no "$out" "than what fits into…"
 fits "" audit slim2023
 [[ $out =~ ^[0-9]+\ checks: ]] || fail "the count is not first: $out"
-fits "" multiverse slim2023 --small --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out small
+[[ $(sed -n 2,3p .out) =~ ^verdict\ .*\ printed\ .*\ follows.contradiction\  ]] || fail "not the contradictions first, with what follows: $out"
+[ "$(grep -c '^contradiction ' .out)" = 4 ] || fail "not all contradictions: $out"
+fits "737280 interpretations of 19 dimensions" multiverse slim2023 --list
+fits "Of 4 claims, " multiverse slim2023 --small --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out small
 fits "" multiverse slim2023 --dimensions bounds --one-at-a-time --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out one
 fits "merged/store.sqlite" merge merged $store
 fits "solver ik_bat" solve --solver ik_bat --position-cm 60 20 10
@@ -39,10 +44,38 @@ fits "ur5e: " robot ur5e
 fits "mine" run mine.toml --shard 1/2 --out mine/shards/1-of-2
 fits "" status mine
 fits "" fingerprint $store
-for kind in solvers robots studies paths columns metrics tests pieces instruction-sets; do # long, but not wide
+for kind in solvers robots studies paths columns metrics tests pieces instruction-sets; do # a pipe gets all, in lines that fit
   succeeds list $kind
   [ "$(wc -L <.out)" -le 100 ] || fail "list $kind: $(wc -L <.out) columns"
 done
+
+# What a command was given for is on its screen, although the warnings and a long table are there too.
+fits "Smallest mean error" run mine.toml --sweep particle_swarm.population=5,10,20 --no-figures --out swept
+has "$out" "Of the 3 settings of particle_swarm, particle_swarm population="
+has "$out" "tables/sweep.md has all"
+has "$out" "swept/store.sqlite"
+fits "Smallest mean error" run mine.toml --perturb 1 --no-figures --out perturbed
+has "$out" "Last bits of the targets, changed 1 times."
+succeeds tune mine.toml --solver particle_swarm --sweep population=5,10,20 --budget 400 --no-figures --out tuned
+sed -n '/^Smallest mean error/,$p' .out >screen
+[ "$(cat screen .err | wc -l)" -le 30 ] && [ "$(cat .out .err | wc -L)" -le 100 ] || fail "tune: not one screen: $out $err"
+has "$(<screen)" "Chosen from 3 candidates, "
+printf 'studies = ["mine.toml"]\nseeds = [1, 2, 3]\n' >seeds.toml
+fits "Over 3 seeds together, " run seeds.toml --no-figures --out seeds
+[[ $(grep '^solver  ' <<<"$out") =~ ^solver\ +all:\ mean ]] || fail "not first what holds over all seeds: $out"
+fits "Smallest mean error" run mine.toml --set analysis.significance=0.01 --no-figures --out perturbed # with warnings before and after
+[ "$(grep -c '^warning: ' .err)" -ge 2 ] || fail "too few warnings: $err"
+
+# Two versions, of which one is worse; a program that crashes; and where nothing can be compared.
+succeeds run mine.toml --set stop.iterations=2 --no-report --out worse
+fits "Regression beyond 5 %" compare $store worse/store.sqlite
+has "$out" "B differs from A in stop.iterations (8, 2)."
+has "$out" "Not compared: seconds (typical)."
+fits "" trend $store worse/store.sqlite
+has "$out" "worse differs from mine in stop.iterations (8, 2)."
+has_no "$out" "B differs"
+fits "" compare bat newton --store $store
+[[ $(flat "$out") == *"label "*"B differs from A in "*"source of the solver ("* ]] || fail "digests above the table: $out"
 
 # All of it, in lines that break between words; and as data.
 succeeds report $store --verbose --no-figures --out reported
