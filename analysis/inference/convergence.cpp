@@ -90,10 +90,10 @@ bool is_chained(const StudyResults& study) { return study.points > 1 && !study.f
 
 const std::vector<double>& trace_cm(const Solve& solve) {
   static const std::vector<double> none;
-  return solve.extras == nullptr ? none : solve.extras->trace_cm;
+  return solve.rare == nullptr ? none : solve.rare->trace_cm;
 }
 
-bool has_improvements(const Solve& solve) { return solve.extras != nullptr && !solve.extras->improved_at.empty(); }
+bool has_improvements(const Solve& solve) { return solve.rare != nullptr && !solve.rare->improved_at.empty(); }
 
 std::vector<Step> iterations_of(const StudyResults& study, const Solve& solve) {
   const std::vector<double>& trace = trace_cm(solve);
@@ -106,8 +106,8 @@ std::vector<Step> iterations_of(const StudyResults& study, const Solve& solve) {
 std::vector<Step> course_of(const StudyResults& study, const Solve& solve) {
   if (!has_improvements(solve)) return iterations_of(study, solve);
   std::vector<Step> steps;
-  for (std::size_t i = 0; i < solve.extras->improved_at.size(); ++i) {
-    steps.push_back({solve.extras->improved_at[i], solve.extras->improved_to_cm[i]});
+  for (std::size_t i = 0; i < solve.rare->improved_at.size(); ++i) {
+    steps.push_back({solve.rare->improved_at[i], solve.rare->improved_to_cm[i]});
   }
   return steps;
 }

@@ -31,9 +31,9 @@ double orientation_error_deg(const Solve& solve, const StudyResults& study) {
   return study.facts.orientation ? orientation_angle_deg(solve.orientation_error) : not_defined;
 }
 
-double variation_m(const Solve& solve) { return solve.extras == nullptr ? 0 : solve.extras->variation_m; }
+double variation_m(const Solve& solve) { return solve.rare == nullptr ? 0 : solve.rare->variation_m; }
 
-double instructions(const Solve& solve) { return solve.extras == nullptr ? not_defined : solve.extras->instructions; }
+double instructions(const Solve& solve) { return solve.rare == nullptr ? not_defined : solve.rare->instructions; }
 
 // Mean, over the targets that are beyond the arm's reach, of the position error less its least possible value.
 double excess_error_cm(Run run, const StudyResults& study) {

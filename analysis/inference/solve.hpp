@@ -32,7 +32,7 @@ struct Solve {
   double smallest_singular_value = 0;
   double manipulability = 0;
   std::int64_t evaluations = 0;
-  const RareData* extras = nullptr;  // owned by SolveData; null if the solve has none
+  const RareData* rare = nullptr;  // owned by SolveData; null if the solve has none
   int run = 1;
   int point = 1;
   std::uint32_t problem = 0;  // index of its target and start in SolveData::problems

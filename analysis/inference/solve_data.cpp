@@ -229,13 +229,13 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .is_following = is_following};
   const bool has_course = record.improved_at.size() == record.improved_to_cm.size() && !record.improved_at.empty();
   if (!record.trace_cm.empty() || has_course || record.variation_m != 0 || !std::isnan(record.instructions)) {
-    RareData& extras = data_.extras.emplace_back(
+    RareData& rare = data_.rare.emplace_back(
         RareData{.trace_cm = record.trace_cm, .variation_m = record.variation_m, .instructions = record.instructions});
     if (has_course) {
-      extras.improved_at = record.improved_at;
-      extras.improved_to_cm = record.improved_to_cm;
+      rare.improved_at = record.improved_at;
+      rare.improved_to_cm = record.improved_to_cm;
     }
-    solve.extras = &data_.extras.back();
+    solve.rare = &data_.rare.back();
   }
   answers_.push_back(record.answer_rad);
   return solve;

@@ -66,7 +66,7 @@ struct SolveData {
   std::vector<std::int64_t> sessions = {};
   std::string robot = {};
   Problems problems = {};
-  std::deque<RareData> extras = {};
+  std::deque<RareData> rare = {};
   std::vector<SolverFacts> of_solver = {};  // one per label
   std::vector<RunShape> shapes = {};        // by solver and run
   std::set<std::size_t> joints = {};        // numbers of angles in starts and answers

@@ -58,8 +58,8 @@ std::vector<std::string> notes_of(const std::vector<OfStudy>& all, std::vector<s
     for (const std::string& note : of.observations.*notes) {
       const bool is_of_all = std::ranges::all_of(
           all, [&](const OfStudy& other) { return std::ranges::count(other.observations.*notes, note) > 0; });
-      std::string told = is_of_all ? note : fmt::format("{}: {}", of.study, note);
-      if (std::ranges::count(result, told) == 0) result.push_back(std::move(told));
+      std::string own_note = is_of_all ? note : fmt::format("{}: {}", of.study, note);
+      if (std::ranges::count(result, own_note) == 0) result.push_back(std::move(own_note));
     }
   }
   return result;

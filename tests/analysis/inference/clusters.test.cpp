@@ -449,7 +449,7 @@ TEST_CASE("without a tolerance traces say who is ahead, and without traces nobod
   std::array<RareData, 2> traces{RareData{.trace_cm = std::vector<double>(10, 5)},
                                  RareData{.trace_cm = std::vector<double>(10, 20)}};
   std::fill(traces[1].trace_cm.begin() + 2, traces[1].trace_cm.end(), 5);
-  for (Solve& solve : study.solves.to_change()) solve.extras = &traces[solve.solver];
+  for (Solve& solve : study.solves.to_change()) solve.rare = &traces[solve.solver];
   const std::optional<Anytime> found = anytime(study, clusters);
   REQUIRE(found);
   CHECK(!found->is_of_study);
