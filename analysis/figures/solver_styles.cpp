@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -71,7 +72,7 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   std::vector<std::size_t> users(style.palette.size());
   for (const auto& [label, place] : places) ++users[place];
   std::vector<NamedSolver> in_order = solvers;
-  if (is_in_order) std::ranges::stable_partition(in_order, &NamedSolver::is_chosen);
+  if (is_in_order) std::stable_partition(in_order.begin(), in_order.end(), std::mem_fn(&NamedSolver::is_chosen));
   std::map<std::string, std::size_t> places_of;  // of algorithms that are not built in
   for (const NamedSolver& solver : in_order) {
     if (places.contains(solver.label)) continue;

@@ -93,8 +93,8 @@ std::vector<const Solve*> places_of(const StudyResults& study) {
   std::vector<const Solve*> all;
   for (const Solve& solve : study.solves) all.push_back(&solve);
   std::ranges::stable_sort(all, {}, place);
-  const auto rest = std::ranges::unique(all, {}, place);
-  all.erase(rest.begin(), rest.end());
+  const auto is_same = [&](const Solve* one, const Solve* other) { return place(one) == place(other); };
+  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
   return all;
 }
 

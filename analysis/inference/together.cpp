@@ -206,8 +206,9 @@ std::vector<Judged> judged_together(const JudgedStudies& studies) {
   const bool is_of_all =
       std::ranges::all_of(studies, [&](const JudgedStudy& study) { return primary_estimand(study) == decides; });
   const Estimand wanted = is_of_all ? decides : first.plan.estimands.front();
-  std::ranges::stable_partition(
-      judged, [&](const Judged& each) { return each.metric == Metric::position_error_cm && each.estimand == wanted; });
+  std::stable_partition(judged.begin(), judged.end(), [&](const Judged& each) {
+    return each.metric == Metric::position_error_cm && each.estimand == wanted;
+  });
   return judged;
 }
 
