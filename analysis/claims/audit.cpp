@@ -210,6 +210,11 @@ std::vector<Words> rows_of(SQLite::Database& database, const std::string& query)
   return rows;
 }
 
+// "a" to "z", then "aa", "ab", ...
+std::string letters_of(int number) {
+  return (number < 26 ? "" : letters_of(number / 26 - 1)) + static_cast<char>('a' + number % 26);
+}
+
 AuditItem item_of(const AuditEntry& entry, const Words& row) {
   const auto number = [&](std::string_view column) { return number_from(word(row, column)).value_or(0); };
   AuditItem item{.id = entry.id,
@@ -254,7 +259,7 @@ std::vector<AuditItem> audited(std::string_view paper, std::string_view text, st
   std::string views;
   read_prose(file, "views", views);
   std::vector<AuditItem> items;
-  std::map<std::string, char> letters;  // the next letter, by id
+  std::map<std::string, int> numbers;  // of items, by id
   const toml::node* at = &table;
   try {
     database.exec(views);
@@ -265,7 +270,7 @@ std::vector<AuditItem> audited(std::string_view paper, std::string_view text, st
       for (Words& row : rows_of(database, entry.query)) {
         row.insert(said.begin(), said.end());
         AuditItem& item = items.emplace_back(item_of(entry, row));
-        item.id += letters.try_emplace(item.id, 'a').first->second++;
+        item.id += letters_of(numbers[item.id]++);
       }
     }
   } catch (const std::runtime_error& error) {  // also SQLite's errors

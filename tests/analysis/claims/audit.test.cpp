@@ -101,6 +101,17 @@ TEST_CASE("each row of a query is an item, lettered with those of its id", "[aud
   CHECK(all[4].id == "2e");
 }
 
+TEST_CASE("more items than letters have ids of their own", "[audit]") {
+  const std::vector<AuditItem> all = items(
+      "[[items]]\nid = \"1\"\nquery = \"WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 53) SELECT 1 "
+      "AS holds FROM n\"\n" +
+      texts);
+  REQUIRE(all.size() == 53);
+  CHECK(all[25].id == "1z");
+  CHECK(all[26].id == "1aa");
+  CHECK(all[52].id == "1ba");
+}
+
 TEST_CASE("no sample has a mean outside its extremes or a spread that they do not allow", "[audit]") {
   CHECK(impossible(2, 2, 1, 3, 1, 3).empty());  // 1, 2, 3
   CHECK(impossible(4, 2, 1, 3, 1, 3) == "the mean exceeds the maximum");
