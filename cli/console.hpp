@@ -30,7 +30,7 @@ std::size_t text_width();
 // Printable text whose lines break between words; further lines are indented. Longer words stay whole.
 std::string wrapped(std::string_view text, std::size_t width = text_width());
 
-// How a verdict is meant: a colour on a terminal, unless NO_COLOR is set or TERM is dumb. No colour has a meaning that
+// The colour of a verdict on a terminal, unless NO_COLOR is set or TERM is dumb. No colour has a meaning that
 // the words do not have.
 enum class Tone { plain, good, open, bad };
 std::string coloured(std::string text, Tone tone);

@@ -38,7 +38,7 @@ using namespace report;
 
 namespace {
 
-// What is listed, for a reader and for a program.
+// A list for a reader and for a program.
 struct Listed {
   std::string text;
   report::Json json;

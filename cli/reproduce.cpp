@@ -58,7 +58,7 @@ report::Json json_of(const std::vector<Fingerprints>& all) {
   return rows;
 }
 
-// How many equal their reference, which differ, and each with its fingerprint where all is shown.
+// Says how many equal their reference and which differ; with `is_verbose`, also each fingerprint.
 std::vector<std::string> words_on(const std::vector<Fingerprints>& all, bool is_verbose) {
   std::vector<std::string> lines, different;
   std::size_t compared = 0;

@@ -1,4 +1,4 @@
-// What a command says at its end: its answer first, in at most 30 lines, and where the rest is. As data with --json.
+// The last screen of a command: its answer first, in at most 30 lines, and where the rest is; data with --json.
 #pragma once
 
 #include <cstddef>

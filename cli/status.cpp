@@ -37,7 +37,7 @@ std::string ranges_of(const std::vector<int>& numbers) {
   return text.size() < most ? text : text + ", ...";
 }
 
-// What state a shard is in, and the shards of a division by it.
+// The state of a shard; the shards of a division are counted by it.
 enum class State { done, running, stopped, waiting };
 constexpr std::array<std::string_view, 4> state_names{"done", "running", "stopped or failed", "not begun"};
 using ShardsByState = std::array<std::vector<int>, state_names.size()>;

@@ -169,7 +169,7 @@ std::vector<SweptKey> swept_keys(TomlReader& study) {
   return keys;
 }
 
-// How a key names the entry; a later one replaces the values of an earlier one.
+// The way in which a key names the entry. A later one replaces the values of an earlier one.
 enum class Names { not_it, every_solver, its_solver, its_label };
 
 Names names_of(const SweptKey& key, const SolverEntry& entry) {

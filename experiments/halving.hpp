@@ -23,7 +23,7 @@ std::vector<HalvingRound> halving_rounds(std::size_t candidates, std::int64_t po
 // The solves of all rounds together.
 std::int64_t solves_of(const std::vector<HalvingRound>& rounds, std::int64_t points);
 
-// What a candidate reached in a round.
+// A candidate's result in a round.
 struct Standing {
   double value;        // smaller is better; one that is not a number is the worst
   double evaluations;  // decide between equal values

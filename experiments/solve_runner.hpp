@@ -35,7 +35,7 @@ class SolveRunner {
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
 
-  // How many problems to solve at once; more than 1 for a program that takes batches, if no solve needs another's
+  // Number of problems to solve at once: more than 1 for a program that takes batches, if no solve needs another's
   // answer.
   int batch() const;
   struct Asked {

@@ -52,7 +52,7 @@ struct Program;  // foreign/program.hpp
 // say so.
 enum class IfMissing { refuse, leave_out };
 
-// How `ikbench tune` chose the settings of an entry, and what that cost.
+// Records how `ikbench tune` chose the settings of an entry, and what that cost.
 struct Tuning {
   std::string by;  // the quantity that candidates were compared by
   int candidates = 1;

@@ -275,7 +275,7 @@ SweptValues swept_values(EntryPlace first, EntryPlace end) {
   return axes;
 }
 
-// Where the settings of solvers come from: a sweep, or tuning.
+// Adds where the settings of solvers come from: a sweep, or tuning.
 void add_origins(nlohmann::ordered_json& json, const Study& study) {
   for (const SolverEntry& entry : study.solvers) {
     if (!entry.family.empty())

@@ -9,7 +9,7 @@
 
 namespace ikbench::results {
 
-// What a store has that no study of it uses: solves of earlier settings or sources, sessions without a solve.
+// Counts what no study of a store uses: solves of earlier settings or sources, sessions without a solve.
 struct Unused {
   std::int64_t solves = 0;
   std::int64_t sessions = 0;

@@ -83,7 +83,7 @@ class Solver {
   virtual bool finished() const { return false; }
   // True if it is finished and says itself that it found no solution.
   virtual bool gave_up() const { return false; }
-  // How often it began its search anew in this solve.
+  // Returns how often it began its search anew in this solve.
   virtual int restarts() const { return 0; }
 };
 

@@ -86,8 +86,8 @@ Box box(std::span<const double> values, QuantileType type) {
   return result;
 }
 
-// Of a row, the box is above the middle, the values are below it, and marks lowest. The boxes are block 0 of the data;
-// the values of row 1, 2, ... are block 1, 2, ...
+// In a row the box is above the middle, the values are below it, and marks are lowest. The boxes are block 0 of the
+// data; the values of row 1, 2, ... are block 1, 2, ...
 Figure box_figure(const Observations& observations, QuantileType quartiles, const std::string& name,
                   const std::vector<Mark>& marks) {
   const std::size_t n = std::min(observations.groups.size(), most_drawn);

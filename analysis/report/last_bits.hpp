@@ -1,4 +1,4 @@
-// What last bits change: a study beside copies of it whose targets differ in their last bits (`ikbench run --perturb`).
+// Compares a study with copies of it whose targets differ in their last bits (`ikbench run --perturb`).
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ struct SetUpPoint {
   std::vector<Alternative> alternatives = {};
 };
 
-// How many of the printed numbers ours round to.
+// Counts the printed numbers that ours round to.
 struct PrintedNumbers {
   int integers = 0, agreeing_integers = 0, numbers = 0, agreeing = 0;
   int by_chance = 0;  // without integers: how many are within the range of chance
@@ -44,7 +44,7 @@ std::vector<std::string> overrides_of(const Lock& lock, const SetUp& chosen);
 
 // `found` are the printed numbers of set_ups(lock), in their order.
 Table lock_table(const Lock& lock, std::span<const PrintedNumbers> found);
-// Which set-up the printed numbers single out.
+// Names the set-up that the printed numbers single out.
 std::string lock_sentence(const Lock& lock, std::span<const PrintedNumbers> found);
 
 }  // namespace ikbench::report

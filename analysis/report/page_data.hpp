@@ -1,4 +1,4 @@
-// What the pages share: their templates, and data for them.
+// The templates that pages share, and data for them.
 #pragma once
 
 #include <kainjow/mustache.hpp>

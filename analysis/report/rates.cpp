@@ -160,7 +160,7 @@ Observations without(Observations all, std::size_t arm) {
 // Differences of shares cannot be beyond 100 %.
 Range percentages(double low, double high) { return {100 * std::max(-1.0, low), 100 * std::min(1.0, high)}; }
 
-// Where the difference of a new arm lies with this level, if differences are normal (Hahn and Meeker 1991, Sect. 4.7);
+// The difference of a new arm lies here with this level, if differences are normal (Hahn and Meeker 1991, Sect. 4.7);
 // empty if all arms have the same difference.
 Cell of_new_arm(const std::vector<double>& differences, double level) {
   const double spread = standard_deviation(differences);

@@ -26,7 +26,7 @@ using namespace inference;
 
 namespace {
 
-// What decides the errors of a study beside its solvers. Two studies that agree in it have comparable errors.
+// Returns what decides the errors of a study beside its solvers. Two studies that agree in it have comparable errors.
 std::string problem_of(const StudyEntry& entry, const StudyFacts& facts) {
   const Json definition = Json::parse(entry.definition, nullptr, false);
   Json problem = Json::object();

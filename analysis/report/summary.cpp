@@ -47,8 +47,8 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
                      remark);
 }
 
-// What a cost achieved, by solver: the mean error or, with a tolerance, the share of solves with status ok. Empty if
-// the metric is no cost, or if it counts unsolved ones already.
+// Lists what a cost achieved, by solver: the mean error or, with a tolerance, the share of solves with status ok. Empty
+// if the metric is no cost, or if it counts unsolved ones already.
 std::vector<Sample> achieved(const StudyResults& study, Metric metric) {
   const bool has_tolerance = std::isfinite(tolerance_cm(study));
   if (!is_cost(metric) || (has_tolerance && !is_of_run(metric))) return {};

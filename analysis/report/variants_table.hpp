@@ -15,7 +15,7 @@ namespace ikbench::report {
 // One row per label and metric. a12: for pairs the share in which B is better, else P(an observation of B is better).
 // The plan gives margins and significance.
 Table variants_table(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan);
-// What a metric of B is: "better by more than 5 %", "undecided".
+// Says what a metric of B is: "better by more than 5 %", "undecided".
 std::string verdict_of(std::span<const inference::VariantComparison> comparisons,
                        const inference::MetricComparison& metric, const results::AnalysisPlan& plan);
 // Designs and notes with their label; one that holds for every label appears once, without label.
