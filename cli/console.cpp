@@ -74,8 +74,10 @@ void write_error(const std::string& text) {
 
 std::atomic<std::size_t> said_lines{0};
 
+std::size_t line_count(const std::string& text) { return 1 + static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
 void write_lines(const std::string& text) {
-  said_lines += 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  said_lines += line_count(text);
   write_error(text + '\n');
 }
 
@@ -183,6 +185,8 @@ void say_command(std::string_view command) {
     text.insert(at, goes_on);
   write_lines(text);
 }
+
+void leave_room_for(std::string_view text) { said_lines += line_count(wrapped(text, columns_of(STDERR_FILENO))); }
 
 std::size_t take_said_lines() { return said_lines.exchange(0); }
 

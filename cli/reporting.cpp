@@ -344,6 +344,10 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
               .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); },
               .check = [&](const StudyEntry& of) { return check_of(store, of); }});
   progress.end();
+  const std::string damaged =
+      "the store is damaged, and the report begins with what is wrong; its sessions say which commands made the damaged "
+      "solves: give these again into another folder";
+  if (report.is_damaged) leave_room_for("ikbench: " + damaged);
   if (wanted.tells_of_further && !report.further.empty()) {
     wanted.remarks.push_back(fmt::format(
         "The store also has {}, which this report is not about: --study NAME reports one of them, and --study FILE.toml "
@@ -360,9 +364,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   }
   if (!report.is_damaged) return;
   std::fflush(stdout);
-  throw std::invalid_argument(
-      "the store is damaged, and the report begins with what is wrong; its sessions say which commands made the damaged "
-      "solves: give these again into another folder");
+  throw std::invalid_argument(damaged);
 }
 
 SolveCheck check_of(const Store& store, const StudyEntry& entry) {

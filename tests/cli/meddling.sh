@@ -79,6 +79,7 @@ PYTHON
 run_it report changed/store.sqlite --no-figures
 [ "$code" = 1 ] || fail "a changed store: exit code $code"
 has "$err" "the store is damaged"
+[ "$(cat .out .err | wc -l)" -le 30 ] || fail "a changed store: not one screen: $out $err"
 has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
 warnings=$(sed -n '/^## Warnings/,/^## [^W]/p' changed/report.md)
 has "$warnings" "Damaged: position_error_cm of 60 solves (first: BA, run 1, point 1, session 1: -1 is stored"
