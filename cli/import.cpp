@@ -107,18 +107,24 @@ void add_import(CLI::App& app, Invocation& invocation) {
                               .label = arguments->label.empty() ? file.stem().string() : arguments->label,
                               .command = invocation.command});
     store.finish();
-    if (!arguments->report.output.is_json) {
-      for (const ImportedSolver& solver : imported.solvers) fmt::print("{}\n", wrapped(words_on(solver)));
-    }
     if (!imported.unread.empty())
       warn(fmt::format("columns that are not imported: {}", fmt::join(imported.unread, ", ")));
     report::Json data{{"imported", report::Json::array()}};
-    for (const ImportedSolver& solver : imported.solvers) data["imported"].push_back(json_of(solver));
+    std::vector<std::string> said;
+    for (const ImportedSolver& solver : imported.solvers) {
+      data["imported"].push_back(json_of(solver));
+      said.push_back(words_on(solver));
+    }
     if (!arguments->without_report) {
-      write_and_announce(store,
-                         {.study = study, .folder = folder, .arguments = arguments->report, .data = std::move(data)});
+      write_and_announce(store, {.study = study,
+                                 .folder = folder,
+                                 .arguments = arguments->report,
+                                 .remarks = std::move(said),
+                                 .data = std::move(data)});
     } else if (arguments->report.output.is_json) {
       show_json(data);
+    } else {
+      for (const std::string& words : said) fmt::print("{}\n", wrapped(words));
     }
   });
 }
