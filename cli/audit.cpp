@@ -35,12 +35,7 @@ void show(std::vector<AuditItem> items, const OutputArguments& output) {
            : item.verdict == Verdict::in_part ? 1
                                               : 2;
   });
-  constexpr std::array<std::string_view, 5> shown{"verdict", "id", "printed", "follows", "where"};
-  constexpr std::size_t before = 23;  // of the widest verdict and id, with the room between columns
-  for (AuditItem& item : items) {     // so that what is printed and what follows stand side by side
-    if (!output.is_verbose && text_width() > 2 * before)
-      item.printed = shortened(item.printed, (text_width() - before) / 2);
-  }
+  constexpr std::array<std::string_view, 5> shown{"verdict", "id", "where", "printed", "follows"};
   Tones tones{.column = 0};
   for (const AuditItem& item : items) tones.of_rows.push_back(tone_of(item.verdict));
   constexpr std::size_t longest = 24;  // all columns fit

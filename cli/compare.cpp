@@ -89,7 +89,7 @@ std::vector<std::string> bare_rows(const ComparedLabels& compared, const Table& 
       const std::string remark = metric.is_compared() ? capitalised(readable(cells.back()))
                                  : metric.why_not.empty()
                                      ? fmt::format("Not compared: {}", readable(cells.back()))
-                                     : fmt::format("{} Not compared", fmt::join(list_of(metric.why_not), " "));
+                                     : fmt::format("{} Not compared", list_of(metric.why_not).front());
       said[remark][readable(cells[1])].push_back(comparison.label);
     }
   }
