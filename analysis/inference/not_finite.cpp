@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/inference/margin.hpp"
+#include "analysis/inference/text.hpp"
 
 namespace ikbench::inference {
 
@@ -48,7 +49,7 @@ std::vector<std::string> notes_of_not_finite(const std::vector<Group>& groups) {
     notes.push_back(fmt::format(
         "{}: {} of {} observations {} not finite and worse than any number; differences of means are those of "
         "finite observations.",
-        group.name, count, group.values.size(), count == 1 ? "is" : "are"));
+        one_line(group.name), count, group.values.size(), count == 1 ? "is" : "are"));
   }
   return notes;
 }

@@ -520,8 +520,12 @@ void fill_blocks(const CsvFile& file, const CsvRequest& request, Contents& conte
   std::vector<Lack> left_out(result.groups.size(), {0, result.blocks.size()}), averaged = left_out;
   for (const Item& item : contents.items) items[item.block][item.group] = &item;
   const auto has_value = [](const Item* item) { return item != nullptr && !std::isnan(item->value); };
+  std::vector<std::size_t> order(items.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!request.block.empty())  // the order of rows must not decide what a bootstrap draws
+    std::ranges::sort(order, {}, [&](std::size_t block) { return std::string_view(result.blocks[block]); });
   std::vector<std::string> complete;
-  for (std::size_t block = 0; block < items.size(); ++block) {
+  for (const std::size_t block : order) {
     const bool is_left_out = !std::ranges::all_of(items[block], has_value);
     for (std::size_t group = 0; group < result.groups.size(); ++group) {
       const Item* item = items[block][group];

@@ -497,6 +497,16 @@ TEST_CASE("the order of rows in a run does not make copies differ", "[csv]") {
     CHECK(read("solver,run,error\n" + (first + rows), request).groups.at(0).values.size() == 1);
 }
 
+TEST_CASE("the order of rows does not decide the order of blocks", "[csv]") {
+  CsvRequest request = by_solver;
+  request.block = "target";
+  for (const char* rows : {"a,x,1\na,y,2\nb,x,3\nb,y,4\n", "b,y,4\na,y,2\na,x,1\nb,x,3\n"}) {
+    const Observations found = read("solver,target,error\n" + std::string(rows), request);
+    CHECK(found.blocks == std::vector<std::string>{"x", "y"});
+    for (const Group& group : found.groups) CHECK(group.values == (group.name == "a" ? Values{1, 2} : Values{3, 4}));
+  }
+}
+
 TEST_CASE("spaces around a group's name are not part of it", "[csv]") {
   const Observations found = read("solver,error\na,1\n a,2\na ,3\nb,4\n");
   CHECK(found.groups.size() == 2);
