@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <ranges>
+#include <sstream>
+#include <string>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +30,8 @@ std::vector<std::string> chosen_labels(const std::vector<std::string>& arguments
       labels.push_back(argument);
       continue;
     }
-    for (const auto part : std::views::split(argument, ',')) labels.emplace_back(part.begin(), part.end());
+    std::istringstream parts(argument);
+    for (std::string part; std::getline(parts, part, ',');) labels.push_back(part);
   }
   return labels;
 }
