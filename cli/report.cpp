@@ -6,7 +6,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <string>
 #include <utility>
 #include <vector>
 
