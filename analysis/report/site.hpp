@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/inference/judged_study.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::report {
 

@@ -7,6 +7,7 @@
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/report/paper.hpp"
 #include "analysis/report/sentence.hpp"
+#include "results/store.hpp"
 
 namespace ikbench::report {
 
