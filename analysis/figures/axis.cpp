@@ -73,7 +73,7 @@ void add_around(Axis& axis, double smallest, double largest, double factor) {
 }
 
 // Characters of a line that fit beside each axis.
-constexpr std::size_t most_beside_x = 44, most_beside_y = 32;
+constexpr std::size_t most_beside_x = 44, most_beside_y = 36;
 
 // A title of at most two lines, as a gnuplot expression. A line of `most` characters fits beside the axis.
 std::string axis_title(std::string_view quantity, std::size_t most) {

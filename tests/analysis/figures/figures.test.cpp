@@ -267,6 +267,12 @@ TEST_CASE("an axis is logarithmic where it is asked for or the spread is large",
   CHECK(!value_axis(std::vector<double>{0, 0}, {"x", "cm"}, Scale::logarithmic).logarithmic);
 }
 
+TEST_CASE("a name of two lines beside an axis is whole", "[figure]") {
+  const NameWithUnit solved{"share of solves within 0.001 cm and 0.05 deg, inside the joint limits", ""};
+  CHECK(contains(value_axis(std::vector<double>{0, 1}, solved, Scale::linear).settings,
+                 R"('share of solves within 0.001 cm and'."\n".'0.05 deg, inside the joint limits')"));
+}
+
 TEST_CASE("a logarithmic axis shows zero at its lower edge, a decade below the rest", "[figure]") {
   const Axis axis = value_axis(std::vector<double>{0, 0.02, 3}, {"x", "cm"}, Scale::logarithmic);
   CHECK(axis.shows_at_edge);
