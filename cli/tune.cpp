@@ -190,11 +190,13 @@ class Training {
     for (const std::size_t place : places) kept.push_back(left_[place]);
     left_ = std::move(kept);
     const double value = sign * standings[places.front()].value;
-    const bool is_log = quantity.described.scale == ValueScale::log10;
+    const ValueScale scale = quantity.described.scale;
     tell(output_,
          fmt::format("Round {} of {}: {} candidates, {} run{} each; best so far: {}, mean {} {}", tuning_.rounds,
                      rounds_, candidates, tuning_.runs, tuning_.runs == 1 ? "" : "s", left_.front().label, tuning_.by,
-                     rounded_number(is_log ? std::pow(10, value) : value, 4)));
+                     scale == ValueScale::share
+                         ? percent(value)
+                         : rounded_number(scale == ValueScale::log10 ? std::pow(10, value) : value, 4)));
   }
 
   Study study_;

@@ -198,7 +198,8 @@ std::string best_sentence(const Multiverse& multiverse, const UniverseSupport& s
         shared.push_back(multiverse.dimensions[d].alternatives[a].set);
     }
   }
-  return fmt::format("The best explain {}: {} interpretations{}.", support.all.most, count_words(support.all.best),
+  return fmt::format("The best explain {}: {} interpretation{}{}.", support.all.most, count_words(support.all.best),
+                     support.all.best == 1 ? "" : "s",
                      shared.empty() ? std::string(" that share no alternative")
                                     : fmt::format(", all with {}", fmt::join(shared, ", ")));
 }

@@ -188,9 +188,9 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
   REQUIRE(report.sentences.size() == 2);
   CHECK_THAT(report.sentences[0], Catch::Matchers::Contains("the default explains " + std::to_string(counts[0])) &&
                                       Catch::Matchers::Contains(share_words(better_than_default)));
-  CHECK_THAT(report.sentences[1],
-             Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
-                                         std::to_string(static_cast<int>(best)) + " interpretations"));
+  CHECK_THAT(report.sentences[1], Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
+                                                              std::to_string(static_cast<int>(best)) +
+                                                              " interpretation" + (best == 1 ? "," : "s")));
 }
 
 TEST_CASE("the specification curve is drawn evenly by the weight of the universes", "[multiverse]") {
