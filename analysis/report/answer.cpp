@@ -260,13 +260,14 @@ class Answer {
     });
     return result;
   }
-  // Labels tell the value of the best, and of the best other of each sentence.
+  // Labels tell the value of the best, and of the best other of each sentence; of few others, each value.
   std::string first() const { return sentences_.empty() ? label_(best_) : name_words(evidence_, best_); }
   std::vector<std::string> names_of_others(const Pairs& pairs) const {
+    constexpr std::size_t most_labelled = 3;
     std::vector<std::string> names;
     for (const Finding* pair : pairs) {
       const std::size_t other = other_than(best_, *pair);
-      names.push_back(names.empty() ? label_(other) : name_words(evidence_, other));
+      names.push_back(names.empty() || pairs.size() <= most_labelled ? label_(other) : name_words(evidence_, other));
     }
     return names;
   }
