@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <span>
@@ -153,7 +154,10 @@ double width_of(std::string_view text) {
              : byte >= 0x80               ? 1.03
              : is_one_of("MW@")           ? 1.03
              : is_one_of("mw%")           ? 0.84
-             : is_one_of("ijlf.,:;'|![]") ? 0.31
+             : is_one_of("ijlf.,:;'|![]") ? 0.3
+             : is_one_of("_")             ? 0.37
+             : is_one_of("ce")            ? 0.46
+             : is_one_of("agoz")          ? 0.51
              : is_one_of(" Irst()-")      ? 0.4
              : c >= '0' && c <= '9'       ? 0.5
              : c >= 'A' && c <= 'Z'       ? 0.78
@@ -306,6 +310,7 @@ Table fitted(Table table, std::size_t needed) {
     table.columns.pop_back();
     for (std::vector<Cell>& row : table.rows) row.pop_back();
   }
+  table.widest_name += std::floor(std::max(0.0, column_of_article - width(table)));  // names have what the others leave
   return table;
 }
 
