@@ -93,6 +93,13 @@ Estimate runs_of_all(const Pairs& pairs) {
   return all;
 }
 
+// " for FD vs PSO": the open pairs; empty if all are open.
+std::string open_pairs_words(const Evidence& evidence, const Pairs& open) {
+  std::vector<std::string> names;
+  for (const Finding* pair : open) names.push_back(pair_words(evidence, *pair));
+  return open.size() == evidence.contrasts.size() ? "" : fmt::format(words::open_pairs, "pairs"_a = listed(names));
+}
+
 std::size_t better_of(const Finding& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
 std::size_t other_than(std::size_t group, const Finding& pair) {
   return pair.first == group ? pair.second : pair.first;
@@ -474,7 +481,9 @@ std::string reasons_of_undecided(const Evidence& evidence) {
     if (!pair.why.empty() && std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
   }
   if (std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) reasons.push_back(std::move(runs));
-  return reasons.empty() ? "" : fmt::format(words::why_undecided, "reasons"_a = fmt::join(reasons, "; "));
+  return reasons.empty() ? ""
+                         : fmt::format(words::why_undecided, "pairs"_a = open_pairs_words(evidence, open),
+                                       "reasons"_a = fmt::join(reasons, "; "));
 }
 
 Sentence change_words(const Evidence& evidence, bool tells_extent) {
@@ -492,9 +501,10 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
   const Estimate runs_of_open = runs_of_all(open);
   if (const std::string runs = runs_words(evidence, runs_of_open); !runs.empty() && !(runs_of_open.low >= most_runs)) {
-    parts.push_back(fmt::format(words::larger_study, "runs"_a = runs));
+    parts.push_back(fmt::format(words::larger_study, "pairs"_a = open_pairs_words(evidence, open), "runs"_a = runs));
   } else if (!open.empty() && evidence.ranks_decide() && evidence.decides_within_blocks()) {
-    parts.push_back(fmt::format(words::more_blocks, "blocks"_a = evidence.block_noun));
+    parts.push_back(fmt::format(words::more_blocks, "pairs"_a = open_pairs_words(evidence, open),
+                                "blocks"_a = evidence.block_noun));
   }
   const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3 && group.copies == 0; };
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Finding::relation) > 0 &&

@@ -57,9 +57,10 @@ inline constexpr Template by_claims = "its claims";
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
-inline constexpr Template larger_study = "a larger new study, planned before it is seen ({runs})";
+inline constexpr Template larger_study = "a larger new study{pairs}, planned before it is seen ({runs})";
+inline constexpr Template open_pairs = " for {pairs}";
 inline constexpr Template more_blocks =
-    "a larger new study, planned before it is seen; signs have no size, so they do not tell how many {blocks} it takes";
+    "a larger new study{pairs}, planned before it is seen; signs have no size, so they do not tell how many {blocks} it takes";
 inline constexpr Template more_than_two = "more than two observations of each group that are not all equal";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
@@ -300,7 +301,7 @@ inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {
 inline constexpr Template together_alone =
     "What follows is about the study {study} alone; the tables and figures of each study are below.";
 inline constexpr Template all_studies = "All studies";
-inline constexpr Template why_undecided = " Undecided: {reasons}.";
+inline constexpr Template why_undecided = " Undecided{pairs}: {reasons}.";
 inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";

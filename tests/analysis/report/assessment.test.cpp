@@ -209,6 +209,9 @@ TEST_CASE("only a margin on the other side of a difference would change its answ
       "settings.");
   CHECK(change_at(0.005) == "What would change it: other targets, arms, budgets or settings.");
   const Evidence across = evidence(near, {.test = "welch", .margin = 0.01});
+  const Observations three{
+      .name = "x", .quantity = "x", .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3, 4, 1.5}}, {"C", {91, 92, 93, 94}}}};
+  CHECK(contains(words_of(change_words(evidence(three, {.test = "welch"}))), "a larger new study for A vs B, planned"));
   CHECK(words_of(change_words(across, false)) == "What would change it: other targets, arms, budgets or settings.");
 }
 
