@@ -29,6 +29,7 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment.hpp"
+#include "analysis/report/assessment_words.hpp"
 #include "analysis/report/cost_tables.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_content.hpp"
@@ -296,25 +297,33 @@ std::vector<std::string> swept_best_first(const JudgedStudy& study) {
   return solvers;
 }
 
-// What each sweep found; nothing of a family whose settings are all equal.
-std::vector<std::string> best_of_sweeps(const JudgedStudy& study, const std::vector<std::string>& best_first) {
-  std::vector<std::string> sentences;
-  if (best_first.empty()) return sentences;
+// What each sweep found, by the quantity that decides the study; equal settings share the first place.
+std::string best_of_sweeps(const JudgedStudy& study) {
   const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
+  std::vector<std::string> sweeps;
   for (const SweptFamily& family : swept_families(study)) {
-    const auto place = [&](const SweptFamily::Member& member) { return std::ranges::find(best_first, member.label); };
-    const SweptFamily::Member& best = *std::ranges::min_element(family.members, {}, place);
-    const GroupEvidence* const group = group_named(evidence.groups, best.label);
-    if (group == nullptr || family.members.size() < 2) continue;
-    const double mean = group->described.mean;
-    sentences.push_back(fmt::format(words::best_of_sweep, fmt::arg("count", family.members.size()),
-                                    fmt::arg("family", family.name), fmt::arg("best", best.label),
-                                    fmt::arg("quantity", split_unit(evidence.quantity).name),
-                                    fmt::arg("value", evidence.scale == ValueScale::share
-                                                          ? percent(mean)
-                                                          : figures::value_words(Metric::position_error_cm, mean))));
+    std::vector<std::string> best;
+    double mean = not_defined, least = HUGE_VAL;
+    for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
+      const GroupEvidence& group = evidence.groups[i];
+      const double score = group_score(evidence, group);
+      if (std::ranges::count(family.members, group.name, &SweptFamily::Member::label) == 0 || !(score <= least))
+        continue;
+      if (score < least) best.clear();
+      least = score;
+      mean = group.described.mean;
+      best.push_back(name_words(evidence, i));
+    }
+    if (best.empty() || family.members.size() < 2) continue;
+    const std::string value =
+        evidence.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean);
+    sweeps.push_back(fmt::format(words::best_of_sweep, fmt::arg("count", family.members.size()),
+                                 fmt::arg("family", family.name), fmt::arg("best", listed(best)),
+                                 fmt::arg("value", best.size() == 1 ? value : "a tie at " + value)));
   }
-  return sentences;
+  if (sweeps.empty()) return "";
+  return fmt::format(words::best_of_sweeps, fmt::arg("quantity", split_unit(evidence.quantity).name),
+                     fmt::arg("list", clauses(sweeps)));
 }
 
 // Doubts of solvers whose solves come from a file.
@@ -609,8 +618,9 @@ Report write_report(const Store& store, const ReportRequest& request) {
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
   report.best_first = swept_best_first(study);
-  report.answers = best_of_sweeps(study, report.best_first);
+  if (!report.best_first.empty()) report.answers.push_back(best_of_sweeps(study));
   if (!copies.empty()) report.answers.push_back(last_bits_sentence(study, copies));
+  std::erase(report.answers, "");
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
   }

@@ -51,7 +51,7 @@ done
 
 # What a command was given for is on its screen, although the warnings and a long table are there too.
 fits "Smallest mean error" run mine.toml --sweep particle_swarm.population=5,10,20 --no-figures --out swept
-has "$out" "Of the 3 settings of particle_swarm, particle_swarm population="
+has "$(tr -s '\n ' ' ' <.out)" " of the 3 settings of particle_swarm"
 has "$out" "tables/sweep.md has all"
 has "$out" "swept/store.sqlite"
 fits "Smallest mean error" run mine.toml --perturb 1 --no-figures --out perturbed
