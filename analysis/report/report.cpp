@@ -618,6 +618,14 @@ Report write_report(const Store& store, const ReportRequest& request) {
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
   report.best_first = swept_best_first(study);
+  report.answers = no_answer_sentences(study);
+  if (collection.is_together) {
+    for (const JudgedStudy& companion : others.companions) {
+      for (const std::string& sentence : no_answer_sentences(companion))
+        report.answers.push_back(
+            fmt::format(words::of_study, fmt::arg("study", companion.name), fmt::arg("what", sentence)));
+    }
+  }
   if (!report.best_first.empty()) report.answers.push_back(best_of_sweeps(study));
   if (!copies.empty()) report.answers.push_back(last_bits_sentence(study, copies));
   std::erase(report.answers, "");

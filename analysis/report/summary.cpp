@@ -114,6 +114,27 @@ Sentence partial_imports_sentence(const JudgedStudy& study) {
   return {"Not comparable", fmt::format(words::partial_imports, "list"_a = list)};
 }
 
+}  // namespace
+
+std::vector<std::string> no_answer_sentences(const StudyResults& study) {
+  std::vector<std::string> sentences;
+  for (const SolverCounts& of : counts(study)) {
+    int count = 0;
+    std::vector<std::string> how;
+    for (const Status status : shown_statuses(study)) {
+      if (!is_without_answer(status) || of.of(status) == 0) continue;
+      count += of.of(status);
+      how.push_back(in_words(name_of(status)));
+    }
+    if (count == 0) continue;
+    sentences.push_back(fmt::format(words::no_answer, "solver"_a = one_line(of.solver), "count"_a = count,
+                                    "solves"_a = of.solves, "how"_a = listed(how)));
+  }
+  return sentences;
+}
+
+namespace {
+
 // Reports the evaluations that solvers used, if the study sets no common budget.
 std::string budgets_sentence(const StudyResults& study) {
   if (study.facts.stop.evaluations > 0) return "";
@@ -154,6 +175,7 @@ std::vector<Sentence> own_verdict(const JudgedStudy& study, bool has_claims) {
   add(sentences, partial_imports_sentence(study));
   if (has_several) add(sentences, too_few(judged));
   add(sentences, leader_sentence(study, Metric::position_error_cm, primary_estimand(study)));
+  for (const std::string& sentence : no_answer_sentences(study)) add(sentences, {"", sentence});
   add(sentences, change_words(judged, false));
   const std::vector<Sentence> others = exploratory_sentences(study);
   if (has_several && !others.empty()) {

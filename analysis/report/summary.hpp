@@ -30,6 +30,8 @@ std::vector<std::string> set_up_sentences(const inference::JudgedStudy& study, c
 
 // Doubts of solvers that claimed an error which the verifier does not confirm, and how often.
 inference::Doubts wrong_claims(const inference::StudyResults& study);
+// Names each solver that gave no answer in some solves, and why: "FD gave no answer in 60 of 60 solves (crashed): ...".
+std::vector<std::string> no_answer_sentences(const inference::StudyResults& study);
 std::string limits_sentence(const inference::StudyResults& study);
 // Says why times are not ranked; empty if they are.
 std::string times_sentence(const inference::StudyResults& study);

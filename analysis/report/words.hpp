@@ -48,6 +48,8 @@ inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 inline constexpr Template none_tested = "no solver is tested: {values}";
 inline constexpr Template left_out = "Not compared: {who}.";
 inline constexpr Template counts_as = "below {least} counts as {least}";
+inline constexpr Template no_answer =
+    "{solver} gave no answer in {count} of {solves} solves ({how}): there its error is that of where the arm stood.";
 inline constexpr Template exploratory =
     "the verdict is by {judged_by}. Nothing corrects for the {count} other quantit{ies}.";
 inline constexpr Template by_quantity = "the quantity above";

@@ -90,6 +90,7 @@ has "$err" "hangs: "
 has "$err" "timed_out"
 has "$err" "noise: it ended 0 times; lines that are no messages: "
 has "$err" "last words: no more"
+has "$(tr -s '\n ' ' ' <.out)" "declines gave no answer in 16 of 16 solves (declined): there"
 
 store=faults/store.sqlite
 for label in good noise; do

@@ -286,6 +286,17 @@ TEST_CASE("a solver that solves nothing leads in no cost of a study with a toler
                  "Fewest evaluations (failures: 10 times the limit): A ("));
 }
 
+TEST_CASE("the verdict says who gave no answer, how often and why", "[estimand]") {
+  JudgedStudy study = with_a_liar("");
+  CHECK(report::no_answer_sentences(study).empty());
+  for (Solve& solve : study.solves.to_change()) {
+    if (study.solvers[solve.solver] == "liar") solve.status = solve.run == 1 ? Status::timed_out : Status::crashed;
+  }
+  CHECK(
+      own_words(study)[1] ==
+      "liar gave no answer in 40 of 40 solves (crashed and timed out): there its error is that of where the arm stood.");
+}
+
 TEST_CASE("the margin of shares is percentage points, whether they are outcomes or shares of a run", "[estimand]") {
   Observations shares{.name = "solved",
                       .quantity = "share of solves",
