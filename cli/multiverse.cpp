@@ -101,10 +101,14 @@ std::string majority_words(const std::vector<ClaimShares>& claims) {
   const auto in_most = [&](double ClaimShares::*share) {
     return std::ranges::count_if(claims, [&](const ClaimShares& claim) { return claim.*share > 0.5; });
   };
+  const auto holds = in_most(&ClaimShares::holds), fails = in_most(&ClaimShares::fails),
+             in_doubt = in_most(&ClaimShares::undecided), rest = std::ssize(claims) - holds - fails - in_doubt;
   return fmt::format(
-      "Of {} claims, {} hold in most interpretations of what the paper leaves open, {} fail in most and {} "
-      "are undecided in most.",
-      claims.size(), in_most(&ClaimShares::holds), in_most(&ClaimShares::fails), in_most(&ClaimShares::undecided));
+      "Of {} claim{}, {} {} in most interpretations of what the paper leaves open, {} {} in most, {} {} undecided in "
+      "most{}.",
+      claims.size(), claims.size() == 1 ? "" : "s", holds, holds == 1 ? "holds" : "hold", fails,
+      fails == 1 ? "fails" : "fail", in_doubt, in_doubt == 1 ? "is" : "are",
+      rest == 0 ? "" : fmt::format(", and {} {} no majority", rest, rest == 1 ? "has" : "have"));
 }
 
 void tell(const MultiverseReport& report, const MultiverseArguments& arguments, const std::filesystem::path& folder) {

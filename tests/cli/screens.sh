@@ -37,6 +37,9 @@ fits "" audit slim2023
 [ "$(grep -c '^contradiction ' .out)" = 4 ] || fail "not all contradictions: $out"
 fits "737280 interpretations of 19 dimensions" multiverse slim2023 --list
 fits "Of 4 claims, " multiverse slim2023 --small --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out small
+[[ $(flat "$out") =~ ^Of\ 4\ claims,\ ([0-4])\ .*,\ ([0-4])\ fails?\ in\ most,\ ([0-4])\ (is|are)\ undecided\ in\ most(,\ and\ ([0-4])\ )?.*\. ]] ||
+  fail "another verdict of a multiverse: $out"
+[ $((BASH_REMATCH[1] + BASH_REMATCH[2] + BASH_REMATCH[3] + ${BASH_REMATCH[6]:-0})) = 4 ] || fail "not all claims are counted: $out"
 fits "" multiverse slim2023 --dimensions bounds --one-at-a-time --set runs=2 --set path.points=2 --set stop.iterations=3 --no-figures --out one
 fits "merged/store.sqlite" merge merged $store
 fits "solver ik_bat" solve --solver ik_bat --position-cm 60 20 10
