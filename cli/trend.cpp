@@ -1,13 +1,15 @@
 // ikbench trend: one metric over the stores of several versions, and the version where it changed.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +64,7 @@ struct Point {
   std::size_t base = 0;          // the version that it is compared with
   std::string differences = {};  // settings, program and machine that differ from that version
   bool has_changed = false;
+  bool is_compared = true, is_open = false;
 };
 
 struct Trend {
@@ -120,6 +123,8 @@ void compare(const Version& base, const Version& next, const std::string& label,
   point.verdict = verdict_of(comparisons, compared, plan);
   point.differences = studies[0].differences;
   point.has_changed = is_decided(found) && found.is_beyond_margin();
+  point.is_compared = compared.is_compared();
+  point.is_open = is_open(compared);
 }
 
 // A change is a difference beyond the margin.
@@ -150,13 +155,12 @@ Table table_of(const std::vector<Trend>& trends, const std::vector<Version>& ver
       .notes = {fmt::format("Each version is compared with the one where the label changed last. All "
                             "comparisons together find a difference where there is none in at most {} of cases.",
                             percent(plan.significance))}};
-  std::set<std::string> differences;
+  std::vector<VariantComparison> differences;
   for (const Trend& trend : trends) {
-    for (const Point& point : trend.points) {
-      if (!point.differences.empty()) differences.insert(point.differences);
-    }
+    VariantComparison& of_label = differences.emplace_back(VariantComparison{.label = trend.label});
+    for (const Point& point : trend.points) of_label.notes.push_back(point.differences);
   }
-  table.notes.insert(table.notes.end(), differences.begin(), differences.end());
+  std::ranges::move(variants_notes(differences), std::back_inserter(table.notes));
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
       table.rows.push_back({trend.label, versions[point.version].name, point.mean.value,
@@ -175,13 +179,13 @@ Figure figure_of(const std::vector<Trend>& trends, const std::vector<Version>& v
                 .width_cm = two_columns_cm,
                 .data = "# a block a label: version, mean, low, high, changed\n"};
   std::vector<std::string> clauses{"NaN"}, labels;
-  bool is_positive = true;
+  bool is_logarithmic = info_of(metric).kind != Kind::share;
   for (std::size_t i = 0; i < trends.size(); ++i) {
     figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(trends[i].label));
     for (const Point& point : trends[i].points) {
       figure.data += fmt::format("{} {} {} {} {}\n", point.version + 1, data_number(point.mean.value),
                                  data_number(point.mean.low), data_number(point.mean.high), point.has_changed ? 1 : 0);
-      is_positive = is_positive && point.mean.low > 0;
+      is_logarithmic = is_logarithmic && point.mean.low > 0;
     }
     labels.push_back(shortened(trends[i].label, longest_label));
     clauses.push_back(fmt::format("data index {} using 1:3:(0):($4-$3) with vectors nohead ls {}", i, i + 1));
@@ -196,26 +200,50 @@ Figure figure_of(const std::vector<Trend>& trends, const std::vector<Version>& v
     ticks.push_back(fmt::format("{} {}", tick_label(shortened(versions[i].name, 12)), i + 1));
   figure.settings = fmt::format("set xrange [0.5:{}.5]\nset xtics ({}) nomirror\nset ylabel {}\n{}", versions.size(),
                                 fmt::join(ticks, ", "), gnuplot_string(quantity(metric)),
-                                is_positive ? "set logscale y\nset format y '%g'\n" : "");
+                                is_logarithmic ? "set logscale y\nset format y '%g'\n" : "");
   add_legend(figure, labels);
   figure.plot = plot_command(clauses);
   return figure;
 }
 
-void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions, const Table& table,
+// "position error: undecided for FD in v2, v3; for DLS in v3."; empty if no point is `is`.
+std::string open_words(const std::vector<Trend>& trends, const std::vector<Version>& versions, const std::string& what,
+                       const std::function<bool(const Point&)>& is) {
+  std::vector<std::string> labels;
+  for (const Trend& trend : trends) {
+    std::vector<std::string> in;
+    for (const Point& point : trend.points) {
+      if (is(point)) in.push_back(versions[point.version].name);
+    }
+    if (!in.empty()) labels.push_back(fmt::format("for {} in {}", trend.label, fmt::join(in, ", ")));
+  }
+  return labels.empty() ? "" : fmt::format("{} {}.", what, fmt::join(labels, "; "));
+}
+
+void tell(const std::vector<Trend>& trends, const std::vector<Version>& versions, Metric metric, const Table& table,
           const std::filesystem::path& picture, const OutputArguments& output) {
+  const std::string name(info_of(metric).name);
   std::vector<std::string> said;
   report::Json changes = report::Json::array();
   for (const Trend& trend : trends) {
     for (const Point& point : trend.points) {
       if (!point.has_changed) continue;
       const std::string &version = versions[point.version].name, &base = versions[point.base].name;
-      said.push_back(fmt::format("{} changed in {}: {} than in {}.", trend.label, version, point.verdict, base));
+      said.push_back(fmt::format("{} of {} changed in {}: {} than in {}.", capitalised(name), trend.label, version,
+                                 point.verdict, base));
       changes.push_back({{"label", trend.label}, {"version", version}, {"is", point.verdict}, {"than_in", base}});
     }
   }
   if (output.is_json) return show_json({{"changes", changes}, {"rows", rows_json(table)}, {"notes", table.notes}});
-  if (said.empty()) said = {fmt::format("No change beyond the margin was found in {} versions.", versions.size())};
+  if (said.empty())
+    said = {
+        fmt::format("{}: no change beyond the margin was found in {} versions.", capitalised(name), versions.size())};
+  said.push_back(open_words(trends, versions, capitalised(name) + ": undecided",
+                            [](const Point& point) { return point.is_compared && point.is_open; }));
+  said.push_back(open_words(trends, versions, capitalised(name) + ": not compared",
+                            [](const Point& point) { return !point.is_compared; }));
+  std::erase(said, "");
+  said.push_back(fmt::format("No other metric than {} was looked at; --metric names another.", name));
   constexpr std::size_t of_changes = 8, of_table = 12, of_notes = 4;
   std::vector<Part> parts{sentences(said, of_changes),         {.items = {""}},
                           table_rows(table, output, of_table), {.items = {""}},
@@ -235,14 +263,14 @@ void show_trend(const TrendArguments& arguments) {
   std::vector<Trend> trends;
   for (const std::string& label : labels) trends.push_back(trend_of(label, versions, of_one, arguments.metric));
   const Table table = table_of(trends, versions, metric, plan);
-  if (arguments.out.empty()) return tell(trends, versions, table, "", arguments.output);
+  if (arguments.out.empty()) return tell(trends, versions, metric, table, "", arguments.output);
   const std::filesystem::path folder = arguments.out;
   std::filesystem::create_directories(folder);
   write_file(folder / "trend.csv", to_csv(table));
   write_file(folder / "trend.md", to_markdown(table));
   draw({figure_of(trends, versions, metric)}, folder, {.jobs = 1});
   const std::filesystem::path picture = folder / "trend.svg";
-  tell(trends, versions, table, exists(picture) ? picture : folder / "trend.md", arguments.output);
+  tell(trends, versions, metric, table, exists(picture) ? picture : folder / "trend.md", arguments.output);
 }
 
 }  // namespace

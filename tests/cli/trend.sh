@@ -11,21 +11,26 @@ version v3 3 3
 version v4 4 3
 
 succeeds trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO --out drawn --verbose
-has "$out" "PSO changed in v3: worse by more than 5 % than in v1."
+has "$out" "Position error of PSO changed in v3: worse by more than 5 % than in v1."
 [[ $(tail -n 1 .out) == drawn/trend.* ]] || fail "the last line is no file: $out"
 ! grep -q ' changed in v[24]:' <<<"$out" || fail "a change where there is none: $out"
 [ "$(grep -cE '^(IK-BA|PSO) +v[1-4] ' <<<"$out")" = 8 ] || fail "a row for each label and version: $out"
 grep -q '^PSO,v4,.*,v3,' drawn/trend.csv || fail "v4 is not compared with v3: $(<drawn/trend.csv)"
-fits "PSO changed in v3: worse by more than 5 % than in v1." trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO
+fits "Position error of PSO changed in v3: worse by more than 5 % than in v1." trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO
 as_json 'of["changes"] == [{"label": "PSO", "version": "v3", "is": "worse by more than 5 %", "than_in": "v1"}] and
   [row["version"] for row in of["rows"]] == ["v1", "v2", "v3", "v4"] * 2' trend v{1,2,3,4}/store.sqlite --label IK-BA --label PSO
 fits "" trend v{1,2,3,4,1,2,3,4}/store.sqlite
 has "$out" "--verbose shows all, and --out FOLDER writes it."
-[ -s drawn/trend.md ] || fail "no trend.md"
+has "$(<drawn/trend.md)" "PSO: v4 differs from v3 in "
+has "$(<drawn/trend.gp)" "set logscale y"
+succeeds trend v{1,2}/store.sqlite --metric solved --out shares
+has_no "$(<shares/trend.gp)" "set logscale y"
 ! command -v gnuplot >/dev/null || [ -s drawn/trend.svg ] || fail "no figure"
 
 succeeds trend v1/store.sqlite v1/store.sqlite
-has "$out" "No change beyond the margin was found in 2 versions."
+has "$out" "Position error: no change beyond the margin was found in 2 versions."
+has_no "$out" "undecided"
+[[ "$(flat "$out")" == *"No other metric than position error was looked at; --metric names another."* ]] || fail "other metrics: $out"
 refused "1 stores; expected 2 to 200" trend v1/store.sqlite
 refused "unknown label" trend v1/store.sqlite v2/store.sqlite --label none
 refused "position_eror_cm" trend v1/store.sqlite v2/store.sqlite --metric position_eror_cm
