@@ -197,7 +197,9 @@ class Site {
         {{"title", name},
          {"is_inner", true},
          {"words",
-          {"Means with the intervals of each study's plan. Bold: the best mean of those that are comparable, which no "
+          {"Means of errors and costs, geometric means of times, with the intervals of each study's plan. In a study with a "
+           "tolerance an error below it counts as the tolerance, and a solve that is not ok costs ten times the study's "
+           "limit or, without one, ten times the dearest solve: so a mean may be above the limit. Bold: the best mean of those that are comparable, which no "
            "test has judged. The small print says with how many rows of this page a number is comparable: solves of the "
            "same problems, all of them made, and times within one store only."}},
          {"sections",

@@ -27,6 +27,7 @@ as_json 'of["stores"] == 3 and of["page"] == "two/index.html" and [each["store"]
 has "$err" "edited-errors is not shown: "
 index=$(<public/index.html)
 has "$index" "every answer fits"
+has "$(flat "$(<public/study-slim2023.html)")" "costs ten times the study"
 has "$index" "1e-06 is stored"
 has "$index" "less than 1 ns an evaluation"
 has "$index" 'href="study-slim2023.html"'
