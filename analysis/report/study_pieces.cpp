@@ -20,7 +20,7 @@ using namespace figures;
 namespace {
 
 constexpr bool shown = true, folded = false;
-constexpr StudyPiece all[]{
+constexpr StudyPiece every_piece[]{
 #define TABLE(name, heading, place, meaning) {#name, heading, place, meaning, name##_tables, nullptr},
 #define FIGURE(name, heading, place, meaning) {#name, heading, place, meaning, nullptr, name##_figures},
 #define PLACE(names, heading, place) {names, heading, place, "", nullptr, nullptr},
@@ -45,12 +45,12 @@ void add(std::vector<Piece> made, std::vector<std::string>& names, std::vector<P
 
 }  // namespace
 
-std::span<const StudyPiece> all_study_pieces() { return all; }
+std::span<const StudyPiece> all_study_pieces() { return every_piece; }
 
 StudyPieces study_pieces(const StudyResults& study) {
   const ShownMetrics metrics = shown_metrics(study);
   StudyPieces pieces;
-  for (const StudyPiece& piece : all) {
+  for (const StudyPiece& piece : every_piece) {
     SectionPlan& section = section_of(piece, pieces.sections);
     std::vector<std::string>& names = piece.is_shown ? section.names : section.folded;
     if (piece.tables) add(piece.tables(study, metrics), names, pieces.tables);
