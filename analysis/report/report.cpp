@@ -317,9 +317,14 @@ std::string best_of_sweeps(const JudgedStudy& study) {
     if (best.empty() || family.members.size() < 2) continue;
     const std::string value =
         evidence.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean);
-    sweeps.push_back(fmt::format(words::best_of_sweep, fmt::arg("count", family.members.size()),
-                                 fmt::arg("family", family.name), fmt::arg("best", listed(best)),
-                                 fmt::arg("value", best.size() == 1 ? value : "a tie at " + value)));
+    const std::size_t all = family.members.size();
+    sweeps.push_back(fmt::format(words::best_of_sweep,
+                                 fmt::arg("best", best.size() == all ? family.name : listed(best)),
+                                 fmt::arg("value", value),
+                                 fmt::arg("how", best.size() == all ? "all"
+                                                 : best.size() > 1  ? "a tie, best of"
+                                                                    : "best of"),
+                                 fmt::arg("count", all)));
   }
   if (sweeps.empty()) return "";
   return fmt::format(words::best_of_sweeps, fmt::arg("quantity", split_unit(evidence.quantity).name),

@@ -343,9 +343,9 @@ inline constexpr Template plan_changed =
 
 // Swept settings.
 inline constexpr Template sweep_caption = "What each combination of the swept settings reached";
-inline constexpr Template best_of_sweep = "{best} ({value}) of the {count} settings of {family}";
+inline constexpr Template best_of_sweep = "{best} ({value}, {how} {count})";
 inline constexpr Template best_of_sweeps =
-    "Best {quantity}: {list}. tables/sweep.md has all. The best of many looks better than it is; ikbench tune judges it "
+    "Best settings by {quantity}: {list}. tables/sweep.md has all. The best of many looks better than it is; ikbench tune judges it "
     "on other solves.";
 inline constexpr Template sweep_note =
     "Means over the observations, with {level} intervals that hold for each number alone. best in: the best mean of the "

@@ -54,9 +54,11 @@ done
 
 # What a command was given for is on its screen, although the warnings and a long table are there too.
 fits "Smallest mean error" run mine.toml --sweep particle_swarm.population=5,10,20 --no-figures --out swept
-has "$(tr -s '\n ' ' ' <.out)" " of the 3 settings of particle_swarm"
+[[ $(tr -s '\n ' ' ' <.out) =~ Best\ settings\ by\ [^:]*:\ particle_swarm\ population=[0-9]+\ \([^\)]*,\ best\ of\ 3\)\. ]] || fail "no best of the sweep: $out"
 has "$out" "tables/sweep.md has all"
 has "$out" "swept/store.sqlite"
+fits "" run mine.toml --sweep particle_swarm.population=5,10,20 --set stop.tolerance_cm=1000 --no-figures --out tied
+has "$(tr -s '\n ' ' ' <.out)" ": particle_swarm (100 %, all 3)."
 fits "Smallest mean error" run mine.toml --perturb 1 --no-figures --out perturbed
 has "$out" "Last bits of the targets, changed 1 times."
 succeeds tune mine.toml --solver particle_swarm --sweep population=5,10,20 --budget 400 --no-figures --out tuned
