@@ -1,6 +1,7 @@
 #include "analysis/inference/estimand.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,13 +66,18 @@ ValueOf penalise(Observations& result, const StudyResults& study, Metric metric,
   const double most = most_of(study, metric, counted);
   const std::string_view space = info.unit.empty() ? "" : " ";
   const std::string value = fmt::format("{}{}{}", rounded_number(most, 6), space, info.unit);
-  result.counting.push_back(fmt::format(
-      "For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver gains by answers that solve "
-      "nothing.",
-      info.name, penalty,
-      std::isfinite(limit_of(study, metric)) ? fmt::format("the study's limit of {}", value)
-      : most > 0 ? fmt::format("what the dearest solve of all solvers cost, {}, because the study has no limit", value)
-                 : fmt::format("1{}{}, because the study has no limit and no solve cost anything", space, info.unit)));
+  if (std::ranges::any_of(study.solves, [](const Solve& solve) { return !is_ok(solve); }))
+    result.counting.push_back(fmt::format(
+        "For {} a solve without status ok counts as {:g} times {} (PAR10), so that no solver gains by answers that solve "
+        "nothing.",
+        info.name, penalty,
+        std::isfinite(limit_of(study, metric)) ? fmt::format("the study's limit of {}", value)
+        : most > 0
+            ? fmt::format(
+                  "what the dearest solve of {} cost, {}, because the study has no limit",
+                  study.solvers.size() > 2 ? "all solvers" : fmt::format("{}", fmt::join(study.solvers, " and ")),
+                  value)
+            : fmt::format("1{}{}, because the study has no limit and no solve cost anything", space, info.unit)));
   return [counted = std::move(counted), metric, failure = penalty * (most > 0 ? most : 1)](const Solve& solve) {
     const bool is_known = metric != Metric::evaluations || solve.counted_by != CountedBy::nobody;
     return is_ok(solve) || !is_known ? counted(solve) : failure;

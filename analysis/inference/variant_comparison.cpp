@@ -68,7 +68,7 @@ std::optional<AnalysisPlan> examine(MetricComparison& row, const VariantStudy& o
   const Observations& observed = row.observed;
   if (row.metric == Metric::solved && !std::isfinite(tolerance_cm(study)))
     notes.push_back(words_of(Doubt{.kind = DoubtKind::no_tolerance}));
-  for (const auto* each : {&observed.counting, &observed.notes}) std::ranges::copy(*each, std::back_inserter(notes));
+  std::ranges::copy(observed.notes, std::back_inserter(notes));
   const bool is_time = info_of(row.metric).kind == Kind::time;
   const Doubts& why_not = is_time && !of.times_differ.empty() ? of.times_differ : observed.flaws;
   if (!why_not.empty() || observed.groups.size() < 2) {
@@ -78,6 +78,7 @@ std::optional<AnalysisPlan> examine(MetricComparison& row, const VariantStudy& o
     std::ranges::move(list_of(why_not), std::back_inserter(notes));
     return std::nullopt;
   }
+  std::ranges::copy(observed.counting, std::back_inserter(notes));
   try {
     check_margin(observed, study.plan);
   } catch (const std::invalid_argument& no_margin) {

@@ -450,6 +450,12 @@ TEST_CASE("in a study with a tolerance, a variant that solves nothing is not che
   for (const MetricComparison& metric : comparison.metrics) CHECK(metric.finding().relation == Relation::better);
   CHECK(metric_of(comparison, Metric::evaluations).evidence.groups[1].described.mean ==
         Approx(10 * 120));  // of the dearest solve, which took 120
+  CHECK_THAT(fmt::format("{}", fmt::join(comparison.notes, " ")),
+             ContainsSubstring("10 times what the dearest solve of A and B cost, 120"));
+  const Variant solved = variant(
+      shape, [](int, int) { return 0.01; }, spent);
+  CHECK_THAT(fmt::format("{}", fmt::join(compared(solved, solved, {"evaluations"}).notes, " ")),
+             !ContainsSubstring("without status ok"));
 }
 
 TEST_CASE("a pair without a test cannot be judged, as a report says", "[variants]") {
