@@ -160,7 +160,9 @@ ComparedLabels judged(const Request& asked, const CompareArguments& arguments, S
   compared.headline +=
       fmt::format("\nLooks after every {} of at most {} runs: {} after {} runs.", looks.step, looks.most,
                   compared.state == LookState::settled ? "decided" : "not decided", compared.runs);
-  compared.notes.push_back("Each level counts the looks: together they find what is not there as rarely as one look.");
+  compared.notes.push_back(
+      "Each level counts the looks: together they find what is not there as rarely as one look. What a look decides "
+      "stays, with the runs of that look.");
   if (compared.state == LookState::open) {
     compared.notes.push_back(fmt::format(
         "Next: ikbench run STUDY --set runs={} --no-report for A and for B, into the same folders, then compare again.",

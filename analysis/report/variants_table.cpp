@@ -189,10 +189,12 @@ std::string label_of(Comparisons comparisons, const VariantComparison& compariso
   return comparisons.size() == 1 ? "" : comparison.label + ": ";
 }
 
-// Says what an observation is, and whether observations are in pairs.
+// Says what an observation is, and whether observations are in pairs. Their number is the largest of the metrics: those
+// that an earlier look decided have fewer.
 std::string design_words(const VariantComparison& comparison) {
-  const auto metric = std::ranges::find_if(comparison.metrics, &MetricComparison::is_compared);
-  if (metric == comparison.metrics.end()) return "";
+  const auto metric = std::ranges::max_element(
+      comparison.metrics, {}, [](const MetricComparison& each) { return number_of(each, 0) + number_of(each, 1); });
+  if (metric == comparison.metrics.end() || !metric->is_compared()) return "";
   const Observations& observed = metric->observed;
   return fmt::format(fmt::runtime(observed.blocks.empty() ? words::independent_runs : words::pairs),
                      "a"_a = number_of(*metric, 0), "b"_a = number_of(*metric, 1), "of"_a = noun_of(observed),

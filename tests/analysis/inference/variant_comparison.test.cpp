@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/report/variants_table.hpp"
 #include "results/analysis_plan_fields.hpp"
 #include "tests/analysis/inference/variant_samples.hpp"
 #include "tests/catch.hpp"
@@ -134,6 +135,21 @@ TEST_CASE("what is equal in the first runs may differ in the next", "[variants][
                            std::vector<std::string>{"position_error_cm", "variation_deg"}, {.step = 5, .most = 20});
   CHECK(found.runs > 5);
   CHECK(is_regression(found.comparisons.front().metrics.front()));
+}
+
+TEST_CASE("the number of runs is that of the metrics that no early look decided", "[variants][looks]") {
+  const auto varied = [](results::SolveRecord& solve) { solve.variation_deg = 10 + 0.1 * (solve.run * 7 % 20); };
+  const auto varied_more = [](results::SolveRecord& solve) {
+    solve.variation_deg = 10.05 + 0.1 * (solve.run * 3 % 20);
+  };
+  const Variant a = variant(about(2, 0.1), varied), b = variant(about(1, 0.1), varied_more);
+  const SequentialComparison found =
+      compare_sequentially(std::vector{study_of_both(a, b, {.margin = 0})},
+                           std::vector<std::string>{"position_error_cm", "variation_deg"}, {.step = 5, .most = 20});
+  REQUIRE(found.runs == 20);
+  REQUIRE(found.comparisons.front().metrics.front().evidence.groups[0].described.n < 20);
+  CHECK_THAT(report::variants_notes(found.comparisons).front(),
+             ContainsSubstring("Independent runs, 20 of A and 20 of B"));
 }
 
 TEST_CASE("looks at every level that a plan may ask end", "[variants][looks]") {
