@@ -160,10 +160,8 @@ std::vector<std::string> remarks_on_open(const Table& table, const std::vector<V
 
 // The verdict, what is compared, the rows with their tones, and the notes.
 std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArguments& output, bool counts_as_failure) {
-  constexpr std::array<std::string_view, 11> columns{"label", "metric", "B_is",   "B_by_A", "p",     "low",
-                                                     "high",  "mean_A", "mean_B", "level",  "remark"};
-  constexpr std::size_t of_screen = 9;  // sentences have the remarks there
-  const auto shown = std::span(columns).first(output.is_verbose ? columns.size() : of_screen);
+  constexpr std::array<std::string_view, 11> columns{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A",
+                                                     "low",   "high",   "p",    "level",  "remark"};
   constexpr std::size_t of_rows = 14, of_settings = 3, of_notes = 6;
   Shown order = shown_first(compared.comparisons, output.is_verbose);
   Tones tones{.column = 2};
@@ -187,7 +185,9 @@ std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArgument
       sentences(is_of_two ? std::vector<std::string>() : settings, of_settings),
       {.items = {wrapped(compared.headline), ""}}};
   if (!order.rows.empty()) {
-    parts.push_back(table_rows(with_columns(in_order(table, order.rows), shown), output, of_rows, tones));
+    const Table ordered = in_order(table, order.rows);  // sentences of a short screen have the remarks
+    const Table shown = output.is_verbose ? with_columns(ordered, columns) : short_table(ordered);
+    parts.push_back(table_rows(shown, output, of_rows, tones));
     parts.push_back({.items = {""}});
   }
   parts.push_back(sentences(bare_rows(compared, table), of_settings));
@@ -197,15 +197,20 @@ std::vector<Part> screen_of(const ComparedLabels& compared, const OutputArgument
   return parts;
 }
 
-std::string markdown(const ComparedLabels& compared, Table table) {
-  std::vector<std::string> notes{variants_verdict(compared.comparisons, compared.plan)};
-  notes.push_back(compared.headline);
+// The verdict, the columns of a reader, and folded all columns and notes.
+std::string markdown(const ComparedLabels& compared, const Table& table) {
+  std::vector<std::string> notes{compared.headline};
   std::ranges::move(notes_of(compared, compared.differences), std::back_inserter(notes));
   for (const std::vector<std::string>& more :
        {failures_of(compared), bare_rows(compared, table), table.notes, compared.notes, other_notes(compared)})
     std::ranges::copy(more, std::back_inserter(notes));
-  table.notes = std::move(notes);
-  return to_markdown(in_order(std::move(table), shown_first(compared.comparisons, true).rows));
+  Table whole = in_order(table, shown_first(compared.comparisons, true).rows);
+  whole.notes.clear();
+  const std::string in_short = to_markdown(short_table(whole));
+  whole.notes = std::move(notes);
+  return fmt::format("{}\n\n{}\n<details>\n<summary>All columns and notes</summary>\n\n{}\n</details>\n",
+                     markdown_text(variants_verdict(compared.comparisons, compared.plan)), in_short,
+                     to_markdown(whole));
 }
 
 void refuse_output(const CompareArguments& arguments, const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -201,9 +202,10 @@ std::string design_words(const VariantComparison& comparison) {
                      "what"_a = observed.replicate, "pair"_a = observed.block);
 }
 
-// "position_error_cm (2.1 times A's, interval 1.8 to 2.5, p 0.0003)"
+// "position_error_cm (from 0.2 to 0.42, 2.1 times A's, interval 1.8 to 2.5, p 0.0003)"
 std::string regression(const MetricComparison& metric) {
-  std::vector<std::string> facts;
+  std::vector<std::string> facts{
+      fmt::format("from {} to {}", short_number(mean_of(metric, 0)), short_number(mean_of(metric, 1)))};
   const Estimate ratio = ratio_of(metric);
   if (std::isfinite(ratio.value)) facts.push_back(fmt::format("{} times A's", short_number(ratio.value)));
   if (std::isfinite(ratio.low))
@@ -260,6 +262,23 @@ Table variants_table(Comparisons comparisons, const AnalysisPlan& plan) {
       table.rows.push_back(row_of(comparison, metric, margin_words(comparisons, plan, metric), plan.significance));
   }
   return table;
+}
+
+Table short_table(const Table& table) {
+  constexpr std::array<std::string_view, 6> columns{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A"};
+  Table result = with_columns(table, columns);
+  result.columns.insert(result.columns.end(), {"interval", "p"});
+  const auto column = [&](std::string_view name) {
+    return std::ranges::find(table.columns, name) - table.columns.begin();
+  };
+  const auto low = column("low"), high = column("high"), p = column("p");
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto cells = table.rows[r].begin();
+    result.rows[r].push_back(
+        is_empty(cells[low]) ? Cell() : Cell(Range{std::get<double>(cells[low]), std::get<double>(cells[high])}));
+    result.rows[r].push_back(cells[p]);
+  }
+  return result;
 }
 
 std::string verdict_of(Comparisons comparisons, const MetricComparison& metric, const AnalysisPlan& plan) {

@@ -15,6 +15,8 @@ namespace ikbench::report {
 // One row per label and metric. a12: for pairs the share in which B is better, else P(an observation of B is better).
 // The plan gives margins and significance.
 Table variants_table(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan);
+// The columns of a reader: label, metric, B_is, mean_A, mean_B, B_by_A, its interval and p. The table may have others.
+Table short_table(const Table& table);
 // Says what a metric of B is: "better by more than 5 %", "undecided".
 std::string verdict_of(std::span<const inference::VariantComparison> comparisons,
                        const inference::MetricComparison& metric, const results::AnalysisPlan& plan);

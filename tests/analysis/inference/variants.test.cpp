@@ -254,7 +254,7 @@ TEST_CASE("of variants that repeat themselves the difference is a fact, and no p
   CHECK(told(2).finding().is_fact);
   CHECK(remark_of(told(2)) == "all runs of each are equal: a fact of these targets, without a test");
   CHECK_THAT(verdict_of(compared(repeating(1), repeating(2), {"position_error_cm"})),
-             ContainsSubstring("Regression beyond 5 %: position_error_cm (2 times A's, no test)"));
+             ContainsSubstring("Regression beyond 5 %: position_error_cm (from 1 to 2, 2 times A's, no test)"));
 }
 
 TEST_CASE("poses are compared by their orientation too, where no metric is named", "[variants]") {
@@ -423,11 +423,16 @@ TEST_CASE("the table has a row for every label and metric, and facts have no p",
   CHECK_FALSE(is_empty(table, 0, "p"));
   CHECK(std::get<std::string>(cell_at(table, 1, "remark")) == "equal bit for bit");
   CHECK(is_empty(table, 1, "p"));
+  const Table in_short = short_table(table);
+  CHECK(in_short.columns ==
+        std::vector<std::string>{"label", "metric", "B_is", "mean_A", "mean_B", "B_by_A", "interval", "p"});
+  CHECK(std::get<Range>(cell_at(in_short, 0, "interval")).low == number_at(table, 0, "low"));
+  CHECK(is_empty(in_short, 1, "interval"));
   const std::string json = variants_json(comparisons, by_default, {"worse", 3});
   CHECK_THAT(
       json,
       ContainsSubstring(
-          R"("verdict": "Regression beyond 5 % (shares: 5 percentage points): position_error_cm (2 times A's, interval 1.)"));
+          R"("verdict": "Regression beyond 5 % (shares: 5 percentage points): position_error_cm (from 1 to 2, 2 times A's, interval 1.)"));
   CHECK_THAT(json, ContainsSubstring(R"("p": null)"));
 }
 
