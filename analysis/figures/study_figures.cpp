@@ -90,7 +90,7 @@ Figure path_figure(const StudyResults& all, const std::string& name, View view) 
   if (view == View::from_above) {
     figure.settings +=
         "set view noequal\nset view map\nset size ratio -1\nset border 3\nset xlabel offset 0, 0\n"
-        "set ylabel offset 0, 0\n";
+        "set ylabel offset 0.3, 0\n";
   }
   add_legend(figure, labels);
   figure.settings += fmt::format("set key at screen 0.5, 0.99 top center horizontal maxrows {}\n",
