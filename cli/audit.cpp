@@ -26,7 +26,7 @@ using namespace report;
 
 namespace {
 
-// How many checks have which verdict, then the checks, contradictions first, with --verbose each with its reason.
+// Counts the checks by verdict, then lists them, contradictions first; --verbose adds each one's reason.
 void show(std::vector<AuditItem> items, const OutputArguments& output) {
   const std::string first = audit_sentence(items);
   std::ranges::stable_sort(items, std::greater(), [](const AuditItem& item) {

@@ -58,7 +58,7 @@ std::string names_in_lines(const Rows& rows) {
   return aligned(lines);
 }
 
-// What fits of the rows: all, all but the last column, or the names alone.
+// The part of the rows that fits: all, all but the last column, or the names alone.
 std::string fitting_text(const Rows& rows) {
   const auto fits = [](const std::string& text, std::size_t lines) {
     return static_cast<std::size_t>(std::ranges::count(text, '\n')) <= lines;

@@ -121,7 +121,7 @@ void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
-// What was solved into a store, to be told after the verdict of its report.
+// Counts what was solved into a store, to be told after the verdict of its report.
 struct Solved {
   std::string study;  // the last one
   int studies = 0;

@@ -39,8 +39,8 @@ std::size_t lines_in(const Part& part, std::size_t item) {
   return 1 + static_cast<std::size_t>(std::ranges::count(shown, '\n'));
 }
 
-// How many items of each part are shown: first the parts that are always shown, then what each gets at least, warnings
-// before all, then more of each while there is room.
+// Says how many items of each part are shown: first the parts that are always shown, then what each gets at least,
+// warnings before all, then more of each while there is room.
 std::vector<std::size_t> fitting(const std::vector<Part>& parts, std::size_t room) {
   std::vector<std::size_t> taken(parts.size(), 0), lines(parts.size(), 0);
   const auto take = [&](std::size_t i, std::size_t most) {

@@ -11,7 +11,7 @@ namespace {
 
 static_assert(predicted_statistics == printed_statistics.size());
 
-// What each choice of each solver explains, in one choice of the study.
+// Lists what each choice of each solver explains, in one choice of the study.
 using ExplainedBySolver = std::vector<std::vector<Explained>>;
 // The numbers of universes by how many numbers they explain.
 using Tally = std::vector<double>;

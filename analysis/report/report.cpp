@@ -297,7 +297,7 @@ std::vector<std::string> swept_best_first(const JudgedStudy& study) {
   return solvers;
 }
 
-// What each sweep found, by the quantity that decides the study; equal settings share the first place.
+// Says what each sweep found, by the quantity that decides the study; equal settings share the first place.
 std::string best_of_sweeps(const JudgedStudy& study) {
   const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
   std::vector<std::string> sweeps;
