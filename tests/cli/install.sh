@@ -12,7 +12,7 @@ expected='./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp
   ./share/bash-completion/completions/ikbench ./share/ikbench/python/ikbench.py ./share/ikbench/python/pyproject.toml
   ./share/zsh/vendor-completions/_ikbench '
 [ "$files" = "$(tr -s ' \n' ' ' <<<"$expected")" ] || fail "installed are: $files"
-for file in copyright README.md CITATION.cff docs/library.md docs/examples/pso.py; do
+for file in copyright README.md CITATION.cff docs/library.md docs/examples/pso.py cli/gate.sh; do
   [ -s "prefix/share/doc/ikbench/$file" ] || fail "not installed: $file"
 done
 ! grep -rlF "$tree" prefix/lib*/cmake prefix/lib*/*/cmake 2>/dev/null || fail "the package holds the path of its source"
