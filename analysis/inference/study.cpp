@@ -209,6 +209,15 @@ std::vector<SolverCounts> counts(const StudyResults& study) {
   return result;
 }
 
+std::vector<Status> SolverCounts::without_answer() const {
+  std::vector<Status> statuses;
+  for (std::size_t i = 0; i < by_status.size(); ++i) {
+    const auto status = static_cast<Status>(i);
+    if (by_status[i] > 0 && is_without_answer(status)) statuses.push_back(status);
+  }
+  return statuses;
+}
+
 std::vector<Status> shown_statuses(const StudyResults& study) {
   std::vector<Status> shown;
   for (std::size_t i = 0; i < status_names.size(); ++i) {

@@ -110,6 +110,8 @@ struct SolverCounts {
 
   int of(results::Status status) const { return by_status[static_cast<std::size_t>(status)]; }
   int of(results::Timing timing) const { return by_timing[static_cast<std::size_t>(timing)]; }
+  // Statuses of its solves that have no answer.
+  std::vector<results::Status> without_answer() const;
 };
 
 std::vector<SolverCounts> counts(const StudyResults& study);

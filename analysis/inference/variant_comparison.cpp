@@ -110,8 +110,7 @@ std::string failures_note(const StudyResults& study) {
   for (const SolverCounts& count : counts(study)) {
     int failures = 0;
     std::vector<std::string> kinds;
-    for (const Status status : shown_statuses(study)) {
-      if (!is_without_answer(status) || count.of(status) == 0) continue;
+    for (const Status status : count.without_answer()) {
       failures += count.of(status);
       kinds.push_back(fmt::format("{} {}", name_of(status), count.of(status)));
     }

@@ -121,8 +121,7 @@ std::vector<std::string> no_answer_sentences(const StudyResults& study) {
   for (const SolverCounts& of : counts(study)) {
     int count = 0;
     std::vector<std::string> how;
-    for (const Status status : shown_statuses(study)) {
-      if (!is_without_answer(status) || of.of(status) == 0) continue;
+    for (const Status status : of.without_answer()) {
       count += of.of(status);
       how.push_back(in_words(name_of(status)));
     }
