@@ -18,8 +18,6 @@ for command in reproduce run merge submit status report stats audit compare mult
   quiet
 done
 
-diff <("$scripts/../../docs/commands" "$program") "$scripts/../../docs/commands.md" || fail "docs/commands.md is old: run docs/commands"
-
 succeeds host --help # which a study starts
 has "$out" "ikbench host ./libmine.so"
 has_no "$all" "  host "

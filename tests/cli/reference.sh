@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # The papers' studies give the reference numbers, bit by bit; and their first two runs, with every instruction set of
-# this machine and other numbers of threads, those of the whole (docs/same-bits solves the whole with each). After a
-# change that is meant to give others: docs/renew-reference.
+# this machine and other numbers of threads, those of the whole.
 source "$(dirname "$0")/common.sh"
 
 references=$scripts/../../results/reference.inc

@@ -1,5 +1,5 @@
 // Measures how often the verdicts are wrong: draws data sets with a known truth, judges them as a report does, and
-// prints the shares as the tables of docs/methods.md, which docs/error-rates writes.
+// prints the shares as the tables of docs/methods.md.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 

@@ -79,13 +79,6 @@ TEST_CASE("a built-in study is a file in experiments/studies, which has the stud
   CHECK(names == files);
 }
 
-TEST_CASE("the study of docs/adding-anything.md is a study of two solvers", "[study]") {
-  const Study study = load_study("tests/examples/experiments/studies/two-bats.toml");
-  CHECK(study.name == "two-bats");
-  CHECK(effective_population(study, study.solvers.at(0)) == 2);
-  CHECK(effective_population(study, study.solvers.at(1)) == 50);
-}
-
 TEST_CASE("every built-in study comes back from its file with the same series", "[study]") {
   for (Study study : studies()) {
     INFO(study.name);
