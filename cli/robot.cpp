@@ -22,8 +22,6 @@
 #include "experiments/study_writer.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
-#include "robots/closed_form.hpp"
-#include "robots/family.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "robots/urdf.hpp"
 
@@ -151,17 +149,6 @@ std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) 
   return text;
 }
 
-// The family of the arm, and what here uses its closed form.
-std::string family_text(const Chain& arm) {
-  const Family family = family_of(arm);
-  std::vector<std::string> uses;
-  if (ClosedForm::why_not(arm).empty()) uses.emplace_back("the solver closed_form has it");
-  if (SphericalWrist::fits(arm)) uses.emplace_back("search = \"wrist\" solves the last three joints by it");
-  if (uses.empty() && family.has_closed_form) uses.emplace_back("nothing here uses it");
-  return fmt::format("family: {}\nclosed form: {}{}{}", family.name, family.closed_form, uses.empty() ? "" : "; ",
-                     fmt::join(uses, ", and "));
-}
-
 Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
   Figure figure{.name = "robot",
                 .caption = caption,
@@ -191,7 +178,7 @@ std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
   std::string rest =
-      fmt::format("\n{}\n{}\nwrist: {}\n", reach_text(arm), family_text(arm.chain),
+      fmt::format("\n{}\nwrist: {}\n", reach_text(arm),
                   SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
                                                   : "not spherical; search = \"all_joints\" or \"pose\"");
   for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);

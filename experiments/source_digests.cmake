@@ -35,13 +35,12 @@ string(SHA256 shared "${digests}")
 string(SUBSTRING ${shared} 0 16 shared)
 
 set(solvers "")
-# A peer, "peers/NAME", is its own file, its module if it has one, and the headers that peers share.
+# A peer, "peers/NAME", is its own file and the headers that peers share.
 file(GLOB peer_headers ${ROOT}/solvers/peers/*.hpp)
 foreach(solver IN LISTS SOLVERS)
   digest_of(${ROOT}/solvers/${solver}.cpp digest)
-  if(solver MATCHES "^peers/(.*)")
-    file(GLOB module ${ROOT}/solvers/peers/modules/${CMAKE_MATCH_1}.[ch]pp)
-    foreach(header IN LISTS peer_headers module)
+  if(solver MATCHES "^peers/")
+    foreach(header IN LISTS peer_headers)
       digest_of(${header} of_header)
       string(APPEND digest ${of_header})
     endforeach()

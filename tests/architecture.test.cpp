@@ -35,8 +35,7 @@ std::map<std::string, Names> folders_and_papers() {
   std::map<std::string, Names> table{
       {"numerics", {}},
       {"robots", {"numerics"}},
-      {"solvers", {"numerics", "robots", "solvers/peers/modules"}},
-      {"solvers/peers/modules", {}},
+      {"solvers", {"numerics", "robots"}},
       {"results", {"numerics"}},
       {"experiments", {"numerics", "robots", "solvers", "results"}},
       {"analysis/statistics", {}},

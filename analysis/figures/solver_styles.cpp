@@ -29,10 +29,8 @@ constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
                                                                 {"levenberg_marquardt", 4},
                                                                 {"halley", 2},
                                                                 {"robotics_toolbox", 4},
-                                                                {"closed_form", 6},
                                                                 {"kdl_lma", 3},
                                                                 {"kdl_newton", 6},
-                                                                {"ceres_tiny", 0},
                                                                 {"nlopt", 2},
                                                                 {"pagmo", 4}};
 

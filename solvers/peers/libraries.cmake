@@ -19,13 +19,6 @@ if(NLOPT_INCLUDE_DIR AND NLOPT_LIBRARY)
   target_link_libraries(ikbench_peer_nlopt INTERFACE ${NLOPT_LIBRARY})
 endif()
 
-# One header, which needs Eigen alone.
-find_path(CERES_INCLUDE_DIR ceres/tiny_solver.h)
-if(CERES_INCLUDE_DIR)
-  add_library(ikbench_peer_ceres INTERFACE)
-  target_include_directories(ikbench_peer_ceres SYSTEM INTERFACE ${CERES_INCLUDE_DIR})
-endif()
-
 # pagmo's own configuration fails where what its headers include is missing.
 find_package(Boost QUIET COMPONENTS serialization)
 if(Boost_SERIALIZATION_FOUND)
@@ -33,8 +26,5 @@ if(Boost_SERIALIZATION_FOUND)
 endif()
 if(pagmo_FOUND)
   add_library(ikbench_peer_pagmo INTERFACE)
-  get_target_property(includes Pagmo::pagmo INTERFACE_INCLUDE_DIRECTORIES)
-  target_include_directories(ikbench_peer_pagmo SYSTEM INTERFACE ${includes})  # has the version; a module links the library
-  add_library(ikbench_linked_pagmo INTERFACE)  # for the module and the benchmark, which call it
-  target_link_libraries(ikbench_linked_pagmo INTERFACE Pagmo::pagmo)
+  target_link_libraries(ikbench_peer_pagmo INTERFACE Pagmo::pagmo)
 endif()

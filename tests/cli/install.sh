@@ -39,18 +39,6 @@ if command -v gnuplot >/dev/null; then
   [ -s made/figures/figure-10.svg ] || fail "no figure 10"
 fi
 installed audit slim2023
-# A module is found where it is installed, in any prefix, and nowhere else: no empty path means the current folder.
-if "$program" list solvers pagmo 2>&1 | grep -q 'built with pagmo'; then
-  for prefix in prefix staged/opt/ikbench; do
-    "$prefix/bin/ikbench" solve --solver pagmo --position-cm 20 20 20 >.out 2>.err || [ $? = 6 ] ||
-      fail "pagmo of $prefix: $(<.err)"
-  done
-  mkdir elsewhere
-  echo broken >elsewhere/ikbench_pagmo.so
-  (cd elsewhere && "$program" solve --solver pagmo --position-cm 20 20 20 >/dev/null 2>../.err) || [ $? = 6 ] ||
-    fail "the module of the current folder: $(<.err)"
-  ! grep -qF "$tree" prefix/lib*/ikbench/ikbench_pagmo.so || [ -n "$sanitizers" ] || fail "the module holds the path of its source"
-fi
 # The interface of shared objects is one of C and of C++, and an object that is made with it solves.
 if command -v c++ >/dev/null && command -v cc >/dev/null; then
   echo '#include <ikbench_plugin.h>' >c.c

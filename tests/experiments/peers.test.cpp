@@ -1,4 +1,6 @@
 // Studies with solvers of libraries that this program may have been built without.
+#include <algorithm>
+
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "solvers/registry.hpp"
@@ -53,6 +55,15 @@ TEST_CASE("a study that names a peer that was not built is refused, or goes on w
     CHECK(labels_of(without) == std::vector<std::string>{"ik_bat"});
     CHECK(to_toml(without).find("# left out: theirs is not built") != std::string::npos);
   }
+}
+
+TEST_CASE("a solver that cannot solve for the study's arm or search is refused with the reason", "[study][peers]") {
+  if (std::ranges::count(missing_peers(), "kdl_newton", &MissingPeer::name) > 0) return;
+  const std::string newton = "[[solvers]]\nsolver = \"kdl_newton\"\n";
+  const std::string said = said_of_study("search = \"all_joints\"\n" + newton);
+  CHECK(said.starts_with("my.toml:3:10: "));
+  CHECK(said.find("search = \"pose\"") != std::string::npos);
+  CHECK(study_from("search = \"pose\"\n" + newton).solvers.size() == 1);
 }
 
 TEST_CASE("the studies of baselines have the same solvers and budgets", "[study][peers]") {

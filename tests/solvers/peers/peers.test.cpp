@@ -71,7 +71,6 @@ TEST_CASE("a peer solves a pose that is near, of arms that turn and that slide, 
   for (const char* arm : {"franka_panda", "ur5e", "stanford"}) {
     for (const auto& [name, settings] : {std::pair<std::string, Settings>{"kdl_lma", {}},
                                          {"kdl_newton", {}},
-                                         {"ceres_tiny", {}},
                                          {"nlopt", {}},
                                          {"nlopt", {{"algorithm", "lbfgs"}}}}) {
       if (is_missing(name)) continue;
