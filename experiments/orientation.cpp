@@ -23,25 +23,6 @@ void list_spacing(Fields& io, Spacing& spacing) {
             "point k = 0 ... n - 1 lies at this fraction of the path");
 }
 
-void list_plane(Fields& io, Plane& plane) {
-  io.choice("plane", plane, Choices<Plane>{{"xy", Plane::xy}, {"xz", Plane::xz}, {"yz", Plane::yz}},
-            "its first axis and its second");
-}
-
-Eigen::Vector3d along(Plane plane, double first, double second) {
-  switch (plane) {
-    case Plane::xy:
-      return {first, second, 0};
-    case Plane::xz:
-      return {first, 0, second};
-    case Plane::yz:
-      break;
-  }
-  return {0, first, second};
-}
-
-Eigen::Vector3d normal(Plane plane) { return along(plane, 1, 0).cross(along(plane, 0, 1)); }
-
 std::vector<double> by_rows(const Eigen::Matrix3d& R) {
   std::vector<double> elements;
   for (int row = 0; row < 3; ++row) elements.insert(elements.end(), {R(row, 0), R(row, 1), R(row, 2)});

@@ -83,7 +83,7 @@ refused 'no such file: hnd.toml; did you mean "hand.toml"?' run hnd.toml
 refused "no such file: $work/hnd.toml; did you mean \"$work/hand.toml\"?" run "$work/hnd.toml"
 refused 'no such file: slim2032.toml; did you mean "slim2023"?' run slim2032.toml
 refused 'hand.toml:13:23: DLS.damping is "0.1"; expected a number, without quotes: 0.1' run hand.toml
-refused '"spiral"; did you mean "random"?' run hand.toml --set path.kind=randon
+refused 'did you mean "random"?' run hand.toml --set path.kind=randon
 refused 'runs is "2"; expected a whole number from 1 to 1000000, without quotes' run hand.toml --set 'runs="2"'
 refused '--set DLS.damping: DLS.damping is "0.1"; expected a number, without quotes: 0.1' run hand.toml --set 'DLS.damping="0.1"'
 printf 'name = "x"\nruns = = 3\n' >broken.toml

@@ -20,20 +20,6 @@ namespace {
 
 using std::numbers::pi;
 
-std::vector<Eigen::Vector3d> points_of(const std::vector<std::string>& settings) {
-  std::vector<Eigen::Vector3d> points;
-  for (const Pose& pose : poses_of(path_of(settings))) points.emplace_back(pose.translation());
-  return points;
-}
-
-void check_points(const std::vector<Eigen::Vector3d>& found, const std::vector<Eigen::Vector3d>& expected) {
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    CAPTURE(i, found[i].transpose(), expected[i].transpose());
-    CHECK((found[i] - expected[i]).norm() < 1e-15);
-  }
-}
-
 Study study_of_robot(const std::string& robot, const std::string& text) {
   return parse_study(
       "robot = \"" + robot + "\"\nsearch = \"all_joints\"\n" + text + "\n[[solvers]]\nsolver = \"bat\"\n", "my.toml");
@@ -58,63 +44,6 @@ std::vector<Configuration> solutions_of(const Study& study, int run = 1) {
 }
 
 }  // namespace
-
-TEST_CASE("a line has both its ends, and even steps", "[path]") {
-  check_points(points_of({"kind=line", "from_cm=[10, 20, 30]", "to_cm=[50, 20, -10]", "points=5"}),
-               {{0.1, 0.2, 0.3}, {0.2, 0.2, 0.2}, {0.3, 0.2, 0.1}, {0.4, 0.2, 0}, {0.5, 0.2, -0.1}});
-  check_points(points_of({"kind=line", "from_cm=[10, 20, 30]", "points=1"}), {{0.1, 0.2, 0.3}});
-}
-
-TEST_CASE("the points of a polyline are evenly spaced along its length", "[path]") {
-  // 30 cm along x and 10 along y: at 0, 10, 20, 30 and 40 cm.
-  check_points(points_of({"kind=polyline", "corners_cm=[0, 0, 0, 30, 0, 0, 30, 10, 0]", "points=5"}),
-               {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.3, 0, 0}, {0.3, 0.1, 0}});
-  // Both corners are one place.
-  check_points(points_of({"kind=polyline", "corners_cm=[10, 0, 0, 10, 0, 0]", "points=2"}), {{0.1, 0, 0}, {0.1, 0, 0}});
-}
-
-TEST_CASE("a polyline needs two corners of three numbers", "[path]") {
-  for (const std::string corners : {"[]", "[1, 2, 3]", "[1, 2, 3, 4]", "[1, 2, 3, 4, 5, 6, 7]"}) {
-    CHECK_THAT(refusal_of("planar_3", "[path]\nkind = \"polyline\"\ncorners_cm = " + corners),
-               ContainsSubstring("my.toml:3:1: path.corners_cm has ") &&
-                   ContainsSubstring("expected x, y, z of two corners or more"));
-  }
-}
-
-TEST_CASE("a rectangle goes once around, and ends at its first corner", "[path]") {
-  // 20 cm along y and 10 along z: 60 cm around, a point every 10 cm.
-  check_points(points_of({"kind=rectangle", "centre_cm=[50, 0, 40]", "width_cm=20", "height_cm=10", "points=7"}),
-               {{0.5, -0.1, 0.35},
-                {0.5, 0, 0.35},
-                {0.5, 0.1, 0.35},
-                {0.5, 0.1, 0.45},
-                {0.5, 0, 0.45},
-                {0.5, -0.1, 0.45},
-                {0.5, -0.1, 0.35}});
-  const auto level = points_of({"kind=rectangle", "plane=xy", "points=9"});
-  CHECK(level.front() == level.back());
-  CHECK(std::ranges::all_of(level, [](const Eigen::Vector3d& point) { return point.z() == 0.4; }));
-}
-
-TEST_CASE("a figure of eight crosses its centre and ends where it begins", "[path]") {
-  // (15 sin t, 10 sin 2t) cm at t = 0, 45, 90 ... deg.
-  const double half = 0.15 * std::sqrt(0.5);
-  check_points(points_of({"kind=lissajous", "points=9"}), {{0.5, 0, 0.4},
-                                                           {0.5, half, 0.5},
-                                                           {0.5, 0.15, 0.4},
-                                                           {0.5, half, 0.3},
-                                                           {0.5, 0, 0.4},
-                                                           {0.5, -half, 0.5},
-                                                           {0.5, -0.15, 0.4},
-                                                           {0.5, -half, 0.3},
-                                                           {0.5, 0, 0.4}});
-}
-
-TEST_CASE("radius, angle and rise of a spiral grow evenly", "[path]") {
-  check_points(
-      points_of({"kind=spiral", "centre_cm=[0, 0, 10]", "to_radius_cm=40", "turns=1", "rise_cm=20", "points=5"}),
-      {{0, 0, 0.1}, {0, 0.1, 0.15}, {-0.2, 0, 0.2}, {0, -0.3, 0.25}, {0.4, 0, 0.3}});
-}
 
 TEST_CASE("the tool of a circle turns about the vertical", "[path]") {
   const std::vector<Pose> poses =
