@@ -144,12 +144,6 @@ void check_independent(const std::vector<double>& a, const std::vector<double>& 
   CHECK(chi_square < quantile(complement(boost::math::chi_squared(99), 1e-4)));
 }
 
-double moment(const std::vector<double>& values, int order, double centre) {
-  double sum = 0;
-  for (const double value : values) sum += std::pow(value - centre, order);
-  return sum / static_cast<double>(values.size());
-}
-
 }  // namespace
 
 TEST_CASE("the test's own generator gives the published first numbers of state 1, 2, 3, 4", "[random]") {
@@ -182,12 +176,6 @@ TEST_CASE("a fill gives the numbers that single draws give, and leaves single dr
   const Candidates rows = drawn_uniforms(random, 2, 4);  // the 19 took three blocks; row by row
   CHECK(rows(0, 0) == expected[32]);
   CHECK(rows(1, 0) == expected[36]);
-}
-
-TEST_CASE("a stream is a function of its key alone", "[random]") {
-  CHECK(numbers(1, 100) == numbers(1, 100));
-  const Key key = Key(1).with("IK-BA").with(3);
-  CHECK(key.value() == Key(1).with("IK-BA").with(3).value());
 }
 
 TEST_CASE("keys that differ in any part are different", "[random]") {
@@ -272,38 +260,10 @@ TEST_CASE("truncated normal numbers are the quantiles of the raw stream", "[rand
   }
 }
 
-TEST_CASE("uniform numbers have the moments and the distribution of the unit interval", "[random]") {
-  const std::vector<double> values = many(Kind::uniform);
-  CHECK(*std::min_element(values.begin(), values.end()) >= 0);
-  CHECK(*std::max_element(values.begin(), values.end()) < 1);
-  const double n = 100000;
-  CHECK(std::abs(moment(values, 1, 0) - mean(unit_interval)) < 4 * std::sqrt(1 / 12.0 / n));
-  CHECK(std::abs(moment(values, 2, 0.5) - variance(unit_interval)) < 4 * std::sqrt(1 / 180.0 / n));
-  CHECK(kolmogorov_smirnov(values, uniform_share) < at_most(n));
-}
-
-TEST_CASE("normal numbers have the moments and the distribution of the standard normal", "[random]") {
-  const std::vector<double> values = many(Kind::normal);
-  const double n = 100000;
-  CHECK(std::abs(moment(values, 1, 0)) < 4 / std::sqrt(n));
-  CHECK(std::abs(moment(values, 2, 0) - 1) < 4 * std::sqrt(2 / n));
-  CHECK(std::abs(moment(values, 3, 0)) < 4 * std::sqrt(15 / n));
-  CHECK(std::abs(moment(values, 4, 0) - 3) < 4 * std::sqrt(96 / n));
-  CHECK(kolmogorov_smirnov(values, normal_share) < at_most(n));
-}
-
-TEST_CASE("truncated normal numbers have the moments and the distribution of the normal within -1 and 1", "[random]") {
-  const std::vector<double> values = many(Kind::truncated);
-  CHECK(*std::min_element(values.begin(), values.end()) >= -1);
-  CHECK(*std::max_element(values.begin(), values.end()) <= 1);
-  // Moments of the density phi / (Phi(1) - Phi(-1)), by parts: E x^k = (k - 1) E x^(k - 2) - 2 phi(1) / (Phi(1) -
-  // Phi(-1)).
-  const double n = 100000, edge = 2 * pdf(standard_normal, 1.0) / (1 - 2 * cdf(standard_normal, -1.0));
-  const double second = 1 - edge, fourth = 3 * second - edge, eighth = 7 * (5 * fourth - edge) - edge;
-  CHECK(std::abs(moment(values, 1, 0)) < 4 * std::sqrt(second / n));
-  CHECK(std::abs(moment(values, 2, 0) - second) < 4 * std::sqrt((fourth - second * second) / n));
-  CHECK(std::abs(moment(values, 4, 0) - fourth) < 4 * std::sqrt((eighth - fourth * fourth) / n));
-  CHECK(kolmogorov_smirnov(values, truncated_share) < at_most(n));
+TEST_CASE("numbers have the distribution of their kind", "[random]") {
+  CHECK(kolmogorov_smirnov(many(Kind::uniform), uniform_share) < at_most(100'000));
+  CHECK(kolmogorov_smirnov(many(Kind::normal), normal_share) < at_most(100'000));
+  CHECK(kolmogorov_smirnov(many(Kind::truncated), truncated_share) < at_most(100'000));
 }
 
 TEST_CASE("the smallest and the largest draws give truncated normal numbers at -1 and below 1", "[random]") {
@@ -337,50 +297,10 @@ TEST_CASE("streams of neighbouring keys are independent", "[random][independence
   }
 }
 
-TEST_CASE("numbers next to each other in a stream are independent", "[random][independence]") {
-  const std::vector<double> uniforms = many(Kind::uniform), normals = many(Kind::normal);
-  const std::vector<double> truncated = many(Kind::truncated);
-  for (const std::size_t lag : {1u, 2u, 7u, 8u, 9u, 15u, 16u, 17u}) {
-    CAPTURE(lag);
-    const auto check = [&](const std::vector<double>& values, double (*share)(double)) {
-      const auto behind = static_cast<std::ptrdiff_t>(lag);
-      check_independent({values.begin(), values.end() - behind}, {values.begin() + behind, values.end()}, share);
-    };
-    check(uniforms, uniform_share);
-    check(normals, normal_share);
-    check(truncated, truncated_share);
-  }
-}
-
-TEST_CASE("the two normal numbers of a pair, by cosine and by sine, are independent", "[random][independence]") {
-  const std::vector<double> values = many(Kind::normal, 5, 160'000);
-  std::vector<double> cosines, sines, radii;
-  for (std::size_t block = 0; block < values.size(); block += 16) {
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      cosines.push_back(values[block + lane]);
-      sines.push_back(values[block + 8 + lane]);
-    }
-  }
-  check_independent(cosines, sines, normal_share);
-  // Their sum of squares is exponential with mean 2, which a wrong radius or angle would spoil.
-  for (std::size_t i = 0; i < sines.size(); ++i) radii.push_back(cosines[i] * cosines[i] + sines[i] * sines[i]);
-  const boost::math::chi_squared two(2);
-  CHECK(kolmogorov_smirnov(radii, [&](double x) { return cdf(two, x); }) < at_most(static_cast<double>(radii.size())));
-}
-
 TEST_CASE("an index is equally often each of its values and never outside", "[random]") {
   Random random{Key(1)};
   std::array<int, 7> counts{};
   for (int i = 0; i < 70000; ++i) ++counts.at(static_cast<std::size_t>(random.index(7)));
   for (const int count : counts) CHECK(std::abs(count - 10000) < 400);  // standard deviation 93
   CHECK(random.index(1) == 0);
-}
-
-TEST_CASE("a uniform number between two is between them", "[random]") {
-  Random random{Key(1)};
-  for (int i = 0; i < 1000; ++i) {
-    const double number = random.uniform(-3, -2);
-    REQUIRE(number >= -3);
-    REQUIRE(number < -2);
-  }
 }

@@ -51,25 +51,6 @@ TEST_CASE("a planar arm of two links is where the sums of its angles put it", "[
   }
 }
 
-TEST_CASE("a planar arm of three links is where the sums of its angles put it", "[chain]") {
-  const Chain chain = robot("planar_3").chain;
-  const double a = 0.3, b = 0.3 - 1.2, c = 0.3 - 1.2 + 2.1;
-  const Eigen::Vector3d expected(0.5 * (std::cos(a) + std::cos(b) + std::cos(c)),
-                                 0.5 * (std::sin(a) + std::sin(b) + std::sin(c)), 0);
-  CHECK((chain.position(Eigen::Vector3d(0.3, -1.2, 2.1)) - expected).norm() < 1e-15);
-}
-
-TEST_CASE("a planar arm's Jacobian is the one of the textbook", "[chain]") {
-  const Chain chain = robot("planar_2").chain;
-  const double t1 = 0.3, t2 = -1.2;
-  Eigen::Matrix3Xd jacobian(3, 2), expected(3, 2);
-  chain.position_jacobian(Eigen::Vector2d(t1, t2), jacobian);
-  expected << -0.5 * std::sin(t1) - 0.5 * std::sin(t1 + t2), -0.5 * std::sin(t1 + t2),  //
-      0.5 * std::cos(t1) + 0.5 * std::cos(t1 + t2), 0.5 * std::cos(t1 + t2),            //
-      0, 0;
-  CHECK((jacobian - expected).cwiseAbs().maxCoeff() < 1e-15);
-}
-
 TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
   const Chain chain = robot("kuka_iiwa14").chain;
   const auto at = [&](std::initializer_list<double> angles) { return chain.position(degrees(angles)); };
@@ -82,74 +63,6 @@ TEST_CASE("the iiwa is in its poses where its link lengths add up", "[chain]") {
   CHECK((at({0, 0, 0, 90, 0, 0, 0}) - Eigen::Vector3d(-0.526, 0, 0.780)).norm() < 1e-15);
   // only the flange is level
   CHECK((at({0, 0, 0, 0, 0, 90, 0}) - Eigen::Vector3d(0.126, 0, 1.180)).norm() < 1e-15);
-}
-
-TEST_CASE("the iiwa's axes at rest are those of its base", "[chain]") {
-  const Pose T = robot("kuka_iiwa14").chain.forward(Eigen::VectorXd::Zero(7));
-  CHECK((T.linear() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-15);
-}
-
-TEST_CASE("position alone is the translation of the whole pose", "[chain]") {
-  RandomConfigurations random;
-  for (const Robot& arm : all_robots()) {
-    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
-    for (int trial = 0; trial < 10000; ++trial) {
-      const Eigen::VectorXd q = random(arm.limits);
-      REQUIRE((with_tool.position(q) - with_tool.forward(q).translation()).norm() < 2e-15);
-    }
-  }
-}
-
-TEST_CASE("position agrees with 4x4 products in long double to 1e-13 cm", "[chain]") {
-  RandomConfigurations random;
-  for (const Robot& arm : all_robots()) {
-    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
-    for (int trial = 0; trial < 2000; ++trial) {
-      const Eigen::VectorXd q = random(arm.limits);
-      const LongPoint expected = reference_position(with_tool, q);
-      REQUIRE(reference_distance(expected, with_tool.position(q)) < 1e-15L);
-    }
-  }
-}
-
-TEST_CASE("the Jacobian is what central differences say", "[chain]") {
-  RandomConfigurations random;
-  const double h = 1e-5;  // truncation h^2 / 6 = 2e-11
-  for (const Robot& arm : all_robots()) {
-    Eigen::Matrix3Xd jacobian(3, arm.chain.joints());
-    for (int trial = 0; trial < 100; ++trial) {
-      const Eigen::VectorXd q = random(arm.limits);
-      arm.chain.position_jacobian(q, jacobian);
-      for (int j = 0; j < arm.chain.joints(); ++j) {
-        const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(arm.chain.joints(), j);
-        const Eigen::Vector3d slope = (arm.chain.position(q + step) - arm.chain.position(q - step)) / (2 * h);
-        REQUIRE((jacobian.col(j) - slope).norm() < 1e-10);
-      }
-    }
-  }
-}
-
-TEST_CASE("the error of a batch is the distance of each candidate, Eq. 1", "[chain][paper]") {
-  const Robot arm = robot("kuka_iiwa14");
-  RandomConfigurations random;
-  const Eigen::Vector3d target(0.4, -0.1, 0.6);
-  Candidates q(7, 50);
-  for (int i = 0; i < 50; ++i) q.col(i) = random(arm.limits);
-  Eigen::VectorXd errors(50);
-  arm.chain.position_errors(q, target, errors);
-  for (int i = 0; i < 50; ++i)
-    CHECK(errors[i] == Approx((arm.chain.position(q.col(i)) - target).norm()).epsilon(1e-14));
-}
-
-TEST_CASE("no tool point leaves the ball of reach", "[chain]") {
-  RandomConfigurations random;
-  for (const Robot& arm : all_robots()) {
-    const Chain with_tool(arm.chain.links(), {0.01, -0.02, 0.15});
-    const Chain::Ball ball = with_tool.reach();
-    for (int trial = 0; trial < 10000; ++trial) {
-      REQUIRE((with_tool.position(random(arm.limits)) - ball.centre).norm() <= ball.radius + 1e-15);
-    }
-  }
 }
 
 TEST_CASE("a stretched arm touches the ball of reach", "[chain]") {

@@ -302,25 +302,6 @@ TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contr
   }
 }
 
-TEST_CASE("an iteration takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : own_solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      for (const int joints : {4, 20}) {
-        CAPTURE(info.name, text(settings), joints);
-        Task task = snake_task(joints, 50);
-        task.target *= 10;  // out of reach: restarts and scouts take part
-        Objective objective(task.chain, task.target);
-        Random random{Key(1)};
-        const auto solver = info.make(settings);
-        solver->start(task.problem, objective, random);
-        const long before = allocations();
-        for (int iteration = 0; iteration < 12; ++iteration) solver->step(objective, random);
-        CHECK(allocations() == before);
-      }
-    }
-  }
-}
-
 TEST_CASE("a second solve of the same size takes no memory from the heap", "[contract]") {
   for (const SolverInfo& info : own_solvers_of_positions()) {
     for (const Settings& settings : corners(info)) {

@@ -171,7 +171,11 @@ void bat(Loop& loop) {
 // Kennedy and Eberhart 1995 with inertia; each particle sees the swarm's best at once.
 void particle_swarm(Loop& loop) {
   const std::size_t particles = candidates_a_step;
-  const double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
+  double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
+  if (loop.is("coefficients", "as_printed")) {  // by Table 1's labels
+    std::swap(inertia, social);
+    std::swap(inertia, cognitive);
+  }
   loop.draw_first(particles);
   loop.evaluate_first();
   std::vector<Vector> v(particles, Vector(loop.joints, 0)), personal = loop.x;
@@ -195,10 +199,11 @@ void particle_swarm(Loop& loop) {
   }
 }
 
-// rand/1/bin; a better trial takes its place at once.
+// rand/1/bin; a better trial takes its place at once, or when all have been tried (Storn and Price 1997).
 void differential_evolution(Loop& loop) {
   const std::size_t candidates = candidates_a_step;
   const double crosses_below = loop.number("crossover"), weight = loop.number("weight");
+  const bool at_once = loop.is("replacement", "at_once");
   loop.draw_first(candidates);
   loop.evaluate_first();
   for (int t = 0; t < iterations; ++t) {
@@ -206,6 +211,7 @@ void differential_evolution(Loop& loop) {
     loop.random.uniforms(chance);
     const std::vector<Vector> crossover = loop.each_uniform(candidates);
     const Vector forced = loop.uniforms(candidates);
+    const std::vector<Vector> generation = loop.x, &from = at_once ? loop.x : generation;
     for (std::size_t i = 0; i < candidates; ++i) {
       // Three of the others, in order, each from those that are left.
       std::vector<std::size_t> left;
@@ -224,7 +230,7 @@ void differential_evolution(Loop& loop) {
       for (std::size_t j = 0; j < loop.joints; ++j) {
         const bool mutates = crossover[i][j] < crosses_below ||
                              static_cast<std::size_t>(forced[i] * static_cast<double>(loop.joints)) == j;
-        q[j] = mutates ? loop.x[a][j] + weight * (loop.x[b][j] - loop.x[c][j]) : loop.x[i][j];
+        q[j] = mutates ? from[a][j] + weight * (from[b][j] - from[c][j]) : from[i][j];
       }
       if (loop.clamps) loop.clamp(q);
       const double error = loop.error(q);
@@ -341,7 +347,7 @@ TEST_CASE("IK-BA is its pseudo-code bit for bit, one bat after another", "[one_b
   check_against("ik_bat", ik_bat,
                 {{},
                  {{"bounds", "clamp"}, {"acceptance", "loudness"}},
-                 {{"epsilon", "truncated"}, {"step_factor", "1"}},
+                 {{"epsilon", "truncated"}, {"step_factor", "1"}, {"f_max", "0"}},
                  {{"acceptance", "yang2020"}, {"bounds", "clamp"}, {"alpha", "0.9"}}});
 }
 
@@ -378,12 +384,16 @@ TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[on
                 {{},
                  {{"bounds", "initial"}},
                  {{"inertia", "0.9"}, {"social", "0.3"}},
+                 {{"coefficients", "as_printed"}},
+                 {{"coefficients", "as_printed"}, {"inertia", "0.1"}, {"cognitive", "0.2"}, {"social", "0.3"}},
                  {{"cognitive", "0"}, {"inertia", "0.7"}, {"bounds", "initial"}}});
 }
 
-TEST_CASE("DE with replacement at once is its pseudo-code bit for bit, one trial after another", "[one_by_one][de]") {
+TEST_CASE("DE is its pseudo-code bit for bit, one trial after another", "[one_by_one][de]") {
   check_against("differential_evolution", differential_evolution,
-                {{{"replacement", "at_once"}},
+                {{},
+                 {{"crossover", "0.9"}, {"bounds", "initial"}},
+                 {{"replacement", "at_once"}},
                  {{"replacement", "at_once"}, {"bounds", "initial"}},
                  {{"replacement", "at_once"}, {"crossover", "0.3"}, {"weight", "0.9"}},
                  {{"replacement", "at_once"}, {"crossover", "0"}, {"bounds", "initial"}}});

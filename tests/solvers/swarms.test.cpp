@@ -1,4 +1,4 @@
-// PSO and MO-PSO: velocities, positions, limits, mutation and the archive.
+// MO-PSO: velocities, positions, limits, mutation and the archive.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,48 +17,6 @@ using namespace ikbench::solvers;
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-struct Coefficients {
-  double inertia, cognitive, social;
-};
-
-// Compares two particles for five iterations with the equations; the errors make both bests change.
-void check_particle_swarm(const Settings& settings, const Coefficients& c) {
-  const Task task = planar_task(2);
-  const std::vector<double> script{3, 2, 2.5, 2.2, 1, 1.5, 4, 0.9, 0.8, 0.7, 0.6, 0.95};
-  RecordingObjective objective(task.chain, script);
-  Random random{Key(4)}, replay{Key(4)};
-  const auto swarm = solver("particle_swarm").make(settings);
-  swarm->start(task.problem, objective, random);
-
-  Candidates x = drawn_uniforms(replay, 2, 2), v = Candidates::Zero(2, 2);
-  x = (2 * x.array() - 1).matrix();
-  Candidates personal = x;
-  Eigen::Vector2d personal_error(3, 2), best = x.col(1);
-  double best_error = 2;
-  std::size_t turn = 2;
-  for (int iteration = 0; iteration < 5; ++iteration) {
-    swarm->step(objective, random);
-    const Candidates u1 = drawn_uniforms(replay, 2, 2), u2 = drawn_uniforms(replay, 2, 2);
-    for (int i = 0; i < 2; ++i, ++turn) {
-      for (int j = 0; j < 2; ++j) {
-        v(j, i) = c.inertia * v(j, i) + c.cognitive * u1(j, i) * (personal(j, i) - x(j, i)) +
-                  c.social * u2(j, i) * (best[j] - x(j, i));
-        x(j, i) = std::clamp(x(j, i) + v(j, i), -1.0, 1.0);
-      }
-      REQUIRE(same(objective.candidates[turn], x.col(i)));
-      if (script[turn] < personal_error[i]) {
-        personal_error[i] = script[turn];
-        personal.col(i) = x.col(i);
-      }
-      if (script[turn] < best_error) {
-        best_error = script[turn];
-        best = x.col(i);
-      }
-    }
-    REQUIRE(swarm->best().error == best_error);
-  }
-}
 
 struct Point {
   double error, variation;
@@ -110,16 +68,6 @@ std::vector<Point> seen_points(const RecordingObjective& objective, const Eigen:
 }
 
 }  // namespace
-
-TEST_CASE("PSO moves by inertia, its own best and the swarm's, which changes within the iteration", "[pso][paper]") {
-  check_particle_swarm({}, {0.53514, 1.1312, 2.0149});
-}
-
-TEST_CASE("PSO as_printed takes the numbers by Table 1's labels", "[pso][paper]") {
-  check_particle_swarm({{"coefficients", "as_printed"}}, {1.1312, 2.0149, 0.53514});
-  check_particle_swarm({{"coefficients", "as_printed"}, {"inertia", "0.1"}, {"cognitive", "0.2"}, {"social", "0.3"}},
-                       {0.2, 0.3, 0.1});
-}
 
 TEST_CASE("MO-PSO's mutation draws 0 of 17, 9 of 17 and fewer and fewer of 16 particles anew", "[mo_pso]") {
   Task task = planar_task(50);
