@@ -175,10 +175,10 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
 }
 
 void ForeignSolver::solve_at_once(const std::string& text, Objective& objective) {
+  const Clock::time_point began = Clock::now();  // before it is sent: the program may have the processor at once
   session_->send(text);
-  const Clock::time_point sent = Clock::now();
   const Message message = session_->receive({"solved", "declined"}, session_->id());
-  account_.seconds = std::chrono::duration<double>(Clock::now() - sent).count();
+  account_.seconds = std::chrono::duration<double>(Clock::now() - began).count();
   account_.round_trips = 1;
   account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
   if (message.name == "declined") throw Trouble{Status::declined, why_in(message.json)};
