@@ -98,7 +98,6 @@ TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
   CHECK(last.p_ranks == Approx(3 * 0.011244179779992036).epsilon(1e-9));
   CHECK(last.p == Approx(0.05).margin(4 * 0.0022));  // of 9999 resamples
   CHECK(contrast(found, "ctrl", "trt1").relation == Relation::undecided);
-  CHECK(says(found, "equal variances are not rejected"));
 }
 
 TEST_CASE("the plan decides which test has the word", "[assessment]") {
@@ -135,7 +134,6 @@ TEST_CASE("on the printed Table 3 IK-BA and MO-PSO do not differ in variation, a
           "[assessment]") {
   const Evidence variation = evidence(printed_table_3("variation_deg"), {});
   CHECK(contrast(variation, "IK-BA", "MO-PSO").relation == Relation::undecided);
-  CHECK(says(variation, "IK-BA against MO-PSO is undecided (p > 0.999; "));
   const Evidence time = evidence(printed_table_3("seconds"), {});
   CHECK(contrast(time, "IK-BA", "PSO").relation == Relation::worse);
 }
@@ -169,7 +167,8 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
   const Evidence found = evidence(near, {.test = "welch", .margin = 0.05});
   CHECK(found.contrasts[0].relation == Relation::better);
   CHECK(found.contrasts[0].is_within_margin());
-  CHECK(says(found, "In short: A is better than B: mean 100 vs 101, by 0.885 to 1.12, less than 5 % (p = "));
+  CHECK(found.contrasts[0].estimate.low == Approx(-1.12).epsilon(0.01));
+  CHECK(found.contrasts[0].estimate.high == Approx(-0.885).epsilon(0.01));
   // Welch's interval is 1 -+ 2.306 sqrt(0.00625 * 2 / 5): 0.885 to 1.115, of 100.
   const auto verdict_at = [&](double margin) {
     const Evidence at = evidence(near, {.test = "welch", .margin = margin});
@@ -181,40 +180,6 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
   CHECK(verdict_at(0) == "A is better");
 }
 
-TEST_CASE("an interval is of the first that is named less the second, in any order of the groups", "[assessment]") {
-  // Welch's interval of A - B: 0.1167 -+ 2.2789 * 0.1292 (8.58 degrees of freedom).
-  const Group a{"A", {1.1, 1.3, 1.2, 1.25, 1.7, 0.9}}, b{"B", {1.0, 1.2, 1.1, 1.15, 1.4, 0.9}};
-  for (const std::vector<Group>& groups : {std::vector{a, b}, std::vector{b, a}}) {
-    const Evidence found = evidence({.name = "x", .quantity = "x", .groups = groups}, {.test = "welch"});
-    CHECK(says(found, "In short: B against A is undecided (p = "));
-    CHECK(says(found, "; difference between -0.411 and 0.178;"));
-  }
-}
-
-TEST_CASE("only a margin on the other side of a difference would change its answer", "[assessment]") {
-  // Welch's interval of the difference is 0.885 to 1.115, of 100.
-  const Observations near{
-      .name = "x",
-      .quantity = "x",
-      .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
-  const auto change_at = [&](double margin) {
-    return words_of(change_words(evidence(near, {.test = "welch", .margin = margin})));
-  };
-  CHECK(change_at(0.05) ==
-        "What would change it: a margin below 5 %, because a smaller difference is shown; other targets, arms, "
-        "budgets or settings.");
-  CHECK(
-      change_at(0.01) ==
-      "What would change it: a margin above 1 %, because a difference may be smaller; other targets, arms, budgets or "
-      "settings.");
-  CHECK(change_at(0.005) == "What would change it: other targets, arms, budgets or settings.");
-  const Evidence across = evidence(near, {.test = "welch", .margin = 0.01});
-  const Observations three{
-      .name = "x", .quantity = "x", .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3, 4, 1.5}}, {"C", {91, 92, 93, 94}}}};
-  CHECK(contains(words_of(change_words(evidence(three, {.test = "welch"}))), "a larger new study for A vs B, planned"));
-  CHECK(words_of(change_words(across, false)) == "What would change it: other targets, arms, budgets or settings.");
-}
-
 TEST_CASE("a margin in the unit of the values has no percent beside it", "[assessment]") {
   Observations drift{
       .name = "drift",
@@ -224,7 +189,6 @@ TEST_CASE("a margin in the unit of the values has no percent beside it", "[asses
   const auto verdict = [&](double margin) {
     drift.margin = margin;
     const Evidence found = evidence(drift, {.test = "welch", .margin = 0});
-    CHECK_FALSE(says(found, " %, "));
     return verdict_words(found, found.contrasts[0]);
   };
   CHECK(verdict(2) == "A is better by less than 2");
@@ -232,7 +196,7 @@ TEST_CASE("a margin in the unit of the values has no percent beside it", "[asses
   CHECK(verdict(0.5) == "A is better by more than 0.5");
 }
 
-TEST_CASE("a test that does not use the blocks says so", "[assessment]") {
+TEST_CASE("a test that does not use the blocks finds less", "[assessment]") {
   // Within blocks B is always 1 above A, and C 2; between the blocks lie thousands.
   Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
   for (int i = 0; i < 10; ++i) {
@@ -244,19 +208,8 @@ TEST_CASE("a test that does not use the blocks says so", "[assessment]") {
   const Evidence blocked = evidence(sets, {});
   REQUIRE(std::ranges::all_of(blocked.contrasts, is_decided));
   REQUIRE(blocked.test(anova_name)->p > 0.99);
-  CHECK_FALSE(says(blocked, "It does not use the blocks."));
   const Evidence unblocked = evidence(sets, {.test = "welch"});
   CHECK(std::ranges::none_of(unblocked.contrasts, is_decided));
-  CHECK(says(unblocked, " do not matter. It does not use the blocks."));
-}
-
-TEST_CASE("pairs that are the same are counted where no other pair differs", "[assessment]") {
-  const Observations three{.name = "x",
-                           .quantity = "x",
-                           .groups = {{"A", {1, 1.1, 0.9, 1.05, 0.95}},
-                                      {"B", {100, 100.1, 99.9, 100.05, 99.95}},
-                                      {"C", {100.1, 100, 99.95, 100.05, 99.9}}}};
-  CHECK(says(evidence(three, {.test = "welch"}), "No other pair is shown to differ: 1 of 1 are the same within 5 %."));
 }
 
 TEST_CASE("a margin in cm is for what is in cm, and what is within either margin does not matter", "[assessment]") {
@@ -283,54 +236,6 @@ TEST_CASE("a margin in cm is for what is in cm, and what is within either margin
                     .groups = {{"A", {1e-9, 3e-9, 2e-9, 5e-9}}, {"B", {2e-9, 6e-9, 3e-9, 4e-9}}}};
   CHECK(evidence(same, {}).contrasts[0].relation == Relation::undecided);
   CHECK(evidence(same, {.margin_cm = 0.01}).contrasts[0].relation == Relation::same);
-  CHECK(says(evidence(same, {.margin_cm = 0.01}), "A and B are the same within 0.01 cm"));
-}
-
-TEST_CASE("the answer says who, by how much, how sure, and which of the other pairs differ", "[assessment]") {
-  const Evidence found = evidence(printed_table_3("position_error_cm"), {});
-  const std::string text = fmt::format("{}", fmt::join(answer(found), ". "));
-  INFO(text);
-  const std::vector<std::string> in_order{"IK-BA is better than K-ABC, DE, MO-PSO, PSO and BA (p at most 0.00036)",
-                                          ". Against K-ABC, the best of these: mean ",
-                                          "0.0019 vs ",
-                                          ", by ",
-                                          "more than 5 %",
-                                          "Other pairs that differ (5 of 10; the better first): DE vs BA; ",
-                                          "Decided by: Tamhane's test, corrected for 15 pairs"};
-  std::size_t at = 0;
-  for (const std::string& words : in_order) {
-    at = text.find(words, at);
-    CAPTURE(words);
-    REQUIRE(at != std::string::npos);
-  }
-}
-
-TEST_CASE("pairs are listed without doubt about which names belong together", "[assessment]") {
-  Observations near = plant_growth();
-  near.groups[0].name = "a and b";
-  near.groups[1].name = "c-d";
-  CHECK(says(evidence(near, {}), "'a and b'"));
-}
-
-TEST_CASE("methods are said to disagree where the p of ranks is on the other side", "[assessment]") {
-  int said = 0;
-  for (int shift = 0; shift < 60; ++shift) {
-    Observations sets{.name = "x", .quantity = "x", .groups = {{"A"}, {"B"}, {"C"}}};
-    for (int i = 0; i < 8; ++i) {
-      sets.groups[0].values.push_back(10 + i % 5 + 0.01 * i);
-      sets.groups[1].values.push_back(10 + 0.1 * shift + (3 * i) % 7 + 0.003 * i);
-      sets.groups[2].values.push_back(9 + 0.2 * shift + (5 * i) % 4 + 0.007 * i);
-    }
-    const Evidence found = evidence(sets, {});
-    const bool disagree = std::ranges::any_of(found.contrasts, [](const Finding& pair) {
-      return std::isfinite(pair.p_ranks) && (pair.p_ranks < 0.05) != is_decided(pair);
-    });
-    CAPTURE(shift);
-    CHECK(says(found, "Where methods disagree: by ranks (") == disagree);
-    said += disagree ? 1 : 0;
-  }
-  CHECK(said > 0);
-  CHECK(said < 60);
 }
 
 TEST_CASE("the table of tests has every digit, as numbers", "[assessment]") {
@@ -353,15 +258,14 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
     }
     return observations;
   };
-  CHECK(says(evidence(with({}), {}), "There are no groups"));
-  CHECK(says(evidence(with({{1, 2, 3}}), {}), "There is only one group"));
-  CHECK(says(evidence(with({{1, 1, 1}, {2, 2, 2}}), {}), "All values within a group are equal"));
-  CHECK(says(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}}), {}), "g0 and g1 are the same within 5 %"));
+  CHECK(evidence(with({{7, 7, 7, 7}, {7, 7, 7, 7}}), {}).contrasts[0].relation == Relation::same);
   CHECK(evidence(with({{1}, {2}, {3}}), {}).contrasts[0].relation == Relation::undefined);
   for (const auto& values : std::vector<std::vector<std::vector<double>>>{{{1}, {2, 3}},
                                                                           {{}, {1, 2}},
                                                                           {{nan, 1, 2}, {1, 2, 3}},
                                                                           {{inf, -inf, 2}, {1, 2, 3}},
+                                                                          {{1, 2, 3}},
+                                                                          {{1, 1, 1}, {2, 2, 2}},
                                                                           {{1e308, -1e308, 1e308}, {1, 2, 3}},
                                                                           {{1, 1, 1}, {1, 2, 3}},
                                                                           {{5, 5}, {5, 5}, {5, 6}},
@@ -373,31 +277,6 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
   }
 }
 
-TEST_CASE("sentences say what is known, of whom, and no more", "[assessment]") {
-  const double inf = std::numeric_limits<double>::infinity();
-  const auto of = [](std::vector<Group> groups) {
-    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {.test = "welch"});
-  };
-  // Reasons give the group by its name, not by its number.
-  const Evidence infinite = of({{"plain", {1, 2, 3}}, {"odd", {1, 2, inf}}, {"other", {2, 3, 5}}});
-  CHECK(says(infinite, "In short: plain against other and odd is undecided ("));
-  CHECK(contains(to_csv(tables_of(infinite).at(1)), "not defined: odd has values that are not finite"));
-  CHECK(says(infinite, "Normality is not rejected for any group that can be tested"));
-  CHECK_FALSE(says(infinite, "group 2"));
-  // Nothing was tested, so nothing is "not refuted", and no methods agree.
-  const Evidence single = of({{"A", {1}}, {"B", {2}}, {"C", {3}}});
-  CHECK(says(single, "with 1 observation each"));
-  CHECK(says(single, "In short: nothing can be judged, because no group has more than one observation."));
-  CHECK(sentences_of(single).size() == 2);  // and what the data are
-  const Evidence mixed = of({{"A", {1}}, {"B", {2, 3}}, {"C", {3, 4}}});
-  CHECK(says(mixed,
-             "In short: A cannot be judged against B and C (A has a single value, so it has no spread). "
-             "No other pair is shown to differ. Decided by: Games-Howell test, corrected for 3 pairs."));
-  // A pair without the best is named where no other is.
-  const Evidence others = of({{"A", {1, 2, 3, 1, 2, 3}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", {3, 3, 3, 3, 3, 3}}});
-  CHECK(says(others, "Other pairs that differ (1 of 1; the better first): B vs C."));
-}
-
 TEST_CASE("a value of any size makes no test of means call its group the worse for certain", "[assessment]") {
   const double huge = GENERATE(1e150, 1e200, 1e300, 1.7e308);
   const auto test = GENERATE("anova", "welch", "tamhane", "bootstrap");
@@ -406,68 +285,7 @@ TEST_CASE("a value of any size makes no test of means call its group the worse f
       {.test = test});
   CAPTURE(huge, test, found.contrasts[0].p);
   CHECK_FALSE(is_decided(found.contrasts[0]));
-  CHECK_FALSE(says(found, "b has no variance"));
   CHECK(std::abs(found.contrasts[0].g) < 1);  // a mean of huge / 4 has a standard error of the same size
-}
-
-TEST_CASE("the answer names and counts the pairs that cannot be judged", "[assessment]") {
-  const auto of = [](std::vector<Group> groups) {
-    return evidence(Observations{.name = "x", .quantity = "x", .groups = std::move(groups)}, {});
-  };
-  const Evidence four = of({{"A", {1, 1.5, 2, 1.2, 1.7}},
-                            {"B", {11, 11.5, 12, 11.2, 11.7}},
-                            {"C", {21, 21.5, 22, 21.2, 21.7}},
-                            {"D", {40}}});
-  CHECK(says(four,
-             "A cannot be judged against D (D has fewer than 3 values, of which the bootstrap learns too little). "
-             "Other pairs that differ (1 of 3; the better first): B vs C. Other pairs that cannot be judged: 2 of 3."));
-  const Evidence three = of({{"A", {1, 2, 3}}, {"B", {11, 12, 14}}, {"C", {21, 22, 24}}});
-  CHECK(says(three,
-             "In short: A against B and C is undecided (too few different values: the bootstrap of 3 pairs "
-             "needs 4 in each group). No other pair is shown to differ."));
-  // Neither differs here.
-  const Evidence alike = of({{"A", {1, 2, 3, 5}}, {"B", {2, 1, 3, 6}}, {"C", {3, 1, 2, 7}}});
-  CHECK(says(alike, "No other pair is shown to differ."));
-  CHECK_FALSE(says(alike, "does not differ"));
-}
-
-TEST_CASE("a pair that is undecided only among all pairs has its own p in the table", "[assessment]") {
-  const std::vector<double> values{3, 1, 4, 1.5, 9, 2.6, 5, 3.5, 8, 9.7};
-  const auto shifted = [&](double by) {
-    std::vector<double> result = values;
-    for (double& value : result) value += by;
-    return result;
-  };
-  for (double by = 0.5;; by += 0.1) {
-    REQUIRE(by < 10);
-    const Evidence found =
-        evidence(Observations{.name = "x",
-                              .quantity = "x",
-                              .groups = {{"A", values}, {"B", shifted(by)}, {"C", shifted(50)}, {"D", shifted(50)}}},
-                 {});
-    const Finding& pair = found.contrasts.front();
-    if (pair.p_alone >= 0.05) continue;
-    REQUIRE(pair.relation == Relation::undecided);
-    CHECK(contains(tables_of(found).back().notes.front(), "may be decided alone, as ikbench compare judges it"));
-    break;
-  }
-}
-
-TEST_CASE("it is said which test decided on groups of one value each", "[assessment]") {
-  const auto of = [](std::vector<double> third) {
-    return evidence(Observations{.name = "x",
-                                 .quantity = "x",
-                                 .groups = {{"A", {1, 1, 1, 1, 1, 1}}, {"B", {2, 2, 2, 2, 2, 2}}, {"C", third}}},
-                    {});
-  };
-  CHECK(says(of({0.5, 1.5, 2.5, 1, 2, 3}),
-             "Decided by: studentized bootstrap, corrected for 3 pairs; Fisher's exact test for groups of one value "
-             "each."));
-  CHECK(
-      says(of({3, 4, 5, 3.5, 4.5, 5.5}),
-           "Decided by: Fisher's exact test for groups of one value each; the exact test of ranks where groups do not "
-           "overlap and the bootstrap has no spread."));
-  CHECK_FALSE(says(of({3, 3, 3, 3, 3, 3}), "bootstrap"));
 }
 
 TEST_CASE("what the bootstrap cannot judge is decided where all values of one group lie beyond those of the other",
@@ -484,16 +302,10 @@ TEST_CASE("what the bootstrap cannot judge is decided where all values of one gr
   const Finding& extremes = found.contrasts[1];
   CHECK(extremes.relation == Relation::better);
   CHECK(extremes.p == Approx(3 * 2 / 2704156.0));  // of C(24, 12) orders two, for three pairs
-  CHECK(says(found,
-             "Decided by: studentized bootstrap, corrected for 3 pairs; the exact test of ranks where groups do not "
-             "overlap"));
-  CHECK(found.contrasts[0].p == extremes.p);  // beside a single value, too, however far the third group varies
-  // One value of the dear group among those of the cheap one: nothing tells, and it is said what could.
+  CHECK(found.contrasts[0].p == extremes.p);       // beside a single value, too, however far the third group varies
+  // One value of the dear group among those of the cheap one: nothing tells.
   dear[3] = 6;
   CHECK(of(dear).contrasts[1].relation == Relation::undecided);
-  CHECK(says(of(dear),
-             "the values of cheap are all equal, and the other group has too few different ones: the bootstrap of 3 "
-             "pairs needs 5"));
 }
 
 TEST_CASE("p does not depend on the level that it is held against", "[assessment]") {
@@ -518,19 +330,6 @@ TEST_CASE("p does not depend on the level that it is held against", "[assessment
   }
 }
 
-TEST_CASE("a method that finds the other one better disagrees", "[assessment]") {
-  // Four fifths of B are better than all of A, and one fifth is so much worse that the mean is, too.
-  Observations two{.name = "x", .quantity = "x", .groups = {{"A", {}}, {"B", {}}}};
-  for (int i = 0; i < 80; ++i) {
-    two.groups[0].values.push_back(1 + 0.001 * i);
-    two.groups[1].values.push_back((i % 5 == 0 ? 10 : 0.5) + 0.001 * i);
-  }
-  const Evidence found = evidence(two, {.test = "welch"});
-  REQUIRE(found.contrasts[0].relation == Relation::better);
-  CHECK(says(found, "), although the median and A12 favour the other"));
-  CHECK(says(found, "): A vs B: the other one is better (p = "));
-}
-
 TEST_CASE("unequal variances are found where they are larger than by chance alone", "[assessment]") {
   // Variances of 26.3 and 1 (by hand), of three values each: Brown and Forsythe's p is above 0.05.
   const Observations few{
@@ -552,39 +351,12 @@ TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[a
   const Evidence by_ranks = evidence(four, {.test = "friedman"});
   CHECK(by_ranks.contrasts[0].p == Approx(0.125));
   CHECK(by_ranks.contrasts[0].relation == Relation::undecided);
-  CHECK(says(by_ranks, "Methods: sign test within blocks decides, at 0.05"));
   Observations three = four;
   three.blocks.clear();
   three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
   const Evidence found = evidence(three, {.test = "kruskal_wallis"});
   CHECK(found.contrasts[0].p == Approx(0.1));  // Mann-Whitney, exact: 2 of 20 arrangements
   CHECK(found.contrasts[0].relation == Relation::undecided);
-}
-
-TEST_CASE("of two values a group nothing is judged, and more are asked for", "[assessment]") {
-  const Observations two{
-      .name = "x", .quantity = "x", .groups = {{"A", {1.1, 1.2}}, {"B", {4.1, 4.2}}, {"C", {9, 9.5}}}};
-  const Evidence found = evidence(two, {});
-  CHECK(says(found, "In short: A cannot be judged against B and C ("));
-  CHECK(says(found, "What would change it: more than two observations of each group that are not all equal; "));
-  CHECK_FALSE(says(found, "Decided by: "));
-}
-
-TEST_CASE("an interval that includes zero is no measure for another group", "[assessment]") {
-  const auto share = [](std::size_t ones, std::size_t zeros) {
-    std::vector<double> values(ones, 1);
-    values.resize(ones + zeros, 0);
-    return values;
-  };
-  const Observations shares{
-      .name = "failed",
-      .quantity = "failed",
-      .groups = {{"A", share(20, 0)}, {"B", share(0, 12)}, {"C", share(13, 6)}, {"D", share(1, 1)}}};
-  const Evidence found = evidence(shares, {});
-  const Finding& pair = contrast(found, "A", "C");  // by Fisher and Holm; Newcombe's interval is by Bonferroni
-  REQUIRE(pair.relation == Relation::worse);
-  REQUIRE(pair.estimate.low < 0);
-  CHECK_FALSE(says(found, "another measure"));
 }
 
 TEST_CASE("groups of one value each differ as far as Fisher's exact test says", "[assessment]") {
