@@ -99,23 +99,6 @@ TEST_CASE("adding, removing and reordering solvers changes no other solver's num
   CHECK(only("new", others).back().answer_rad != only("IK-BA", others).back().answer_rad);
 }
 
-TEST_CASE("more or fewer runs change no number of those there are", "[runner]") {
-  Study study = small_study();
-  const std::vector<SolveRecord> two = solves_of(study);
-  study.runs = 3;
-  std::vector<SolveRecord> three = solves_of(study);
-  CHECK(three.size() == 36);
-  std::erase_if(three, [](const SolveRecord& record) { return record.run == 3; });
-  CHECK(same_numbers(two, three));
-}
-
-TEST_CASE("another seed gives other numbers", "[runner]") {
-  Study study = small_study();
-  const std::vector<SolveRecord> one = solves_of(study);
-  study.seed = 2;
-  CHECK(solves_of(study).back().answer_rad != one.back().answer_rad);
-}
-
 TEST_CASE("a study from the store's point of view: name, series in order, options, numbers of runs and points",
           "[runner]") {
   ScratchStore scratch;
@@ -180,12 +163,6 @@ TEST_CASE("a run that is stopped anywhere and continued gives what an uninterrup
     CHECK(same_numbers(scratch.store.solves("small"), uninterrupted));
     CHECK(scratch.store.sessions().size() == 2);
   }
-}
-
-TEST_CASE("a run that is stopped with every solve gets there all the same", "[runner]") {
-  ScratchStore scratch;
-  for (int i = 1; i <= 24; ++i) CHECK(run_for(small_study(), scratch.store, 1).done == i);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
 }
 
 TEST_CASE("what is cancelled before it begins solves nothing", "[runner]") {
@@ -389,17 +366,6 @@ TEST_CASE("a run whose analysis plan another process replaces is refused too", "
   CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
 }
 
-TEST_CASE("a run whose study another version of a solver replaces is refused too", "[runner]") {
-  ScratchStore scratch;
-  const auto meddle = [&](const Progress& now) {
-    if (now.done != now.total) return;
-    StudyEntry entry = scratch.store.study("small");
-    entry.series.front().key += "0";  // as if from another source
-    scratch.store.save_study(entry);
-  };
-  CHECK_THROWS_AS(run(small_study(), scratch.store, {.progress = meddle}), std::invalid_argument);
-}
-
 TEST_CASE("a store that was edited is refused and says where", "[runner]") {
   const auto complaint_after = [](const char* edit) {
     ScratchStore scratch;
@@ -448,13 +414,6 @@ TEST_CASE("the points of a run are chained: a solve starts where the one before 
   }
 }
 
-TEST_CASE("runs are independent: each starts anew, and they differ", "[runner]") {
-  const std::vector<SolveRecord> records = only("IK-BA", solves_of(small_study()));
-  REQUIRE(records.size() == 8);
-  CHECK(same(records[4].start_rad, records[0].start_rad));
-  CHECK(records[4].answer_rad != records[0].answer_rad);
-}
-
 TEST_CASE("the targets of all solvers and runs are those of the path", "[runner]") {
   const std::vector<Pose> poses = targets(small_study(), 1);
   for (const SolveRecord& record : solves_of(small_study())) {
@@ -462,21 +421,6 @@ TEST_CASE("the targets of all solvers and runs are those of the path", "[runner]
     CHECK(Eigen::Vector3d(record.target_position_m.data()) == pose.translation());
     CHECK(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(record.target_rotation.data()) == pose.linear());
   }
-}
-
-TEST_CASE("the rotation of a target is recorded row by row", "[runner]") {
-  Study study = small_study();
-  Pose turned = at(0.5, 0.1, 0.4);
-  turned.linear() = rotation_from_rpy({0, 0, 90 * degree});  // rows (0, -1, 0), (1, 0, 0), (0, 0, 1)
-  const SolveRecord record = solve_once(study, study.solvers[0], turned);
-  CHECK(record.target_rotation[1] == Approx(-1));
-  CHECK(record.target_rotation[3] == Approx(1));
-}
-
-TEST_CASE("solve_once is the first point of the first run", "[runner]") {
-  const Study study = small_study();
-  const SolveRecord first = solves_of(study).front();
-  CHECK(same(without_times(solve_once(study, study.solvers[0], targets(study, 1)[0])), without_times(first)));
 }
 
 TEST_CASE("random targets are those of the run: the same for all solvers, others in another run", "[runner]") {
@@ -498,12 +442,6 @@ TEST_CASE("random targets are those of the run: the same for all solvers, others
   CHECK(targets(study, 2)[3].matrix() == targets(small_random_study(), 2)[3].matrix());
   study.seed = 2;
   CHECK(targets(study, 2)[3].matrix() != targets(small_random_study(), 2)[3].matrix());
-}
-
-TEST_CASE("a study with random targets that is stopped and continued gives the same numbers", "[runner]") {
-  ScratchStore scratch;
-  for (int i = 1; i <= 24; ++i) run_for(small_random_study(), scratch.store, 1);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_random_study())));
 }
 
 TEST_CASE("a study may start every solve at its initial configuration, also after an interruption", "[runner]") {
@@ -637,21 +575,6 @@ TEST_CASE("the verified error of every solver is the one it claims", "[runner][s
       CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
       CHECK(record.status != Status::claimed_but_wrong);
       CHECK(record.status != Status::not_finite);
-    }
-  }
-}
-
-TEST_CASE("the verified error of every solver is the one it claims on the planar arms too", "[runner][solvers]") {
-  for (const std::string name : {"planar_2", "planar_3"}) {
-    Study study = study_of_every_solver();
-    study.robot = name;
-    study.search = Search::all_joints;
-    study.initial = Eigen::VectorXd::Zero(robot(name).joints());
-    study.path = path_of({"centre_cm=[30, 30, 0]", "length_cm=0", "turns=1", "points=4"});
-    for (const SolveRecord& record : solves_of(study)) {
-      INFO(record.solver);
-      CHECK(record.position_error_cm == Approx(record.claimed_error_cm).margin(1e-10).epsilon(0));
-      CHECK((record.status == Status::ok || record.status == Status::limit_violated));
     }
   }
 }
@@ -790,40 +713,6 @@ TEST_CASE("the analytic wrist does not know its own limits, and the record says 
 
 // ---- stop rules, traces, times ------------------------------------------------------------------------------------
 
-TEST_CASE("a solve ends with the iteration in which its evaluations are used up", "[runner]") {
-  Study study = small_study();
-  study.stop = {.iterations = 1'000'000, .evaluations = 20};
-  for (const SolveRecord& record : solves_of(study)) {
-    INFO(record.solver);
-    CHECK(record.stop_reason == StopReason::evaluations);
-    CHECK(record.evaluations >= 20);
-    CHECK(record.evaluations < 20 + 2 * study.population);  // no iteration takes more here
-  }
-}
-
-TEST_CASE("a solve ends when its time is over", "[runner]") {
-  Study study = small_study();
-  study.runs = 1;
-  study.path = path_of({"points=2"});
-  study.stop = {.iterations = 1'000'000'000, .seconds = 0.02};
-  for (const SolveRecord& record : solves_of(study)) {
-    CHECK(record.stop_reason == StopReason::time);
-    CHECK(record.seconds >= 0.02);
-    CHECK(record.iterations > 0);
-  }
-}
-
-TEST_CASE("no iterations: the best of the first candidates", "[runner]") {
-  Study study = study_of_every_own_solver();
-  study.stop.iterations = 0;
-  for (const SolveRecord& record : solves_of(study)) {
-    INFO(record.solver);
-    CHECK(record.iterations == 0);
-    CHECK(record.evaluations >= 1);
-    CHECK(record.stop_reason == StopReason::iterations);
-  }
-}
-
 TEST_CASE("the trace has the best error after every iteration, and ends with the claim", "[runner]") {
   Study study = study_of_every_own_solver();
   for (const SolveRecord& record : solves_of(study)) CHECK(record.trace_cm.empty());
@@ -835,15 +724,6 @@ TEST_CASE("the trace has the best error after every iteration, and ends with the
     CHECK(std::is_sorted(record.trace_cm.rbegin(), record.trace_cm.rend()));  // never worse
     CHECK(record.trace_cm.back() == record.claimed_error_cm);
   }
-}
-
-TEST_CASE("a trace changes no number", "[runner]") {
-  Study study = small_study();
-  const std::vector<SolveRecord> without = solves_of(study);
-  study.trace = Trace::best_error;
-  const std::vector<SolveRecord> with = solves_of(study);
-  REQUIRE(with.size() == without.size());
-  for (std::size_t i = 0; i < with.size(); ++i) CHECK(same(with[i].answer_rad, without[i].answer_rad));
 }
 
 TEST_CASE("times say under what circumstances they were taken", "[runner]") {

@@ -266,18 +266,6 @@ TEST_CASE("a file that names only a solver is the paper's path and numbers with 
   CHECK(keys_of(study) == keys_of(paper));
 }
 
-TEST_CASE("a path needs no more than its kind, and the rest is the paper's", "[study]") {
-  const std::vector<Pose> circle = targets(read("[path]\nkind = \"circle\"\nradius_cm = 8\n" + solver_entry), 1);
-  CHECK(circle[0].translation().isApprox(Eigen::Vector3d(0.16 + 0.08, 0.16, 0)));  // Sec. 6: centre (16, 16, 0) cm
-  CHECK(read("[path]\nkind = \"random\"\n" + solver_entry).path->points() == 20);  // Table 7
-}
-
-TEST_CASE("a solver's population is its own, and the others keep the study's", "[study]") {
-  const Study study = read("population = 40\n" + solver_entry + "population = 12\n" + solver_entry + "label = \"B\"\n");
-  CHECK(effective_population(study, study.solvers[0]) == 12);
-  CHECK(effective_population(study, study.solvers[1]) == 40);
-}
-
 TEST_CASE("options are numbers, or words in quotes", "[study]") {
   const Study study = read(solver_entry + "options = { alpha = 0.5, loudness = 2, f_max = 1.5, bounds = \"clamp\" }\n");
   const Settings options = effective_options(study, study.solvers[0]);
@@ -562,31 +550,6 @@ TEST_CASE("points are no observations, unless somebody insists", "[study][mistak
   CHECK(parse_study(toml, "my.toml", {}, PointsAsObservations::forced).analysis.unit == Unit::point);
 }
 
-TEST_CASE("what a circle, random targets and a solver's own population cannot be is told", "[study][mistakes]") {
-  const std::string circle = "[path]\nkind = \"circle\"\n", random = "[path]\nkind = \"random\"\n";
-  check(
-      {{circle + "points = 0\n" + solver_entry, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
-       {circle + "points = 1000000000\n" + solver_entry, "my.toml:3:10: ", {"path.points is 1000000000"}},
-       {circle + "radius_cm = nan\n" + solver_entry, "my.toml:3:13: ", {"path.radius_cm is nan", "from 0 to 1000000"}},
-       {circle + "radius_cm = -1\n" + solver_entry, "my.toml:3:13: ", {"path.radius_cm is -1"}},
-       {circle + "centre_cm = [0, inf, 0]\n" + solver_entry, "my.toml:3:17: ", {"path.centre_cm is inf"}},
-       {circle + "phase = \"cos_sin\"\n" + solver_entry, "my.toml:3:1: ", {"unknown key \"phase\"", "centre_cm"}},
-       {random + "points = 0\n" + solver_entry, "my.toml:3:10: ", {"path.points is 0", "from 1 to 100000"}},
-       {random + "points = 1e9\n" + solver_entry, "my.toml:3:10: ", {"path.points is 1000000000.0", "a whole number"}},
-       {random + "radius_cm = 7\n" + solver_entry, "my.toml:3:1: ", {"unknown key \"radius_cm\"", "points"}},
-       {"runs = 1000000\n" + random + "points = 100000\n" + solver_entry, "my.toml:1:8: ", {"100 000 000 solves"}},
-       {solver_entry + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
-       {solver_entry + "population = 1000000000\n", "my.toml:3:14: ", {"ik_bat.population is 1000000000"}},
-       {solver_entry + "population = nan\n", "my.toml:3:14: ", {"ik_bat.population is nan", "a whole number"}},
-       {solver_entry + "population = \"12\"\n", "my.toml:3:14: ", {"ik_bat.population is \"12\""}},
-       {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
-        "my.toml:3:14: ",
-        {"population is 3, but differential_evolution needs at least 4"}},
-       {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
-        "my.toml:1:14: ",
-        {"population is 3, but differential_evolution needs at least 4"}}});
-}
-
 TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {
   const std::string enforced = "limits = \"enforced\"\n";
   check(
@@ -602,6 +565,16 @@ TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[st
 
 TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
   check({{"runs = 0\n" + solver_entry, "my.toml:1:8: ", {"runs is 0", "from 1 to 1000000"}},
+         {"runs = 1000000\n[path]\nkind = \"random\"\npoints = 100000\n" + solver_entry,
+          "my.toml:1:8: ",
+          {"100 000 000 solves"}},
+         {solver_entry + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
+         {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
+          "my.toml:3:14: ",
+          {"population is 3, but differential_evolution needs at least 4"}},
+         {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
+          "my.toml:1:14: ",
+          {"population is 3, but differential_evolution needs at least 4"}},
          {"seed = -1\n" + solver_entry, "my.toml:1:8: ", {"seed is -1", "from 0 to 9223372036854775807"}},
          {"seed = 9223372036854775808\n" + solver_entry, "my.toml:1:", {"9223372036854775808"}},
          {"population = 100001\n" + solver_entry, "my.toml:1:14: ", {"population is 100001", "from 1 to 100000"}},
@@ -630,33 +603,16 @@ TEST_CASE("what is not a finite number is refused wherever a number stands", "[s
   }
 }
 
-TEST_CASE("a study without solvers is no study", "[study][mistakes]") {
+TEST_CASE("a study has solvers and an arm that there are, each label once", "[study][mistakes]") {
   check({{"", "my.toml:1:1: ", {"names no solver", "[[solvers]]"}},
          {"name = \"x\"\n", "my.toml:1:1: ", {"names no solver"}},
          {"solvers = []\n", "my.toml:1:11: ", {"solvers is []", "at least one [[solvers]]"}},
          {"solvers = 3\n", "my.toml:1:11: ", {"solvers is 3"}},
          {"solvers = [3]\n", "my.toml:1:11: ", {"solvers is [ 3 ]"}},
+         {"[[solvers]]\nsolver = \"ik_bta\"\n", "my.toml:2:10: ", {"did you mean \"ik_bat\"?"}},
+         {"robot = \"planr_2\"\n" + solver_entry, "my.toml:1:9: ", {"did you mean \"planar_2\"?"}},
+         {solver_entry + solver_entry, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
          {"[[solvers]]\nlabel = \"x\"\n", "my.toml:1:1: ", {"has no `solver`", "ikbench list solvers"}}});
-}
-
-TEST_CASE("a misspelt solver or robot is answered with the nearest and all there are", "[study][mistakes]") {
-  check({{"[[solvers]]\nsolver = \"ik_bta\"\n",
-          "my.toml:2:10: ",
-          {"unknown solver \"ik_bta\"", "did you mean \"ik_bat\"?", "damped_least_squares"}},
-         {"robot = \"planr_2\"\n" + solver_entry,
-          "my.toml:1:9: ",
-          {"unknown robot \"planr_2\"", "did you mean \"planar_2\"?", "kuka_iiwa14"}},
-         {solver_entry + "options = { bounds = \"clmap\" }\n",
-          "my.toml:3:22: ",
-          {"option bounds is \"clmap\"", "one of initial, clamp"}}});
-}
-
-TEST_CASE("a label stands once in a study", "[study][mistakes]") {
-  check({{solver_entry + solver_entry, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
-         {solver_entry + "label = \"A\"\n[[solvers]]\nsolver = \"bat\"\nlabel = \"A\"\n",
-          "my.toml:4:1: ",
-          {"label \"A\" is used twice"}}});
-  CHECK(read(solver_entry + solver_entry + "label = \"IK-BA again\"\n").solvers.size() == 2);
 }
 
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
@@ -793,13 +749,6 @@ TEST_CASE("a study is a built-in name or a file, and anything else is told the n
   says("slim2032", "no such file", "did you mean \"slim2023\"?");
 }
 
-TEST_CASE("a mistake in a file is reported under the file's name", "[study][mistakes]") {
-  const ScratchFolder folder;
-  const std::string file = (folder.path / "with space.toml").string();
-  write_text(file, "# a comment\n\nruns = 0\n" + solver_entry);
-  CHECK(complaint<std::invalid_argument>([&] { load_study(file); }).starts_with(file + ":3:8: "));
-}
-
 // ---- overrides ----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an override sets a field of the study, of its path or of its stop rule", "[study][set]") {
@@ -811,11 +760,6 @@ TEST_CASE("an override sets a field of the study, of its path or of its stop rul
   CHECK(study.stop.tolerance == Approx(0.001));
   CHECK(study.search == Search::all_joints);
   CHECK(study.initial[6] == Approx(7 * std::numbers::pi / 180));
-}
-
-TEST_CASE("an override reaches tables that the file does not have", "[study][set]") {
-  CHECK(read(solver_entry, {"stop.iterations=3"}).stop.iterations == 3);
-  CHECK(read(solver_entry, {"path.points=3"}).path->points() == 3);
 }
 
 TEST_CASE("an override sets an option of the solvers with that label or that solver", "[study][set]") {
@@ -848,10 +792,6 @@ TEST_CASE("a kind of path in an override has that kind's keys", "[study][set]") 
   CHECK(read(solver_entry, {"path.kind=random", "path.points=3"}).path->points() == 3);
   CHECK(said_of(solver_entry, {"path.kind=random", "path.tool=down"})
             .starts_with("--set path.tool: unknown key \"tool\""));
-}
-
-TEST_CASE("of two overrides of one field the later holds", "[study][set]") {
-  CHECK(read(solver_entry, {"runs=5", "runs=6"}).runs == 6);
 }
 
 TEST_CASE("the text of an override is taken as it is typed, quotes or not", "[study][set]") {
