@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Nothing that users read names what version 2 no longer has: gone.sh PROGRAM
+# The notes on the paper, the decisions and the changes may.
+set -euo pipefail
+export LC_ALL=C.UTF-8
+program=$(realpath "$1")
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"/..
+
+commands='solve|new|tune|trend|site|cite|article|audit|submit|status|store|import|host|fingerprint|verify'
+names=(
+  "ikbench ($commands)\\b" "\`($commands)\` command"
+  halley robotics_toolbox 'Robotics Toolbox' haviland lloyd ceres closed_form 'kind = "(line|polyline|rectangle|lissajous|spiral|numpy)"'
+  lissajous polyline 'shared.object' '\.so\b' ikbench_plugin 'ikbench\.py' 'import ikbench'
+  junit bencher 'benchmark_json' 'paper\.tex' 'article\.tex' conda codemeta help2man 'docs/commands'
+  'docs/(man|package|scale|gate-rate|gate-repeats|same-bits|renew-reference|error-rates|between-markers)\b'
+  '--sequential' '--perturb' '--repetitions' '--one-at-a-time' '--max-runs' '--alone' '--dark'
+  perturbed 'last.bits' 'round_trips' 'transport_seconds' 'waited_seconds' 'not_verified' manipulability
+  'group.sequential' 'shapiro' bartlett 'critical.difference' 'performance profile' 'critical-difference' 'cluster bootstrap'
+  'runs to decide' 'expected running time' 'runs_to_decide' 'memory forecast' 'writer mark' 'instructions counted'
+)
+pages=(README.md CONTRIBUTING.md)
+for page in docs/*.md; do
+  [[ $page == docs/paper-notes.md || $page == docs/decisions.md ]] || pages+=("$page")
+done
+help=$(mktemp -d)
+trap 'rm -rf "$help"' EXIT
+"$program" --help >"$help/ikbench"
+for command in reproduce run report compare stats multiverse list robot check-solver export merge; do
+  "$program" "$command" --help >"$help/$command"
+done
+
+found=0
+for name in "${names[@]}"; do
+  ! grep -rinE -e "$name" "${pages[@]}" docs/examples cli "$help" || { echo "^ names what is gone: $name" >&2; found=1; }
+done
+exit $found
