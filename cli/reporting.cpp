@@ -17,7 +17,6 @@
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
-#include "cli/memory.hpp"
 #include "cli/plan_options.hpp"
 #include "experiments/entries_reader.hpp"
 #include "experiments/environment.hpp"
@@ -51,21 +50,6 @@ AnalysisPlan plan_for(const StudyEntry& entry, const ReportArguments& arguments)
                                             entry.name, why_points_are_refused));
   }
   return plan;
-}
-
-// Reports of slim2023 with stop.iterations=20 took 71 MB with runs=10 and 88 MB with runs=834 (100 080 solves;
-// /usr/bin/time ikbench report --no-figures): 0.24 times the growth of the store. Traces are kept as numbers, which
-// take up to half of their text in the store.
-constexpr double memory_of_stored_byte = 0.5;
-
-void warn_of_memory(const std::filesystem::path& store) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(store, error);
-  const double needed = memory_of_stored_byte * static_cast<double>(size), left = static_cast<double>(memory_left());
-  constexpr double megabyte = 1e6;
-  if (error || needed <= left) return;
-  warn(fmt::format("this report may take {:.0f} MB of memory, and {:.0f} MB are left", needed / megabyte,
-                   left / megabyte));
 }
 
 // Explains why solves that look done are made anew.
@@ -326,7 +310,6 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   const OutputArguments& output = wanted.arguments.output;
   const StudyEntry entry = store.study(wanted.study);
   const AnalysisPlan plan = plan_for(entry, wanted.arguments);
-  warn_of_memory(store.name());
   const std::vector<Collection> own = wanted.collection ? std::vector{*wanted.collection} : std::vector<Collection>();
   ReportProgress progress;
   const Report report = write_report(

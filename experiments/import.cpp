@@ -144,12 +144,7 @@ SolveRecord record_of(const ImportedRow& row, const ReceivingStudy& asked) {
           .largest_seconds = not_known,
           .interruptions = not_known,
           .variation_m = not_known,
-          .largest_move_m = not_known,
           .limit_violation_m = not_known,
-          .unavoidable_error_cm = other.unavoidable_error_cm,
-          .limit_margin = not_known,
-          .smallest_singular_value = not_known,
-          .manipulability = not_known,
           .transport_seconds = not_known,
           .counted_by = row.evaluations ? CountedBy::solver : CountedBy::nobody};
 }

@@ -121,7 +121,6 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       entry_(entry),
       arm_(arm),
       task_(study, arm),
-      reach_(task_.arm().reach()),
       options_(effective_options(study, entry)),
       series_{.key = series_key(study, entry),
               .label = entry.label,
@@ -214,10 +213,6 @@ std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Pose
   return all;
 }
 
-double SolveRunner::beyond_reach(const Pose& target) const {
-  return std::max(0.0, (task_.goal(target).target.translation() - reach_.centre).norm() - reach_.radius);
-}
-
 void SolveRunner::warm_up(Solver& solver, const Pose& target, const Configuration& start) const {
   if (repeats_ > 1) timed(solver, posed(target, start, 1, 1));
 }
@@ -267,10 +262,8 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .smallest_seconds = all.front().seconds,
                      .largest_seconds = all.back().seconds,
                      .interruptions = interruptions,
-                     .unavoidable_error_cm = beyond_reach(target) / centimetre,
                      .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody,
-                     .restarts = solution.restarts,
-                     .instructions = median.account ? std::numeric_limits<double>::quiet_NaN() : median.instructions};
+                     .restarts = solution.restarts};
   write_verified(verified, record);
   for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
   if (is_counted_) {

@@ -64,13 +64,11 @@ class SolveRunner {
   void add_word(Timed& timed, const Account& account) const;
   // Adds the facts about a program's solve that only its account has.
   void add_account(results::SolveRecord& record, const Account& account) const;
-  double beyond_reach(const robots::Pose& target) const;  // [m]; 0 within
 
   const Study& study_;
   const SolverEntry& entry_;
   const robots::Robot& arm_;
   Task task_;
-  robots::Chain::Ball reach_;  // of the searched joints
   solvers::Settings options_;
   results::Series series_;
   int repeats_;

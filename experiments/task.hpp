@@ -15,7 +15,6 @@ struct Clocked {
   robots::Configuration answer;  // all joints
   double seconds;
   double cpu_seconds;
-  double instructions;  // NaN where they are not counted
 };
 
 // The search for one target: over all joints, or over those before the wrist.

@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
-#include "experiments/singular_values.hpp"
 #include "numerics/functions.hpp"
 #include "numerics/units.hpp"
 
@@ -138,17 +136,6 @@ Eigen::Matrix4d as_eigen(const Matrix& pose) {
   return result;
 }
 
-Eigen::Vector3d column(const Matrix& pose, std::size_t column) {
-  return {pose[0][column], pose[1][column], pose[2][column]};
-}
-
-// A joint at a configuration, in the frame of the base: its axis, a point of it, and for a coupled joint the end of the
-// link that it swings.
-struct PlacedJoint {
-  Joint joint = Joint::turns;
-  Eigen::Vector3d axis, origin, end;
-};
-
 // A link moves the frame before it to the frame after it.
 Matrix past(const DhLink& link, double joint, const Matrix& before) {
   const double angle = link.joint == Joint::slides ? link.offset : joint + link.offset;
@@ -160,78 +147,29 @@ Matrix past(const DhLink& link, double joint, const Matrix& before) {
   return product(pose, turned_about_x(link.alpha));
 }
 
-PlacedJoint placed(const DhLink& link, const Matrix& before, const Matrix& after) {
-  return {link.joint, column(before, link.joint == Joint::coupled ? 1 : 2), column(before, 3), column(after, 3)};
-}
-
-struct Reached {
-  Eigen::Matrix4d pose;
-  Jacobian jacobian;
-};
-
-// `flange` is the frame after the last of the `joints`.
-Reached reached_with(const Matrix& flange, const std::vector<PlacedJoint>& joints) {
-  Reached reached{as_eigen(flange), Jacobian::Zero(6, static_cast<Eigen::Index>(joints.size()))};
-  const Eigen::Vector3d tool = column(flange, 3);
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const auto& [joint, axis, origin, end] = joints[j];
-    auto rate = reached.jacobian.col(static_cast<Eigen::Index>(j));
-    rate.head<3>() = joint == Joint::slides ? axis : axis.cross((joint == Joint::coupled ? end : tool) - origin);
-    if (joint == Joint::turns) rate.tail<3>() = axis;
-  }
-  return reached;
-}
-
-// By the table.
-Reached reached_by(const Chain& chain, const Eigen::VectorXd& q) {
-  Matrix pose = pose_of(chain.base());
-  std::vector<PlacedJoint> joints;
-  for (const DhLink& link : chain.links()) {
-    const Matrix before = std::exchange(pose, past(link, q[static_cast<Eigen::Index>(joints.size())], pose));
-    joints.push_back(placed(link, before, pose));
-  }
-  return reached_with(product(pose, pose_of(chain.tool())), joints);
-}
-
-// By the origins and axes if the arm is from a URDF file.
-Reached reached_by(const Robot& robot, const Eigen::VectorXd& q) {
-  if (robot.description.empty()) return reached_by(robot.chain, q);
-  Matrix pose = identity;
-  std::vector<PlacedJoint> joints;
-  for (const DescribedJoint& joint : robot.description) {
-    pose = product(pose, pose_of(joint.origin));
-    if (joint.motion == DescribedJoint::Motion::none) continue;
-    const Eigen::Vector3d axis = as_eigen(pose).topLeftCorner<3, 3>() * joint.axis, origin = column(pose, 3);
-    const bool slides = joint.motion == DescribedJoint::Motion::slides;
-    joints.push_back({slides ? Joint::slides : Joint::turns, axis, origin, origin});
-    pose = product(pose, motion_of(joint, q[static_cast<Eigen::Index>(joints.size()) - 1]));
-  }
-  return reached_with(pose, joints);
-}
-
-double limit_margin(const JointLimits& limits, const Eigen::VectorXd& answer) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!answer.allFinite()) return none;
-  double margin = none;
-  for (Eigen::Index j = 0; j < answer.size(); ++j) {
-    const double range = limits.upper[j] - limits.lower[j];
-    const double of_joint = std::min(answer[j] - limits.lower[j], limits.upper[j] - answer[j]) / range;
-    if (range > 0 && std::isfinite(range)) margin = std::fmin(margin, of_joint);
-  }
-  return margin;
-}
-
 }  // namespace
 
-Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) { return reached_by(arm, q).pose; }
+Eigen::Matrix4d verified_pose(const Chain& arm, const Eigen::VectorXd& q) {
+  Matrix pose = pose_of(arm.base());
+  Eigen::Index joint = 0;
+  for (const DhLink& link : arm.links()) pose = past(link, q[joint++], pose);
+  return as_eigen(product(pose, pose_of(arm.tool())));
+}
 
-Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) { return reached_by(arm, q).pose; }
+Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
+  if (arm.description.empty()) return verified_pose(arm.chain, q);
+  Matrix pose = identity;
+  Eigen::Index moving = 0;
+  for (const DescribedJoint& joint : arm.description) {
+    pose = product(pose, pose_of(joint.origin));
+    if (joint.motion != DescribedJoint::Motion::none) pose = product(pose, motion_of(joint, q[moving++]));
+  }
+  return as_eigen(pose);
+}
 
 Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer) {
-  const auto [reached, jacobian] = reached_by(robot, answer);
-  const Eigen::VectorXd singular = singular_values(jacobian);
-  const Eigen::Matrix4d wanted = target.matrix();
+  const Eigen::Matrix4d reached = verified_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =
@@ -245,12 +183,8 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .variation = turned.norm(),
           .variation_m = slid.norm(),
           .largest_move = largest(turned.cwiseAbs()),
-          .largest_move_m = largest(slid.cwiseAbs()),
           .limit_violation = beyond_rounding(largest(of_joints(robot, outside, Kind::turns))),
-          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides))),
-          .limit_margin = limit_margin(robot.limits, answer),
-          .smallest_singular_value = singular.minCoeff(),
-          .manipulability = singular.prod()};
+          .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
 }
 
 void write_verified(const Verification& verified, SolveRecord& solve) {
@@ -261,11 +195,7 @@ void write_verified(const Verification& verified, SolveRecord& solve) {
   solve.largest_move_deg = verified.largest_move / degree;
   solve.limit_violation_deg = verified.limit_violation / degree;
   solve.variation_m = verified.variation_m;
-  solve.largest_move_m = verified.largest_move_m;
   solve.limit_violation_m = verified.limit_violation_m;
-  solve.limit_margin = verified.limit_margin;
-  solve.smallest_singular_value = verified.smallest_singular_value;
-  solve.manipulability = verified.manipulability;
 }
 
 bool is_over(const SolveRecord& solve, const Budget& budget) {

@@ -17,13 +17,8 @@ struct Verification {
   // Joints that turn [rad] and joints that slide [m] (_m) are never added. A joint that turns without end moves the
   // shorter way round.
   double variation = 0, variation_m = 0;              // Eq. 12, over all joints
-  double largest_move = 0, largest_move_m = 0;        // of one joint
+  double largest_move = 0;                            // of one joint that turns
   double limit_violation = 0, limit_violation_m = 0;  // of the worst joint; 0 inside and up to 1e-9 outside
-  // Smallest distance of a joint from its limits, as a share of its range: 0.5 if all are in the middle, negative
-  // outside; NaN for an arm without limits.
-  double limit_margin = 0;
-  // The smallest singular value of the geometric Jacobian (singular_values.hpp), and the product of all.
-  double smallest_singular_value = 0, manipulability = 0;
 };
 
 // Tool pose of a configuration by the verifier's own route. A Chain is its table. A Robot from a URDF file is its

@@ -53,7 +53,6 @@ struct AnalysisPlan {
   Unit unit = Unit::run;
   std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order
   double within_cm = 0.01;  // distance for reliability if the study has no tolerance; 0.1 mm, an arm's repeatability
-  double jump_deg = 30;     // a joint that moves farther between two points of a path has jumped
   ProgramTimes program_times = ProgramTimes::apart;
 };
 

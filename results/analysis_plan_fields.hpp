@@ -57,8 +57,6 @@ void list_fields(Io& io, AnalysisPlan& plan) {
             "solves within a distance");
   io.number("within_cm", plan.within_cm, 1, {1e-6, 1000},
             "that distance if the study has no tolerance_cm; 0.01 is 0.1 mm, the repeatability of an arm");
-  io.number("jump_deg", plan.jump_deg, 1, {0, 1e4},
-            "a joint that moves farther than this from one point of a path to the next has jumped");
   io.choice("program_times", plan.program_times, choices_of<ProgramTimes>(program_times_names),
             "times of programs, which have their messages in them; apart: not held against those of built-in solvers");
 }

@@ -50,8 +50,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"cli",
        {"numerics", "robots", "solvers", "results", "experiments", "analysis/statistics", "analysis/inference",
         "analysis/figures", "analysis/report", "analysis"}},
-      // tests, for its count of allocations
-      {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments", "tests"}},
+      {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments"}},
   };
   for (const std::string& paper : papers()) {
     table["analysis"].insert("analysis/" + paper);

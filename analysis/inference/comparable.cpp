@@ -89,14 +89,6 @@ Doubts evaluations_left_out(const StudyResults& study) {
   return uncounted + doubts_of(DoubtKind::evaluations_claimed, by(CountedBy::solver));
 }
 
-Doubts instructions_left_out(const StudyResults& study) {
-  const auto is_uncounted = [&](const Solve& solve) {
-    return !is_without_answer(solve.status) && std::isnan(value_of(study, solve, Metric::instructions));
-  };
-  return doubts_of(DoubtKind::instructions_uncounted,
-                   those(study, [&](SolvesOfOne solves) { return std::ranges::any_of(solves, is_uncounted); }));
-}
-
 // An import without a column has no values of its metric, which does not mean that its solver failed.
 Doubts imports_left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::position_error_cm || is_of_run(metric)) return {};
@@ -125,7 +117,6 @@ Doubts machine_doubts(const StudyResults& study) {
 
 Doubts left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
-  if (metric == Metric::instructions) return instructions_left_out(study);
   return info_of(metric).kind == Kind::time ? times_left_out(study) : imports_left_out(study, metric);
 }
 

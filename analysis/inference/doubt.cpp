@@ -54,10 +54,6 @@ constexpr std::array all_words{
     Words{K::imported_without, "Imports lack a quantity",
           "The imports of {who} have no values of this quantity, so they are not compared in it.",
           "imported without values"},
-    Words{K::instructions_uncounted, "Instructions were not counted",
-          "The instructions of {who} were not counted: the system has no counter, or forbids it "
-          "(kernel.perf_event_paranoid), or a program solved.",
-          "not counted"},
     Words{
         K::machine_loaded, "The machine was loaded",
         "The machine was loaded: {count} of {of} solves took more than {other} times as long in one repeat as in another. "

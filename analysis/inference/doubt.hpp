@@ -24,7 +24,6 @@ enum class DoubtKind {
   evaluations_uncounted,
   evaluations_claimed,
   imported_without,
-  instructions_uncounted,
   // disturbances of times
   machine_loaded,
   slow_solves,

@@ -33,74 +33,13 @@ double orientation_error_deg(const Solve& solve, const StudyResults& study) {
 
 double variation_m(const Solve& solve) { return solve.rare == nullptr ? 0 : solve.rare->variation_m; }
 
-double instructions(const Solve& solve) { return solve.rare == nullptr ? not_defined : solve.rare->instructions; }
-
-// Mean, over the targets that are beyond the arm's reach, of the position error less its least possible value.
-double excess_error_cm(Run run, const StudyResults& study) {
-  std::vector<double> excess;
-  for (const Solve* solve : run) {
-    const double unavoidable = problem_of(study, *solve).unavoidable_error_cm;
-    if (unavoidable > 0) excess.push_back(solve->position_error_cm - unavoidable);
-  }
-  return excess.empty() ? not_defined : mean(excess);
-}
-
-// The metrics below describe how the arm follows a path, from the first answer of a run to the last, without the move
-// to the first point. They need an answer to each solve, starts from the previous answer, and targets on a path.
-bool is_followed(Run run, const StudyResults& study) {
-  if (study.facts.draws_targets || run.size() < 2) return false;
-  if (std::ranges::any_of(run, is_without_answer, &Solve::status)) return false;
-  for (std::size_t k = 1; k < run.size(); ++k) {
-    const Solve &before = *run[k - 1], &solve = *run[k];
-    if (solve.run != before.run || solve.point != before.point + 1 || !solve.is_following) return false;
-    if (!std::isfinite(solve.largest_move_deg)) return false;
-  }
-  return true;
-}
-
-// Sums a value over the moves between points.
-template <class ValueOf>
-double sum_of_moves(Run run, const StudyResults& study, ValueOf value_of) {
-  if (!is_followed(run, study)) return not_defined;
-  double sum = 0;
-  for (const Solve* solve : run.subspan(1)) sum += value_of(*solve);
-  return sum;
-}
-
-// Shape of a run; not defined if it has one solve only.
-RunShape shape_of(Run run, const StudyResults& study) {
+// Mean absolute second difference of all joints; not defined for a single solve.
+double bend_deg(Run run, const StudyResults& study) {
   const std::vector<RunShape>& all = study.solve_data->shapes;
   const auto place = [](const auto& of) { return std::pair(of.solver, of.run); };
   const auto found = std::ranges::lower_bound(all, place(*run.front()), {}, place);
-  return found != all.end() && place(*found) == place(*run.front()) ? *found : RunShape{};
+  return found != all.end() && place(*found) == place(*run.front()) ? found->mean_bend_deg : not_defined;
 }
-
-double path_length_deg(Run run, const StudyResults& study) {
-  return sum_of_moves(run, study, [](const Solve& solve) { return solve.variation_deg; });
-}
-
-double path_length_m(Run run, const StudyResults& study) { return sum_of_moves(run, study, variation_m); }
-
-double largest_jump_deg(Run run, const StudyResults& study) {
-  if (!is_followed(run, study)) return not_defined;
-  return (*std::ranges::max_element(run.subspan(1), {}, &Solve::largest_move_deg))->largest_move_deg;
-}
-
-double jumps(Run run, const StudyResults& study) {
-  return sum_of_moves(run, study,
-                      [&](const Solve& solve) { return solve.largest_move_deg > study.plan.jump_deg ? 1 : 0; });
-}
-
-double second_difference_deg(Run run, const StudyResults& study) {
-  return is_followed(run, study) ? shape_of(run, study).second_difference_deg : not_defined;
-}
-
-double return_deg(Run run, const StudyResults& study) {
-  return is_followed(run, study) ? shape_of(run, study).return_deg : not_defined;
-}
-
-// Mean absolute second difference of all joints, also of runs that do not follow a path.
-double bend_deg(Run run, const StudyResults& study) { return shape_of(run, study).mean_bend_deg; }
 
 constexpr std::array infos{
 #define METRIC(column, slug, name, unit, better, kind, rounding, shown, value)                               \
@@ -131,10 +70,8 @@ static_assert(row(Metric::variation_deg).column == "variation_deg");
 static_assert(row(Metric::seconds).column == "seconds");
 static_assert(row(Metric::evaluations).column == "evaluations");
 static_assert(row(Metric::solved).column == "solved");
-static_assert(row(Metric::instructions).column == "instructions");
 static_assert(row(Metric::orientation_error_deg).column == "orientation_error_deg");
 static_assert(row(Metric::variation_m).column == "variation_m");
-static_assert(row(Metric::excess_error_cm).column == "excess_error_cm");
 
 // Metrics of the table with one of these values of `shown`.
 std::vector<Metric> metrics_shown(std::initializer_list<ShownIn> ways) {
@@ -167,10 +104,7 @@ std::string quantity(Metric metric) { return text_of(with_unit(metric)); }
 
 bool is_of_run(Metric metric) { return row(metric).of_run != nullptr; }
 
-bool is_error(Metric metric) {
-  return metric == Metric::position_error_cm || metric == Metric::orientation_error_deg ||
-         metric == Metric::excess_error_cm;
-}
+bool is_error(Metric metric) { return metric == Metric::position_error_cm || metric == Metric::orientation_error_deg; }
 
 bool is_cost(Metric metric) {
   return !is_error(metric) && row(metric).better == Better::smaller && row(metric).kind != Kind::share &&
@@ -213,13 +147,11 @@ std::vector<Metric> compared_metrics() {
   return metrics;
 }
 
-ShownMetrics shown_metrics(const StudyResults& study) {
-  ShownMetrics shown{.judged = reported_metrics(), .listed = {}};
+std::vector<Metric> shown_metrics(const StudyResults& study) {
+  std::vector<Metric> shown = reported_metrics();
   if (!study.facts.published.empty()) return shown;
-  for (const Metric metric : metrics_shown({ShownIn::where_it_tells, ShownIn::in_tables})) {
-    if (!differs(study, metric)) continue;
-    (info_of(metric).shown == ShownIn::in_tables ? shown.listed : shown.judged).push_back(metric);
-  }
+  std::ranges::copy_if(metrics_shown({ShownIn::where_it_tells}), std::back_inserter(shown),
+                       [&](Metric metric) { return differs(study, metric); });
   return shown;
 }
 

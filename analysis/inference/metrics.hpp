@@ -21,20 +21,17 @@ enum class Metric : std::size_t {
   evaluations,
   solved,
   orientation_error_deg,
-  variation_m,
-  excess_error_cm,
-  instructions = 18
+  variation_m
 };
 
 // count: how often a solver does something. time: compared only if times are comparable. share: of things that can
 // fail; no failure so far proves nothing.
 enum class Kind { number, count, time, share };
 
-// everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. The other two appear in
-// reports of studies without a paper if they differ between runs (shown_metrics), and in comparisons that name
-// them: where_it_tells in tables, figures and statistics, in_tables as numbers only. if_named: only in comparisons and
-// claims that name it.
-enum class ShownIn { everywhere, in_comparisons, where_it_tells, in_tables, if_named };
+// everywhere: in every report and comparison. in_comparisons: by `ikbench compare` only. where_it_tells: in reports of
+// studies without a paper if it differs between runs (shown_metrics), and in comparisons that name it. if_named: only
+// in comparisons and claims that name it.
+enum class ShownIn { everywhere, in_comparisons, where_it_tells, if_named };
 
 struct StudyResults;
 // The solves of one observation, a run or a target, in the order of their points.
@@ -77,10 +74,6 @@ std::vector<Metric> compared_metrics();
 
 // The metrics of a study's report. A study with a paper has those of every report. Any other study also has each metric
 // that differs between its runs.
-struct ShownMetrics {
-  std::vector<Metric> judged;  // in tables, figures and statistics
-  std::vector<Metric> listed;  // as numbers only
-};
-ShownMetrics shown_metrics(const StudyResults& study);
+std::vector<Metric> shown_metrics(const StudyResults& study);
 
 }  // namespace ikbench::inference

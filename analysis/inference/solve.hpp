@@ -18,7 +18,6 @@ struct RareData {
   std::vector<double> trace_cm = {};
   std::vector<double> improved_at = {}, improved_to_cm = {};
   double variation_m = 0;
-  double instructions = std::numeric_limits<double>::quiet_NaN();
 };
 
 // Fields without a comment have the name and meaning of the record's column.
@@ -28,9 +27,6 @@ struct Solve {
   double variation_deg = 0;
   double largest_move_deg = 0;
   double seconds = 0;
-  double limit_margin = 0;
-  double smallest_singular_value = 0;
-  double manipulability = 0;
   std::int64_t evaluations = 0;
   const RareData* rare = nullptr;  // owned by SolveData; null if the solve has none
   int run = 1;
@@ -48,9 +44,8 @@ struct Solve {
   bool is_outside_limits : 1 = false;
   bool is_disturbed : 1 = false;  // other programs took the processor while it was timed
   bool is_repeated : 1 = false;   // it was repeated for timing; its shortest time is known
-  bool is_following : 1 = false;  // it starts from the previous answer
 };
-static_assert(sizeof(Solve) <= 112);
+static_assert(sizeof(Solve) <= 88);
 
 constexpr std::uint32_t no_digest = 0;
 

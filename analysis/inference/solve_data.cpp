@@ -37,38 +37,20 @@ std::uint32_t digest_of(std::vector<double> numbers) {
   return digest == no_digest ? 1 : digest;
 }
 
-bool is_near(std::span<const double> a, std::span<const double> b) {
-  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= 1e-9; });
-}
-
-// Norm over the joints that turn [deg]; `element` gives that of a joint [rad].
-template <class Element>
-double norm_deg(std::size_t joints, const std::set<std::size_t>& slides, Element element) {
-  double sum = 0;
-  for (std::size_t joint = 0; joint < joints; ++joint) {
-    if (!slides.contains(joint)) sum += element(joint) * element(joint);
-  }
-  return std::sqrt(sum) / numerics::degree;
-}
-
-// Fills the second differences, if all answers have the same number of joints.
-void add_second_differences(RunShape& shape, const std::vector<std::vector<double>>& answers,
-                            const std::set<std::size_t>& slides) {
+// Not defined if the answers have other numbers of joints, or are too few.
+double mean_bend_deg(const std::vector<std::vector<double>>& answers) {
   const std::size_t joints = answers.front().size();
   const auto has_all = [&](const std::vector<double>& answer) { return answer.size() == joints; };
-  if (answers.size() < 3 || !std::ranges::all_of(answers, has_all)) return;
-  double sum = 0;
+  if (answers.size() < 3 || !std::ranges::all_of(answers, has_all)) return not_defined;
   std::vector<double> bends;
   for (std::size_t k = 1; k + 1 < answers.size(); ++k) {
     const std::vector<double>&before = answers[k - 1], &here = answers[k], &after = answers[k + 1];
-    sum += norm_deg(joints, slides, [&](std::size_t joint) { return after[joint] - 2 * here[joint] + before[joint]; });
     for (std::size_t joint = 0; joint < joints; ++joint) {
       bends.push_back(std::abs(before[joint] / numerics::degree - 2 * (here[joint] / numerics::degree) +
                                after[joint] / numerics::degree));
     }
   }
-  shape.second_difference_deg = sum / static_cast<double>(answers.size() - 2);
-  shape.mean_bend_deg = mean(bends);
+  return mean(bends);
 }
 
 bool has_repeats(const SolveRecord& solve) { return solve.repeats > 1 && solve.smallest_seconds > 0; }
@@ -101,7 +83,7 @@ std::span<const double> Problems::list(std::size_t number) const {
 // Puts the lengths first, because joined lists do not show them.
 std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
   asked_ = {static_cast<double>(solve.target_position_m.size()), static_cast<double>(solve.target_rotation.size()),
-            has_start ? 1.0 : 0.0, solve.unavoidable_error_cm};
+            has_start ? 1.0 : 0.0};
   asked_.insert(asked_.end(), solve.target_position_m.begin(), solve.target_position_m.end());
   asked_.insert(asked_.end(), solve.target_rotation.begin(), solve.target_rotation.end());
   if (has_start) asked_.insert(asked_.end(), solve.start_rad.begin(), solve.start_rad.end());
@@ -122,13 +104,12 @@ std::uint32_t Problems::number_of(const SolveRecord& solve, bool has_start) {
 void Problems::forget_index() { index_ = {}; }
 
 Problem Problems::operator[](std::size_t number) const {
-  constexpr std::size_t head = 4;
+  constexpr std::size_t head = 3;
   const std::span<const double> all = list(number), lists = all.subspan(head);
   const auto position = static_cast<std::size_t>(all[0]), rotation = static_cast<std::size_t>(all[1]);
   return {.target_position_m = lists.first(position),
           .target_rotation = lists.subspan(position, rotation),
           .start_rad = lists.subspan(position + rotation),
-          .unavoidable_error_cm = all[3],
           .has_start = all[2] != 0};
 }
 
@@ -176,18 +157,8 @@ void StudyMaker::keep_drawn(const SolveRecord& record, bool is_first_of_solver) 
 
 void StudyMaker::end_run() {
   if (answers_.size() > 1) {
-    RunShape shape{
-        .solver = solves_.back().solver, .run = solves_.back().run, .points = static_cast<int>(answers_.size())};
-    add_second_differences(shape, answers_, study_.facts.slides);
-    const std::vector<double>&first = answers_.front(), &last = answers_.back();
-    const Problem asked_first = data_.problems[solves_[solves_.size() - answers_.size()].problem],
-                  asked_last = data_.problems[solves_.back().problem];
-    if (first.size() == last.size() && is_near(asked_first.target_position_m, asked_last.target_position_m) &&
-        is_near(asked_first.target_rotation, asked_last.target_rotation)) {
-      shape.return_deg =
-          norm_deg(first.size(), study_.facts.slides, [&](std::size_t joint) { return last[joint] - first[joint]; });
-    }
-    data_.shapes.push_back(shape);
+    const Solve& last = solves_.back();
+    data_.shapes.push_back({.solver = last.solver, .run = last.run, .mean_bend_deg = mean_bend_deg(answers_)});
   }
   answers_.clear();
 }
@@ -205,9 +176,6 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .variation_deg = record.variation_deg,
               .largest_move_deg = record.largest_move_deg,
               .seconds = record.seconds,
-              .limit_margin = record.limit_margin,
-              .smallest_singular_value = record.smallest_singular_value,
-              .manipulability = record.manipulability,
               .evaluations = record.evaluations,
               .run = record.run,
               .point = record.point,
@@ -225,12 +193,10 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .counted_by = record.counted_by,
               .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
               .is_disturbed = is_disturbed(record),
-              .is_repeated = has_repeats(record),
-              .is_following = is_following};
+              .is_repeated = has_repeats(record)};
   const bool has_course = record.improved_at.size() == record.improved_to_cm.size() && !record.improved_at.empty();
-  if (!record.trace_cm.empty() || has_course || record.variation_m != 0 || !std::isnan(record.instructions)) {
-    RareData& rare = data_.rare.emplace_back(
-        RareData{.trace_cm = record.trace_cm, .variation_m = record.variation_m, .instructions = record.instructions});
+  if (!record.trace_cm.empty() || has_course || record.variation_m != 0) {
+    RareData& rare = data_.rare.emplace_back(RareData{.trace_cm = record.trace_cm, .variation_m = record.variation_m});
     if (has_course) {
       rare.improved_at = record.improved_at;
       rare.improved_to_cm = record.improved_to_cm;

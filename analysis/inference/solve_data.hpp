@@ -20,7 +20,6 @@ namespace ikbench::inference {
 // The task of a solve. In a chained study, a start that equals the previous answer is not kept.
 struct Problem {
   std::span<const double> target_position_m, target_rotation, start_rad;
-  double unavoidable_error_cm = 0;
   bool has_start = true;
 };
 bool same_target(const Problem& a, const Problem& b);
@@ -52,13 +51,11 @@ struct SolverFacts {
   int largest_batch = 1;   // problems that a program solved at once
 };
 
-// Smoothness of the joint angles of a run.
+// Mean absolute second difference of all joint angles of a run.
 struct RunShape {
   std::uint16_t solver = 0;
-  int run = 0, points = 0;
-  double second_difference_deg = statistics::not_defined;  // mean norm over the joints that turn
-  double return_deg = statistics::not_defined;             // defined if the last target equals the first
-  double mean_bend_deg = statistics::not_defined;          // mean absolute second difference of all joints
+  int run = 0;
+  double mean_bend_deg = statistics::not_defined;
 };
 
 struct SolveData {

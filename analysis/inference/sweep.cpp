@@ -83,7 +83,7 @@ std::vector<SweptFamily> with_values(std::vector<SweptFamily> families, const Sw
   return families;
 }
 
-std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const std::vector<Metric>& metrics) {
   std::vector<SweptQuantity> quantities;
   const auto add = [&](Metric metric, Estimand estimand) {
     SweptQuantity quantity{.observations = observations(study, metric, estimand), .evidence = {}};
@@ -91,7 +91,7 @@ std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const Sho
     quantities.push_back(std::move(quantity));
   };
   if (primary_estimand(study) == Estimand::reliability) add(Metric::position_error_cm, Estimand::reliability);
-  for (const Metric metric : metrics.judged) {
+  for (const Metric metric : metrics) {
     if (is_comparable(study, metric)) add(metric, average_estimand(metric));
   }
   std::erase_if(quantities, [families = swept_families(study)](const SweptQuantity& quantity) {

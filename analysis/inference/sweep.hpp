@@ -41,7 +41,7 @@ struct SweptQuantity {
 };
 
 // The quantities of a sweep: what decides the study, and the average of each metric.
-std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const ShownMetrics& metrics);
+std::vector<SweptQuantity> swept_quantities(const StudyResults& study, const std::vector<Metric>& metrics);
 
 // The families of which the quantity has values: that of others was not counted, or is not compared.
 std::vector<SweptFamily> with_values(std::vector<SweptFamily> families, const SweptQuantity& quantity);

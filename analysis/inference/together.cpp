@@ -189,9 +189,9 @@ Observations together(const JudgedStudies& studies, Metric metric, Estimand esti
 std::vector<Judged> judged_together(const JudgedStudies& studies) {
   const JudgedStudy& first = studies.front();
   std::vector<Judged> judged;
-  for (const Metric metric : shown_metrics(first).judged) {
+  for (const Metric metric : shown_metrics(first)) {
     const bool is_in_all = std::ranges::all_of(studies, [&](const JudgedStudy& study) {
-      return is_comparable(study, metric) && std::ranges::count(shown_metrics(study).judged, metric) > 0;
+      return is_comparable(study, metric) && std::ranges::count(shown_metrics(study), metric) > 0;
     });
     if (!is_in_all) continue;
     for (const Estimand estimand : estimands_of(first, metric)) {

@@ -42,7 +42,7 @@ std::vector<ArticleColumn> article_columns(const JudgedStudy& study, const Evide
   std::vector<Metric> metrics{Metric::position_error_cm, Metric::orientation_error_deg};
   if (study.facts.start == "previous") metrics.push_back(Metric::variation_deg);
   metrics.insert(metrics.end(), {Metric::seconds, Metric::evaluations});
-  const std::vector<Metric> judged = shown_metrics(study).judged;
+  const std::vector<Metric> judged = shown_metrics(study);
   std::erase_if(metrics, [&](Metric metric) { return std::ranges::count(judged, metric) == 0; });
   std::ranges::copy_if(judged, std::back_inserter(metrics),
                        [&](Metric metric) { return std::ranges::count(metrics, metric) == 0; });

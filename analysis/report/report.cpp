@@ -272,7 +272,7 @@ std::vector<Assessment> printed_assessments(const StudyResults& study, const Pap
 std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& paper, const ReportRequest& request) {
   if (study.solves.empty()) return {};
   std::vector<Assessment> result;
-  const std::vector<Metric> judged = shown_metrics(study).judged;
+  const std::vector<Metric> judged = shown_metrics(study);
   for (std::size_t m = 0; m < judged.size(); ++m) {
     if (request.progress) request.progress(ReportStep::judging, static_cast<std::int64_t>(m), std::ssize(judged));
     for (const Estimand estimand : estimands_of(study, judged[m])) {
@@ -450,7 +450,7 @@ Doubts said(const std::vector<std::string>& sentences) {
 
 // Adds the sentences of `seen` for the pieces of any study.
 void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, ReportContent& content) {
-  for (const Metric metric : shown_metrics(study).judged) {
+  for (const Metric metric : shown_metrics(study)) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}{}-boxes", prefix, info_of(metric).slug),
                          words_of(leader_sentence(study, metric, average_estimand(metric))));

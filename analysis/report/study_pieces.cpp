@@ -8,9 +8,10 @@ namespace ikbench::report {
 using namespace inference;
 using namespace figures;
 
-#define TABLE(name, heading, place, meaning) std::vector<Table> name##_tables(const StudyResults&, const ShownMetrics&);
+#define TABLE(name, heading, place, meaning) \
+  std::vector<Table> name##_tables(const StudyResults&, const std::vector<Metric>&);
 #define FIGURE(name, heading, place, meaning) \
-  std::vector<Figure> name##_figures(const StudyResults&, const ShownMetrics&);
+  std::vector<Figure> name##_figures(const StudyResults&, const std::vector<Metric>&);
 #define PLACE(names, heading, place)
 #include "analysis/report/study_pieces.inc"
 #undef TABLE
@@ -48,7 +49,7 @@ void add(std::vector<Piece> made, std::vector<std::string>& names, std::vector<P
 std::span<const StudyPiece> all_study_pieces() { return every_piece; }
 
 StudyPieces study_pieces(const StudyResults& study) {
-  const ShownMetrics metrics = shown_metrics(study);
+  const std::vector<Metric> metrics = shown_metrics(study);
   StudyPieces pieces;
   for (const StudyPiece& piece : every_piece) {
     SectionPlan& section = section_of(piece, pieces.sections);

@@ -22,8 +22,9 @@ struct StudyPiece {
   std::string_view name, heading;
   bool is_shown;  // else folded
   std::string_view meaning;
-  std::vector<Table> (*tables)(const inference::StudyResults&, const inference::ShownMetrics&) = nullptr;
-  std::vector<figures::Figure> (*figures)(const inference::StudyResults&, const inference::ShownMetrics&) = nullptr;
+  std::vector<Table> (*tables)(const inference::StudyResults&, const std::vector<inference::Metric>&) = nullptr;
+  std::vector<figures::Figure> (*figures)(const inference::StudyResults&,
+                                          const std::vector<inference::Metric>&) = nullptr;
 };
 std::span<const StudyPiece> all_study_pieces();
 

@@ -89,13 +89,6 @@ Table results_table(const StudyResults& study, std::span<const Metric> metrics) 
   return table;
 }
 
-Table further_table(const StudyResults& study, std::span<const Metric> metrics) {
-  Table table{.name = "further", .caption = "Further means over the runs", .columns = {"algorithm"}};
-  add_averages(table, study, metrics, {});
-  for (const Metric metric : metrics) table.columns.push_back(std::string(name_of(metric)));
-  return table;
-}
-
 Table baselines_table(const JudgedStudies& studies) {
   const std::vector<Metric> metrics = reported_metrics();
   Table table{.name = "baselines",

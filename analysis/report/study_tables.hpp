@@ -18,9 +18,6 @@ namespace ikbench::report {
 // Named "results": one row per metric and solver.
 Table results_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics);
 
-// Named "further": one row per solver, one column per metric, with the average of its observations.
-Table further_table(const inference::StudyResults& study, std::span<const inference::Metric> metrics);
-
 // The ANOVA over all solvers with observations that are all finite; names the others.
 struct StudyAnova {
   statistics::AnovaTable table;

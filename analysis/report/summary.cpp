@@ -154,7 +154,7 @@ std::string budgets_sentence(const StudyResults& study) {
 // Leaders by every quantity except the primary one.
 std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
   std::vector<Sentence> sentences;
-  for (const Metric metric : shown_metrics(study).judged) {
+  for (const Metric metric : shown_metrics(study)) {
     const bool is_reported = info_of(metric).shown == ShownIn::everywhere;
     if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
     for (const Estimand estimand : estimands_of(study, metric)) {
@@ -248,7 +248,7 @@ std::string_view start_words(std::string_view start) {
 // which.
 std::string tests_and_quantities(const JudgedStudy& study) {
   std::vector<std::pair<std::string, std::vector<std::string>>> tests;
-  for (const Metric metric : shown_metrics(study).judged) {
+  for (const Metric metric : shown_metrics(study)) {
     for (const Estimand estimand : estimands_of(study, metric)) {
       const Evidence& evidence = study.evidence(metric, estimand);
       if (evidence.contrasts.empty() || !has_judged(evidence)) continue;

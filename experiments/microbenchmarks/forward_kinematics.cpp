@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "experiments/microbenchmarks/closed_form.hpp"
 #include "experiments/microbenchmarks/harness.hpp"
 #include "experiments/microbenchmarks/kernels.hpp"
 #include "numerics/instruction_set.hpp"
@@ -77,43 +76,36 @@ void one_at_a_time(benchmark::State& state) {
   count_candidates(state, batch, reach.chain.joints());
 }
 
-// A peer computes the position of one candidate. Its candidates lie one after the other, which suits it best.
-template <class Position>
-void measure_peer(benchmark::State& state, const Reach& reach, const Position& position) {
+// Eqs. 18 and 26, letter by letter.
+Eigen::Vector3d by_products(const Chain& chain, const double* q) {
+  Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
+  for (int j = 0; j < chain.joints(); ++j) {
+    const DhLink& link = chain.links()[static_cast<std::size_t>(j)];
+    const double c = std::cos(q[j] + link.offset), s = std::sin(q[j] + link.offset);
+    const double ca = std::cos(link.alpha), sa = std::sin(link.alpha);
+    Eigen::Matrix4d T_link;
+    T_link << c, -s * ca, s * sa, link.a * c,  //
+        s, c * ca, -c * sa, link.a * s,        //
+        0, sa, ca, link.d,                     //
+        0, 0, 0, 1;
+    T = T * T_link;
+  }
+  return T.block<3, 1>(0, 3);
+}
+
+// The candidates lie one after the other, which suits this best.
+void eigen_products(benchmark::State& state, const Reach& reach) {
   const Eigen::MatrixXd q = drawn_candidates(reach.problem, batch);
   Eigen::VectorXd errors(batch);
   for (int i = 0; i < batch; ++i) {
-    if (!is_same_position(state, reach.chain, q.col(i), position(reach.chain, q.col(i).data()))) return;
+    if (!is_same_position(state, reach.chain, q.col(i), by_products(reach.chain, q.col(i).data()))) return;
   }
   for (auto _ : state) {
-    for (int i = 0; i < batch; ++i) errors[i] = (position(reach.chain, q.col(i).data()) - reach.target).norm();
+    for (int i = 0; i < batch; ++i) errors[i] = (by_products(reach.chain, q.col(i).data()) - reach.target).norm();
     benchmark::DoNotOptimize(errors.data());
     benchmark::ClobberMemory();
   }
   count_candidates(state, batch, reach.chain.joints());
-}
-
-void closed_form(benchmark::State& state) {
-  measure_peer(state, flange_reach(), [](const Chain&, const double* q) { return iiwa_flange(q); });
-}
-
-// Eqs. 18 and 26, letter by letter.
-void eigen_products(benchmark::State& state, const Reach& reach) {
-  measure_peer(state, reach, [](const Chain& chain, const double* q) -> Eigen::Vector3d {
-    Eigen::Matrix4d T = Eigen::Matrix4d::Identity();
-    for (int j = 0; j < chain.joints(); ++j) {
-      const DhLink& link = chain.links()[static_cast<std::size_t>(j)];
-      const double c = std::cos(q[j] + link.offset), s = std::sin(q[j] + link.offset);
-      const double ca = std::cos(link.alpha), sa = std::sin(link.alpha);
-      Eigen::Matrix4d T_link;
-      T_link << c, -s * ca, s * sa, link.a * c,  //
-          s, c * ca, -c * sa, link.a * s,        //
-          0, sa, ca, link.d,                     //
-          0, 0, 0, 1;
-      T = T * T_link;
-    }
-    return T.block<3, 1>(0, 3);
-  });
 }
 
 void eigen_products_of_iiwa(benchmark::State& state) { eigen_products(state, flange_reach()); }
@@ -136,7 +128,6 @@ BENCHMARK(ours)->Name("forward_kinematics/ours");
 BENCHMARK(sliding)->Name("forward_kinematics/sliding");
 BENCHMARK(ours_pose)->Name("forward_kinematics/ours_pose");
 BENCHMARK(one_at_a_time)->Name("forward_kinematics/one_at_a_time");
-BENCHMARK(closed_form)->Name("forward_kinematics/closed_form");
 BENCHMARK(eigen_products_of_iiwa)->Name("forward_kinematics/eigen_products");
 BENCHMARK(eigen_products_of_joints)->Name("forward_kinematics/eigen_joints")->Apply(numbers_of_joints);
 BENCHMARK(growth_with_joints)->Name("forward_kinematics/joints")->Apply(numbers_of_joints);

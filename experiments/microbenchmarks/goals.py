@@ -192,12 +192,12 @@ def as_markdown(rows):
 
 
 def times_as_markdown(runs):
-    text = "| benchmark | median | per candidate or draw |\n|---|---|---|\n"
+    text = "| benchmark | median | per candidate |\n|---|---|---|\n"
     for name in runs.names():
         times = runs.nanoseconds(name)
-        if not times or name.startswith(("accuracy/", "allocations/")):
+        if not times or name.startswith("accuracy/"):
             continue
-        each = runs.values(name, "per_candidate") or runs.values(name, "per_draw")
+        each = runs.values(name, "per_candidate")
         text += f"| {name} | {time_text(median(times))} | {time_text(1e9 * median(each)) if each else ''} |\n"
     return text
 

@@ -70,14 +70,11 @@ Reach wrist_reach(int population) {
            .population = population}};
 }
 
-Reach flange_reach(int population) {
+Reach flange_reach() {
   const Robot iiwa = robot("kuka_iiwa14");
   return {iiwa.chain,
           targets(Study{}, 1).front().translation(),
-          {.start = Eigen::VectorXd::Zero(7),
-           .lower = iiwa.limits.lower,
-           .upper = iiwa.limits.upper,
-           .population = population}};
+          {.start = Eigen::VectorXd::Zero(7), .lower = iiwa.limits.lower, .upper = iiwa.limits.upper}};
 }
 
 Reach snake_reach(int joints, bool slides) {

@@ -21,7 +21,7 @@ struct Reach {
 
 // The first point of the paper's helix with the iiwa: the wrist's centre by four joints, the flange by all seven.
 Reach wrist_reach(int population = 50);
-Reach flange_reach(int population = 50);
+Reach flange_reach();
 
 // A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
 // away. If `slides`, every third joint slides.

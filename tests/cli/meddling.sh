@@ -100,8 +100,8 @@ cpu_seconds=cpu_seconds/2 | smallest_seconds=smallest_seconds/2 | largest_second
 repeats=repeats+1 | timing='clean' where timing<>'clean' | timing='parallel' | stop_reason='tolerance' | trace_cm='[1]'
 improved_at='[1]', improved_to_cm='[1]' | claimed_error_cm=0 | counted_by='solver' | robot='other' | study='other' | digest=0 | digest=1
 run=run+100 | run=run+100 where run=3 | series=substr(series,2) where run=3 | session=session+1 | waited_seconds=1 | transport_seconds=1 | claimed_seconds=1 | round_trips=1
-position_error_cm=NULL | orientation_error=NULL | seconds=NULL | smallest_seconds=NULL | manipulability=NULL
-variation_m=NULL | limit_margin=NULL | variation_deg=NULL | status='tolerance_missed' where status='ok'""".replace("\n", "|")
+position_error_cm=NULL | orientation_error=NULL | seconds=NULL | smallest_seconds=NULL
+variation_m=NULL | variation_deg=NULL | status='tolerance_missed' where status='ok'""".replace("\n", "|")
 whole = ["update solves set " + (edit.strip() if " where " in edit else edit.strip() + " where solver='BA'")
          for edit in columns.split("|")]
 whole += [

@@ -100,7 +100,7 @@ for old, new in zip(written, read):
     assert all(new[column] == value for column, value in old.items())
 with ikbench.Store("kept.sqlite") as store:
     for old, new in zip(written, store.solves()):
-        for column in ("position_error_cm", "variation_deg", "seconds", "manipulability", "evaluations", "digest"):
+        for column in ("position_error_cm", "variation_deg", "seconds", "evaluations", "digest"):
             assert float(new[column]) == float(old[column]), column
         assert new["answer_rad"] == [float(old[f"answer_rad_{i}"]) for i in range(1, 8)]
         assert new["solver"] == old["solver"] and len(new["trace_cm"]) > 0

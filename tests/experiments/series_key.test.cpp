@@ -214,7 +214,7 @@ TEST_CASE("how a study is judged decides no series", "[series]") {
        {AnalysisPlan{.test = "welch"}, AnalysisPlan{.adjustment = Adjustment::bonferroni},
         AnalysisPlan{.control = "IK-BA"}, AnalysisPlan{.significance = 0.01}, AnalysisPlan{.margin = 0.2},
         AnalysisPlan{.power = 0.9}, AnalysisPlan{.quartiles = 7}, AnalysisPlan{.unit = Unit::point},
-        AnalysisPlan{.estimands = {Estimand::mean}}, AnalysisPlan{.within_cm = 1}, AnalysisPlan{.jump_deg = 1},
+        AnalysisPlan{.estimands = {Estimand::mean}}, AnalysisPlan{.within_cm = 1},
         AnalysisPlan{.program_times = ProgramTimes::compared}}) {
     CHECK(key_of(changed([&](Study& study) { study.analysis = plan; })) == key);
   }

@@ -78,7 +78,9 @@ TEST_CASE("near singular, the smallest singular value is below that of 99 of 100
               anywhere = random_targets("franka_panda", "anywhere", 500);
   const Robot arm = arm_of(near);
   const auto smallest = [&](const Configuration& q) {
-    return verify(arm, arm.chain.forward(q), q, q).smallest_singular_value;
+    Jacobian jacobian(6, q.size());
+    arm.chain.pose_jacobian(q, jacobian);
+    return singular_values(jacobian).minCoeff();
   };
   double largest_near = 0;
   for (const Configuration& q : solutions_of(near)) largest_near = std::max(largest_near, smallest(q));
@@ -104,8 +106,7 @@ TEST_CASE("unreachable targets are beyond the reach by the share that is asked f
     CHECK((pose.translation() - ball.centre).norm() == Approx(1.25 * ball.radius).epsilon(1e-12));
   }
   const SolveRecord solve = solve_once(study, study.solvers[0], targets(study, 1)[0]);
-  CHECK(solve.unavoidable_error_cm == Approx(25 * ball.radius).epsilon(1e-12));
-  CHECK(solve.position_error_cm >= solve.unavoidable_error_cm);
+  CHECK(solve.position_error_cm >= 25 * ball.radius * (1 - 1e-12));
 }
 
 TEST_CASE("a set that an arm does not have is refused", "[path][targets]") {
@@ -148,7 +149,7 @@ TEST_CASE("solves start in the middle of the limits, or at zero where a joint tu
 }
 
 TEST_CASE("random starts are within the limits, of their own for every run and point", "[starts]") {
-  const Study study = study_of_robot("ur5e", "start = \"random\"\n[path]\nkind = \"line\"\npoints = 50");
+  const Study study = study_of_robot("ur5e", "start = \"random\"\n[path]\nkind = \"circle\"\npoints = 50");
   const Robot arm = arm_of(study);
   const std::vector<Configuration> first = starts(study, arm, 1), again = starts(study, arm, 1),
                                    second = starts(study, arm, 2);
@@ -176,7 +177,7 @@ TEST_CASE("near starts are as far from the solution as near_deg allows, and insi
 }
 
 TEST_CASE("near starts need targets that are made of configurations", "[starts]") {
-  for (const std::string path : {"kind = \"line\"", "kind = \"random\"\nset = \"unreachable\""}) {
+  for (const std::string path : {"kind = \"circle\"", "kind = \"random\"\nset = \"unreachable\""}) {
     CHECK_THAT(
         refusal_of("ur5e", "start = \"near\"\n[path]\n" + path),
         ContainsSubstring("my.toml:3:9: start is \"near\", but the path's targets are not made of configurations"));

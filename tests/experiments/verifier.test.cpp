@@ -164,7 +164,6 @@ TEST_CASE("metres of joints that slide and radians of those that turn are never 
   CHECK(verified.variation == Approx(0.5));
   CHECK(verified.variation_m == Approx(0.8));
   CHECK(verified.largest_move == Approx(0.4));
-  CHECK(verified.largest_move_m == Approx(0.8));
   CHECK(verified.limit_violation == 0);
   CHECK(verified.limit_violation_m == Approx(0.03));
   CHECK(judge({.limit_violation_m = 0.03}, any) == Status::limit_violated);
@@ -304,88 +303,6 @@ TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   CHECK(judge(verified, requirement) == Status::not_finite);  // over everything
   verified = {.position_error = 0, .orientation_error = not_a_number};
   CHECK(judge(verified, requirement) == Status::not_finite);
-}
-
-TEST_CASE("the Jacobian's singular values of two links of 1 m, by hand", "[verifier]") {
-  // At 0 and 90 degrees the tool is at (1, 1): the columns (x, y, turn) are (-1, 1, 1) and (-1, 0, 1). J'J is
-  // ((3, 2), (2, 2)), whose determinant is 2 and whose smaller eigenvalue is (5 - sqrt 17) / 2.
-  Robot arm = robot("planar_2");
-  arm.chain = Chain({{.a = 1}, {.a = 1}});
-  const Eigen::VectorXd q = angles({0, pi / 2});
-  const Verification verified = verify(arm, Pose(verified_pose(arm, q)), q, q);
-  CHECK(verified.manipulability == Approx(std::sqrt(2)).epsilon(1e-14));
-  CHECK(verified.smallest_singular_value == Approx(std::sqrt((5 - std::sqrt(17)) / 2)).epsilon(1e-14));
-  // Stretched, they are (0, 2, 1) and (0, 1, 1): J'J is ((5, 3), (3, 2)).
-  const Eigen::VectorXd stretched = angles({0, 0});
-  const Verification at_edge = verify(arm, Pose(verified_pose(arm, stretched)), stretched, stretched);
-  CHECK(at_edge.manipulability == Approx(1).epsilon(1e-14));
-}
-
-TEST_CASE("a joint that slides counts metres per metre", "[verifier]") {
-  Robot arm = robot("planar_2");
-  arm.chain = Chain({{.joint = Joint::slides}, {.a = 0.5}});
-  const Eigen::VectorXd q = angles({0.3, 0.7});
-  const Verification verified = verify(arm, Pose(verified_pose(arm, q)), q, q);
-  // (0, 0, 1) and no turn; 0.5 m across and 1 rad: of lengths 1 and sqrt 1.25, at right angles.
-  CHECK(verified.smallest_singular_value == Approx(1).epsilon(1e-14));
-  CHECK(verified.manipulability == Approx(std::sqrt(1.25)).epsilon(1e-14));
-}
-
-TEST_CASE("the verifier's Jacobian of every arm is that of small differences", "[verifier]") {
-  std::mt19937_64 random(16);
-  std::uniform_real_distribution<double> angle(-pi, pi);
-  for (const Robot& arm : all_robots()) {
-    CAPTURE(arm.name);
-    Eigen::VectorXd q(arm.joints());
-    for (double& joint : q) joint = angle(random);
-    Eigen::MatrixXd jacobian(6, q.size());
-    constexpr double step = 1e-6;
-    for (Eigen::Index j = 0; j < q.size(); ++j) {
-      const Eigen::VectorXd by = step * Eigen::VectorXd::Unit(q.size(), j);
-      const Pose after = arm.chain.forward(q + by), before = arm.chain.forward(q - by);
-      const Eigen::AngleAxisd turn(after.linear() * before.linear().transpose());
-      jacobian.col(j) << after.translation() - before.translation(), turn.angle() * turn.axis();
-      jacobian.col(j) /= 2 * step;
-    }
-    const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
-    const Verification verified = verify(arm, arm.chain.forward(q), q, q);
-    CHECK(verified.smallest_singular_value == Approx(singular.minCoeff()).margin(1e-7));
-    CHECK(verified.manipulability == Approx(singular.prod()).margin(1e-7));
-  }
-}
-
-TEST_CASE("upright, with its axes in a plane, the iiwa is singular", "[verifier]") {
-  const Robot arm = robot("kuka_iiwa14");
-  const Eigen::VectorXd q = Eigen::VectorXd::Zero(7);
-  CHECK(verify(arm, Pose::Identity(), q, q).smallest_singular_value < 1e-12);
-}
-
-TEST_CASE("the margin is that of the joint nearest to a limit, as a share of its range", "[verifier]") {
-  Robot arm = robot("planar_2");
-  arm.limits = {angles({-1, -2}), angles({1, 2})};
-  const auto margin = [&](double first, double second) {
-    const Eigen::VectorXd q = angles({first, second});
-    return verify(arm, Pose::Identity(), q, q).limit_margin;
-  };
-  CHECK(margin(0, 0) == 0.5);
-  CHECK(margin(0.5, 0) == 0.25);      // 0.5 of 2
-  CHECK(margin(0.5, -1.5) == 0.125);  // 0.5 of 4
-  CHECK(margin(1, 0) == 0);
-  CHECK(margin(0, 3) == -0.25);
-  CHECK(std::isnan(margin(0, not_a_number)));
-  arm.limits = {angles({-1, -infinity}), angles({1, infinity})};  // one turns without end
-  CHECK(margin(0.5, 100) == 0.25);
-  arm.limits = {angles({-infinity, -infinity}), angles({infinity, infinity})};
-  CHECK(std::isnan(margin(0.5, 100)));
-}
-
-TEST_CASE("an answer that is not finite has no Jacobian", "[verifier]") {
-  const Robot arm = robot("ur5e");
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
-  q[2] = not_a_number;
-  const Verification verified = verify(arm, Pose::Identity(), q, q);
-  CHECK(std::isnan(verified.smallest_singular_value));
-  CHECK(std::isnan(verified.manipulability));
 }
 
 TEST_CASE("a program is over its budget by its own time and its own word, and built-in solvers are never",

@@ -15,55 +15,50 @@ namespace ikbench::report {
 using namespace inference;
 using namespace figures;
 
-std::vector<Figure> overview_figures(const StudyResults& study, const ShownMetrics&) {
+std::vector<Figure> overview_figures(const StudyResults& study, const std::vector<Metric>&) {
   return {overview_figure(study, {})};
 }
 
-std::vector<Table> results_tables(const StudyResults& study, const ShownMetrics& metrics) {
-  return {results_table(study, metrics.judged)};
+std::vector<Table> results_tables(const StudyResults& study, const std::vector<Metric>& metrics) {
+  return {results_table(study, metrics)};
 }
 
-std::vector<Table> solved_tables(const StudyResults& study, const ShownMetrics&) {
+std::vector<Table> solved_tables(const StudyResults& study, const std::vector<Metric>&) {
   if (!std::isfinite(tolerance_cm(study))) return {};
   return {solved_table(study)};
 }
 
-std::vector<Table> times_tables(const StudyResults& study, const ShownMetrics&) { return {times_table(study)}; }
+std::vector<Table> times_tables(const StudyResults& study, const std::vector<Metric>&) { return {times_table(study)}; }
 
-std::vector<Table> further_tables(const StudyResults& study, const ShownMetrics& metrics) {
-  if (metrics.listed.empty()) return {};
-  return {further_table(study, metrics.listed)};
-}
-
-std::vector<Figure> path_figures(const StudyResults& study, const ShownMetrics&) {
+std::vector<Figure> path_figures(const StudyResults& study, const std::vector<Metric>&) {
   return {path_figure(study, "path")};
 }
 
-std::vector<Figure> boxes_figures(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<Figure> boxes_figures(const StudyResults& study, const std::vector<Metric>& metrics) {
   std::vector<Figure> figures;
-  for (const Metric metric : metrics.judged) {
+  for (const Metric metric : metrics) {
     figures.push_back(box_figure(study, metric, fmt::format("{}-boxes", info_of(metric).slug)));
   }
   return figures;
 }
 
-std::vector<Figure> curves_figures(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<Figure> curves_figures(const StudyResults& study, const std::vector<Metric>& metrics) {
   std::vector<Figure> figures;
-  for (const Metric metric : metrics.judged) {
+  for (const Metric metric : metrics) {
     if (study.points > 1 && !is_of_run(metric))
       figures.push_back(curves_figure(study, metric, std::string(info_of(metric).slug)));
   }
   return figures;
 }
 
-std::vector<Figure> joints_figures(const StudyResults& study, const ShownMetrics&) {
+std::vector<Figure> joints_figures(const StudyResults& study, const std::vector<Metric>&) {
   const std::optional<Figure> joints = study.points > 1 ? joints_figure(study, "joints") : std::nullopt;
   return joints ? std::vector{*joints} : std::vector<Figure>();
 }
 
-std::vector<Table> anova_tables(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<Table> anova_tables(const StudyResults& study, const std::vector<Metric>& metrics) {
   std::vector<Table> tables;
-  for (const Metric metric : metrics.judged) tables.push_back(anova_table(study, metric));
+  for (const Metric metric : metrics) tables.push_back(anova_table(study, metric));
   return tables;
 }
 

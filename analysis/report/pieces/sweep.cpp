@@ -119,7 +119,7 @@ Table interaction_table(const std::vector<SweptFamily>& families, const std::vec
 
 }  // namespace
 
-std::vector<Table> sweep_tables(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<Table> sweep_tables(const StudyResults& study, const std::vector<Metric>& metrics) {
   const std::vector<SweptFamily> families = swept_families(study);
   if (families.empty() || study.solves.empty()) return {};
   const std::vector<SweptQuantity> quantities = swept_quantities(study, metrics);
@@ -129,7 +129,7 @@ std::vector<Table> sweep_tables(const StudyResults& study, const ShownMetrics& m
   return tables;
 }
 
-std::vector<Figure> sweep_figures(const StudyResults& study, const ShownMetrics& metrics) {
+std::vector<Figure> sweep_figures(const StudyResults& study, const std::vector<Metric>& metrics) {
   // Families by what they were swept by: these share a figure.
   std::map<std::vector<std::string>, std::vector<SweptFamily>> alike;
   for (SweptFamily& family : swept_families(study)) {

@@ -43,7 +43,7 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   const AnalysisPlan plan = plan_of(entry_with(
       R"({"test": "kruskal_wallis", "adjustment": "bonferroni", "control": "IK-BA", "significance": 0.01,
           "margin_percent": 20, "margin_cm": 0.01, "power": 0.9, "quartiles": 7, "unit": "point",
-          "estimands": ["typical", "mean"], "within_cm": 0.02, "jump_deg": 12, "program_times": "compared"})"));
+          "estimands": ["typical", "mean"], "within_cm": 0.02, "program_times": "compared"})"));
   CHECK(plan.test == "kruskal_wallis");
   CHECK(plan.adjustment == Adjustment::bonferroni);
   CHECK(plan.control == "IK-BA");
@@ -55,7 +55,6 @@ TEST_CASE("the plan is what the study's definition says, in its units", "[analys
   CHECK(plan.unit == Unit::point);
   CHECK(plan.estimands == std::vector{Estimand::mean, Estimand::typical});
   CHECK(plan.within_cm == 0.02);
-  CHECK(plan.jump_deg == 12);
   CHECK(plan.program_times == ProgramTimes::compared);
 }
 
@@ -88,7 +87,7 @@ TEST_CASE("a plan that was there before the first solve is said to be so", "[ana
       std::vector<std::string>{
           "The methods were fixed in the study before its first solve in this store (test by_design, adjustment holm, "
           "control none, significance 0.01, margin_percent 5, margin_cm 0, power 0.8, quartiles 5, unit run, "
-          "estimands mean + typical + reliability, within_cm 0.01, jump_deg 30, program_times apart)."});
+          "estimands mean + typical + reliability, within_cm 0.01, program_times apart)."});
   CHECK(plan_changes(entry_with(plan), sessions_with({plan, plan}), solves_by_session({3, 2})).empty());
   CHECK(plan_notes(entry_with(plan), {}, {})
             .at(0)
@@ -154,7 +153,7 @@ TEST_CASE("solves without a record of their plan are counted, and an absent cont
 TEST_CASE("the table of the plan has every field with its value and meaning", "[analysis_plan]") {
   const Table table = plan_table(entry_with("{}"), AnalysisPlan{.margin = 0.1}, {"a note"});
   CHECK(table.name == "analysis-plan");
-  REQUIRE(table.rows.size() == 13);  // the fields of AnalysisPlan
+  REQUIRE(table.rows.size() == 12);  // the fields of AnalysisPlan
   CHECK(readable(table.rows[4][0]) == "margin_percent");
   CHECK(readable(table.rows[4][1]) == "10");
   for (const auto& row : table.rows) CHECK(!readable(row[2]).empty());

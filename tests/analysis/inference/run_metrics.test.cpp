@@ -1,4 +1,4 @@
-// Metrics of whole runs, of turned answers and of targets beyond the reach, by hand; and the metrics that a report
+// Metrics of whole runs and of turned answers, by hand; and the metrics that a report
 // shows.
 #include <algorithm>
 #include <cmath>
@@ -65,62 +65,15 @@ const std::vector<std::vector<double>> corner{{10, 0}, {13, 4}, {13, 44}, {10, 0
 
 }  // namespace
 
-TEST_CASE("the path of the joints is measured from the first answer on", "[run_metrics]") {
-  // Moves of 5, 40 and sqrt(9 + 1936) deg; that to the first point, 10 deg, is none of the path.
-  const StudyResults study = recorded_study(run_through(corner));
-  CHECK(only_value(study, "path_length_deg") == Approx(45 + std::sqrt(9 + 44 * 44)));
-  CHECK(only_value(study, "largest_jump_deg") == Approx(44));
-  CHECK(only_value(study, "jumps") == 2);  // beyond 30 deg
-  CHECK(only_value(recorded_study(run_through(corner), R"({"analysis": {"jump_deg": 42}})"), "jumps") == 1);
+TEST_CASE("a run bends by the mean second difference of its angles", "[run_metrics]") {
   // (13, 44) - 2 (13, 4) + (10, 0) = (-3, 36), and (10, 0) - 2 (13, 44) + (13, 4) = (-3, -84).
-  CHECK(only_value(study, "second_difference_deg") == Approx((std::hypot(3, 36) + std::hypot(3, 84)) / 2));
-  CHECK(only_value(recorded_study(run_through({{0, 0}, {1, 2}, {2, 4}, {3, 6}})), "second_difference_deg") ==
+  CHECK(only_value(recorded_study(run_through(corner)), "bend_deg") == Approx((3 + 36 + 3 + 84) / 4.0));
+  CHECK(only_value(recorded_study(run_through({{0, 0}, {1, 2}, {2, 4}, {3, 6}})), "bend_deg") ==
         Approx(0).margin(1e-12));
-}
-
-TEST_CASE("a closed path has a return, and any other has none", "[run_metrics]") {
-  std::vector<SolveRecord> solves = run_through({{10, 0}, {40, 40}, {13, 4}});
-  CHECK(std::isnan(only_value(recorded_study(solves), "return_deg")));
-  solves.back().target_position_m = {0.1 + 1e-12, 0, 0};
-  CHECK(only_value(recorded_study(solves), "return_deg") == Approx(5));
-  solves.back().target_rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};  // there, but turned
-  CHECK(std::isnan(only_value(recorded_study(solves), "return_deg")));
-}
-
-TEST_CASE("joints that slide are apart from those that turn", "[run_metrics]") {
-  std::vector<SolveRecord> solves = run_through({{10, 0}, {13, 400}, {10, 0}});
-  solves.back().target_position_m = solves.front().target_position_m;
-  for (SolveRecord& solve : solves) solve.variation_m = 0.25;
-  const StudyResults study = recorded_study(solves, R"({"arm": {"links": [{"joint": "turns"}, {"joint": "slides"}]}})");
-  CHECK(only_value(study, "second_difference_deg") == Approx(6));
-  CHECK(only_value(study, "return_deg") == Approx(0).margin(1e-12));
-  CHECK(only_value(study, "path_length_m") == 0.5);
-}
-
-TEST_CASE("what is no path has no jumps: drawn targets, solves with starts of their own, missing answers",
-          "[run_metrics]") {
-  const std::vector<std::string> columns{"path_length_deg",  "path_length_m",         "jumps",
-                                         "largest_jump_deg", "second_difference_deg", "return_deg"};
-  std::vector<SolveRecord> anew = run_through(corner);
-  for (SolveRecord& solve : anew) solve.start_rad = {0, 0};
-  std::vector<SolveRecord> without = run_through(corner);
-  for (SolveRecord& solve : without) solve.answer_rad = solve.start_rad = {};
-  std::vector<SolveRecord> not_finite = run_through(corner);
-  not_finite[1].answer_rad[0] = not_defined;
-  for (const std::string& column : columns) {
-    CAPTURE(column);
-    CHECK(std::isnan(only_value(recorded_study(run_through(corner), R"({"path": {"kind": "random"}})"), column)));
-    CHECK(std::isnan(only_value(recorded_study(anew), column)));
-    CHECK(std::isnan(only_value(recorded_study(without), column)));
-    CHECK(std::isnan(only_value(recorded_study(not_finite), column)));
-    CHECK(std::isnan(only_value(recorded_study(run_through({{1, 2}})), column)));
-  }
-}
-
-TEST_CASE("the order of the records does not matter to a run", "[run_metrics]") {
-  std::vector<SolveRecord> solves = run_through(corner);
-  std::ranges::reverse(solves);
-  CHECK(only_value(recorded_study(solves), "jumps") == 2);
+  CHECK(std::isnan(only_value(recorded_study(run_through({{1, 2}})), "bend_deg")));
+  std::vector<SolveRecord> reversed = run_through(corner);
+  std::ranges::reverse(reversed);
+  CHECK(only_value(recorded_study(reversed), "bend_deg") == Approx(31.5));
 }
 
 TEST_CASE("the angle of an orientation error is that of the rotation", "[run_metrics]") {
@@ -133,48 +86,35 @@ TEST_CASE("the angle of an orientation error is that of the rotation", "[run_met
   }
 }
 
-TEST_CASE("the excess is the error beyond the unavoidable, of targets beyond the reach alone", "[run_metrics]") {
-  std::vector<SolveRecord> solves = run_through(corner);
-  for (SolveRecord& solve : solves) solve.position_error_cm = 7;
-  CHECK(std::isnan(only_value(recorded_study(solves), "excess_error_cm")));
-  solves[1].unavoidable_error_cm = 5;
-  solves[2].unavoidable_error_cm = 6;
-  CHECK(only_value(recorded_study(solves), "excess_error_cm") == 1.5);
-}
-
 TEST_CASE("observations have the numbers of whole runs", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   std::ranges::copy(run_through({{10, 0}, {13, 4}}, 2), std::back_inserter(solves));  // two points are missing
   std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 3), std::back_inserter(solves));
-  const StudyResults study = recorded_study(solves, R"({"points": 4, "runs": 3, "path": {"kind": "line"}})");
-  const Observations jumps = observations(study, metric("jumps"));
-  CHECK(jumps.groups[0].values == std::vector<double>{2, 0});
-  CHECK(jumps.replicate == "the value of a run over its 4 points");
+  const StudyResults study = recorded_study(solves, R"({"points": 4, "runs": 3})");
+  const Observations bends = observations(study, metric("bend_deg"));
+  REQUIRE(bends.groups[0].values.size() == 2);
+  CHECK(bends.groups[0].values[0] == Approx(31.5));
+  CHECK(bends.groups[0].values[1] == Approx(0).margin(1e-12));
+  CHECK(bends.replicate == "the value of a run over its 4 points");
 }
 
 TEST_CASE("a report shows what differs between runs, and names what it leaves out", "[run_metrics]") {
   std::vector<SolveRecord> solves = run_through(corner);
   std::ranges::copy(run_through({{10, 0}, {13, 4}, {16, 8}, {19, 12}}, 2), std::back_inserter(solves));
   for (SolveRecord& solve : solves) {
-    solve.manipulability = 0.25;
-    solve.limit_margin = 0.1 * solve.run;
+    solve.variation_m = 0.1 * solve.run;
     solve.orientation_error = 1e-12 * solve.run;  // rounding: the closed form of the wrist
   }
   const StudyResults study = recorded_study(solves);
-  const ShownMetrics shown = shown_metrics(study);
-  const auto has = [](const std::vector<Metric>& metrics, std::string_view column) {
-    return std::ranges::find(metrics, metric(column)) != metrics.end();
-  };
-  CHECK(has(shown.judged, "position_error_cm"));
-  CHECK(has(shown.judged, "jumps"));
-  CHECK(has(shown.listed, "limit_margin"));
-  CHECK_FALSE(has(shown.judged, "limit_margin"));
-  CHECK_FALSE(has(shown.judged, "orientation_error_deg"));
-  CHECK_FALSE(has(shown.listed, "manipulability"));
+  const std::vector<Metric> shown = shown_metrics(study);
+  const auto has = [&](std::string_view column) { return std::ranges::find(shown, metric(column)) != shown.end(); };
+  CHECK(has("position_error_cm"));
+  CHECK(has("variation_m"));
+  CHECK_FALSE(has("bend_deg"));
+  CHECK_FALSE(has("orientation_error_deg"));
   StudyResults of_paper = study;
   of_paper.facts.published = "slim2023";
-  CHECK(shown_metrics(of_paper).judged == reported_metrics());
-  CHECK(shown_metrics(of_paper).listed.empty());
+  CHECK(shown_metrics(of_paper) == reported_metrics());
 }
 
 TEST_CASE("solved solves are counted with Wilson's interval, by what is independent", "[run_metrics]") {

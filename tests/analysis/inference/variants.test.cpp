@@ -325,22 +325,6 @@ TEST_CASE("evaluations that nobody counted are no regression, and solves without
              ContainsSubstring("Solves without an answer: none of A's 20; 3 of B's 20 (crashed 2, timed_out 1)."));
 }
 
-TEST_CASE("instructions are compared where the processor counted those of both", "[variants]") {
-  const auto counting = [](double instructions) {
-    return [=](SolveRecord& solve) {
-      solve.instructions = instructions + solve.run;
-      solve.timing = Timing::parallel;  // load does not change them
-    };
-  };
-  const Variant a = variant(about(1, 0.1), counting(1000)), b = variant(about(1, 0.1), counting(1200)),
-                uncounted = variant(about(1, 0.1));
-  CHECK(compared(a, b, {"instructions"}).metrics.front().finding().relation == Relation::better);
-  CHECK(compared(b, a, {"instructions"}).metrics.front().finding().relation == Relation::worse);
-  const VariantComparison comparison = compared(a, uncounted, {"instructions"});
-  CHECK(!comparison.metrics.front().is_compared());
-  CHECK_THAT(fmt::format("{}", fmt::join(comparison.notes, "\n")), ContainsSubstring("were not counted"));
-}
-
 TEST_CASE("what was not given the same to do is refused", "[variants]") {
   const Variant a = variant(about(1, 0.1));
   const auto changed = [&](const Change& change) { return refusal(a, variant(about(1, 0.1), change)); };

@@ -17,9 +17,9 @@
 
 // Two functions of pieces/, which have no header.
 namespace ikbench::report {
-std::vector<Table> sweep_tables(const inference::StudyResults& study, const inference::ShownMetrics& metrics);
+std::vector<Table> sweep_tables(const inference::StudyResults& study, const std::vector<inference::Metric>& metrics);
 std::vector<figures::Figure> sweep_figures(const inference::StudyResults& study,
-                                           const inference::ShownMetrics& metrics);
+                                           const std::vector<inference::Metric>& metrics);
 }  // namespace ikbench::report
 
 using namespace ikbench;
