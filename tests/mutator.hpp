@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace ikbench {
 
@@ -22,47 +24,21 @@ class Mutator {
   std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
 
   void change(std::string& text) {
-    static constexpr const char* pieces[] = {"[",
-                                             "]",
-                                             "{",
-                                             "}",
-                                             "[[",
-                                             "]]",
-                                             "\"",
-                                             "'",
-                                             "\"\"\"",
-                                             "=",
-                                             ",",
-                                             ".",
-                                             "#",
-                                             "\n",
-                                             "-",
-                                             "+",
-                                             "nan",
-                                             "inf",
-                                             "1e9",
-                                             "true",
-                                             "solvers",
-                                             "path",
-                                             "limits_m",
-                                             "slides",
-                                             "0x",
-                                             "_",
-                                             "\\",
-                                             "\r",
-                                             "1979-05-27",
-                                             "\xff",
-                                             "99999999999999999999",
-                                             "{a={b=1}}",
-                                             "[[[[1]]]]",
-                                             "é"};
+    static const std::vector<std::string> pieces = [] {
+      std::istringstream words(
+          "[ ] { } [[ ]] \" ' \"\"\" = , . # - + nan inf 1e9 true solvers path limits_m slides 0x _ \\ 1979-05-27 \xff "
+          "99999999999999999999 {a={b=1}} [[[[1]]]] é 1e308 -Inf NA 5e-324 0.30000000000000004 1e999");
+      std::vector<std::string> all{std::istream_iterator<std::string>(words), {}};
+      all.insert(all.end(), {"\n", "\r"});
+      return all;
+    }();
     const std::size_t place = below(text.size() + 1), length = std::min(text.size() - place, below(12));
     switch (below(5)) {
       case 0:
         text.erase(place, length);
         break;
       case 1:
-        text.insert(place, pieces[below(std::size(pieces))]);
+        text.insert(place, pieces[below(pieces.size())]);
         break;
       case 2:  // a piece of the file somewhere else
         text.insert(below(text.size() + 1), text.substr(place, below(80)));
@@ -71,7 +47,7 @@ class Mutator {
         if (place < text.size()) text[place] = static_cast<char>(below(256));
         break;
       default:
-        text.replace(place, length, pieces[below(std::size(pieces))]);
+        text.replace(place, length, pieces[below(pieces.size())]);
     }
   }
 
