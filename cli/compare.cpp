@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/inference/make_study.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/variants_table.hpp"
@@ -35,7 +34,7 @@ using namespace report;
 
 namespace {
 
-constexpr int regression = 3, undecided = 4, more_runs = 5;  // exit codes
+constexpr int regression = 3, undecided = 4;  // exit codes
 
 // "a, b or c"
 std::string metric_names() {
@@ -237,12 +236,11 @@ void write_output(const ComparedLabels& compared, const std::string& file, const
 }
 
 constexpr std::string_view outcome_name(int code) {
-  return code == regression ? "worse" : code == undecided ? "undecided" : code == more_runs ? "more_runs" : "passed";
+  return code == regression ? "worse" : code == undecided ? "undecided" : "passed";
 }
 
 int exit_code(const ComparedLabels& compared, const CompareArguments& arguments) {
   if (any_metric(compared.comparisons, is_regression)) return regression;
-  if (compared.state == LookState::open) return more_runs;
   // Times that nobody asked for do not count: those of two sessions cannot be compared.
   const auto counts = [&](const MetricComparison& metric) {
     return is_open(metric) && (metric.metric != Metric::seconds || !arguments.metrics.empty());
@@ -263,55 +261,13 @@ int tell(const ComparedLabels& compared, const CompareArguments& arguments) {
   return code;
 }
 
-// The number of runs of the study in its store.
-int stored_runs(const std::filesystem::path& file, const std::string& name) {
-  if (!std::filesystem::exists(file)) return 0;
-  for (const StudyEntry& study : Store(file, Store::Mode::read).studies()) {
-    if (study.name == name) return make_study(study, {}).runs;
-  }
-  return 0;
-}
-
 void refuse_labels(const CompareArguments& arguments) {
   if (!arguments.other_study.empty())
-    throw std::invalid_argument(
-        "--other-study needs two stores; with --store or --run, A and B are labels of one study");
+    throw std::invalid_argument("--other-study needs two stores; with --store, A and B are labels of one study");
   if (!arguments.labels.empty())
-    throw std::invalid_argument("--label needs two stores; with --store or --run, A and B are already labels");
+    throw std::invalid_argument("--label needs two stores; with --store, A and B are already labels");
   if (arguments.a == arguments.b)
     throw std::invalid_argument(fmt::format("A and B are both the label {}; name two labels", arguments.a));
-}
-
-void refuse_unknown_labels(const CompareArguments& arguments, const Study& study) {
-  std::vector<std::string> labels;
-  for (const auto& entry : study.solvers) labels.push_back(entry.label);
-  for (const std::string& label : {arguments.a, arguments.b}) {
-    if (std::ranges::find(labels, label) == labels.end()) {
-      throw std::invalid_argument(unknown_name("label", label, labels));
-    }
-  }
-}
-
-// Solves the study look by look, until A and B are decided.
-int run_and_compare(const CompareArguments& arguments, const Invocation& invocation) {
-  refuse_collection(arguments.run, "ikbench compare --run");
-  Study study = load_study(arguments.run, arguments.overrides);
-  refuse_unknown_labels(arguments, study);
-  const std::filesystem::path folder =
-      arguments.solving.out.empty() ? default_folder(study.name) : std::filesystem::path(arguments.solving.out);
-  const Looks& looks = arguments.looks;
-  check_looks(looks);
-  const int earlier = std::min(stored_runs(store_in(folder), study.name), looks.most);
-  ComparedLabels compared;
-  for (study.runs = std::max(looks.step, earlier - earlier % looks.step);; study.runs += looks.step) {
-    const RunRequest request{.jobs = arguments.solving.jobs, .command = invocation.command};
-    Solved solved;
-    if (run_study(study, folder, request, solved) == Ended::stopped) return cancelled_exit_code();
-    compared = judged(labels_of_store(arguments, store_in(folder), study.name), arguments, std::move(compared));
-    if (compared.state == LookState::open) continue;
-    compared.notes.push_back(solved.words(store_in(folder)) + '.');
-    return tell(compared, arguments);
-  }
 }
 
 void refuse_margin(const CompareArguments& arguments) {
@@ -322,45 +278,12 @@ void refuse_margin(const CompareArguments& arguments) {
       "--margin-cm: no metric is in cm; expected --metric position_error_cm, or no --margin-cm");
 }
 
-int compare(const CompareArguments& arguments, const Invocation& invocation) {
+int compare(const CompareArguments& arguments) {
   for (const std::string& file : arguments.outputs) refuse_output(arguments, file);
   refuse_margin(arguments);
-  if (arguments.store.empty() && arguments.run.empty())
-    return tell(judged(labels_of_stores(arguments), arguments), arguments);
+  if (arguments.store.empty()) return tell(judged(labels_of_stores(arguments), arguments), arguments);
   refuse_labels(arguments);
-  if (!arguments.run.empty()) return run_and_compare(arguments, invocation);
   return tell(judged(labels_of_store(arguments, arguments.store, arguments.study), arguments), arguments);
-}
-
-// Options that name a stored study exclude solving one.
-void add_sequential_options(CLI::App& command, CompareArguments& arguments,
-                            const std::vector<CLI::Option*>& of_stores) {
-  CLI::Option* const sequential = command.add_flag(
-      "--sequential", arguments.sequential,
-      "look after every --step runs, and stop when something is worse or nothing is undecided; p-values count the looks");
-  command.add_option("--step", arguments.looks.step, "with --sequential: runs from one look to the next")
-      ->check(whole_number())
-      ->needs(sequential)
-      ->capture_default_str();
-  command
-      .add_option("--max-runs", arguments.looks.most,
-                  "with --sequential: runs of the last look; choose both before you see results")
-      ->check(whole_number())
-      ->needs(sequential)
-      ->capture_default_str();
-  CLI::Option* const run =
-      command
-          .add_option(
-              "--run", arguments.run,
-              "with --sequential: solve this study (a name or a TOML file, see ikbench run) look by look; A and "
-              "B are labels of it")
-          ->needs(sequential);
-  for (CLI::Option* option : of_stores) run->excludes(option);
-  command.add_option("--set", arguments.overrides, "with --run: change a key of the study, as in ikbench run")
-      ->allow_extra_args(false)
-      ->needs(run);
-  add_run_options(command, arguments.solving);
-  for (const char* name : {"--out", "--jobs"}) command.get_option(name)->needs(run);
 }
 
 }  // namespace
@@ -369,13 +292,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
       app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
-  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store or --run")
-      ->required();
-  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store or --run")
-      ->required();
-  CLI::Option* const store = command->add_option("--store", arguments->store, "store in which A and B are labels");
-  CLI::Option* const study =
-      command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
+  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
+  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
+  command->add_option("--store", arguments->store, "store in which A and B are labels");
+  command->add_option("--study", arguments->study, "name of the study; default: the first in A's store");
   command->add_option("--other-study", arguments->other_study,
                       "with two stores, which may be one file: name of B's study; default: as A's");
   command
@@ -409,14 +329,12 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("-o,--output", arguments->outputs,
                    "also write the full table to this .md, .csv, .json or .xml (JUnit) file; repeat for more")
       ->allow_extra_args(false);
-  add_sequential_options(*command, *arguments, {store, study});
   add_output_options(*command, arguments->output_as);
   command->footer(
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite\n"
       "  ikbench compare both.sqlite both.sqlite --study before --other-study after\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --metric position_error_cm --margin 10%\n"
-      "  ikbench compare IK-BA mine --run my.toml --sequential    # solves until it is decided, at most 50 runs\n"
       "In continuous integration, with the store of the last release as base.sqlite:\n"
       "  ikbench run my.toml --no-report --out new\n"
       "  ikbench compare base.sqlite new/store.sqlite --strict -o comparison.md\n\n"
@@ -426,13 +344,12 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "difference of the margin takes. --margin, --margin-cm and --significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
-      "(evaluations that nobody counted do not matter),\n"
-      "5 (--sequential without --run) not decided yet: add runs, 128 + number of the signal (130: Ctrl-C).");
+      "(evaluations that nobody counted do not matter), 128 + number of the signal (130: Ctrl-C).");
   command->callback([arguments, margin, margin_cm, significance, &invocation] {
     if (margin->count() > 0) arguments->margin = arguments->plan.margin;
     if (margin_cm->count() > 0) arguments->margin_cm = arguments->plan.margin_cm;
     if (significance->count() > 0) arguments->significance = arguments->plan.significance;
-    invocation.exit_code = compare(*arguments, invocation);
+    invocation.exit_code = compare(*arguments);
   });
 }
 

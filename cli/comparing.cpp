@@ -85,17 +85,8 @@ void refuse_damaged(const Store& store, const std::string& study, const std::fil
 }
 
 // Takes the level of this look if there were earlier ones with other numbers of runs, says so, and remembers it.
-// Planned looks have levels of their own, which hold only if nobody looked before.
-void look(Request& asked, bool is_planned, const Store& store, const StudyEntry& study) {
+void look(Request& asked, const Store& store, const StudyEntry& study) {
   const std::vector<Look> looks = looks_at(study.name, store.name());
-  if (is_planned) {
-    std::vector<int> runs;
-    for (const Look& each : looks) runs.push_back(each.runs);
-    if (runs.empty()) return;
-    asked.notes.push_back(fmt::format(report::words::looked_before_plan, fmt::arg("runs", fmt::join(runs, ", ")),
-                                      fmt::arg("level", percent(asked.plan.significance))));
-    return;
-  }
   const int runs = store.runs_begun(study);
   std::ranges::move(list_of(look_doubts(looks, runs, asked.plan.significance)), std::back_inserter(asked.notes));
   asked.plan.significance = level_of_look(looks, runs, asked.plan.significance);
@@ -126,7 +117,7 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
         report::words::families,
         fmt::arg("solvers", control.empty() ? fmt::format("all {} solvers", all.size()) : "the control " + control)));
   }
-  look(asked, arguments.sequential, store, study);
+  look(asked, store, study);
   return asked;
 }
 
@@ -143,31 +134,15 @@ Request labels_of_stores(const CompareArguments& arguments) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
     asked.studies.push_back(study_of_both(one, other, asked.plan));
   }
-  look(asked, arguments.sequential, of_b, second);  // A is the baseline, which does not grow
+  look(asked, of_b, second);  // A is the baseline, which does not grow
   return asked;
 }
 
-ComparedLabels judged(const Request& asked, const CompareArguments& arguments, SequentialComparison earlier) {
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments) {
   const WorkingLine comparing("Comparing ...");
-  const Looks& looks = arguments.looks;
-  ComparedLabels compared{arguments.sequential
-                              ? compare_sequentially(asked.studies, arguments.metrics, looks, std::move(earlier))
-                              : SequentialComparison{.comparisons = compare_variants(asked.studies, arguments.metrics),
-                                                     .state = LookState::settled},
+  ComparedLabels compared{compare_variants(asked.studies, arguments.metrics),
                           fmt::format("{}; {}.", asked.headline, rules(asked.plan)), asked.plan, asked.notes};
   for (const VariantStudy& study : asked.studies) compared.differences.push_back(study.differences);
-  if (!arguments.sequential) return compared;
-  compared.headline +=
-      fmt::format("\nLooks after every {} of at most {} runs: {} after {} runs.", looks.step, looks.most,
-                  compared.state == LookState::settled ? "decided" : "not decided", compared.runs);
-  compared.notes.push_back(
-      "Each level counts the looks: together they find what is not there as rarely as one look. What a look decides "
-      "stays, with the runs of that look.");
-  if (compared.state == LookState::open) {
-    compared.notes.push_back(fmt::format(
-        "Next: ikbench run STUDY --set runs={} --no-report for A and for B, into the same folders, then compare again.",
-        compared.runs + looks.step));
-  }
   return compared;
 }
 

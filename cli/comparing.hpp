@@ -1,4 +1,4 @@
-// Compares for `ikbench compare`: labels of one store, or of two, once or look by look.
+// Compares for `ikbench compare`: labels of one store, or of two.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,6 @@
 
 #include "analysis/inference/variant_comparison.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/study_reader.hpp"
 #include "results/analysis_plan.hpp"
 
 namespace ikbench::cli {
@@ -23,11 +22,6 @@ struct CompareArguments {
   std::optional<double> significance = {};
   std::optional<results::Estimand> estimand = {};
   bool strict = false;
-  bool sequential = false;
-  inference::Looks looks = {};
-  std::string run;  // the study to solve look by look
-  experiments::Overrides overrides;
-  RunArguments solving;
   OutputArguments output_as;
 };
 
@@ -39,7 +33,8 @@ struct Request {
   std::vector<std::string> notes = {};
 };
 
-struct ComparedLabels : inference::SequentialComparison {
+struct ComparedLabels {
+  std::vector<inference::VariantComparison> comparisons;
   std::string headline = {};
   results::AnalysisPlan plan = {};
   std::vector<std::string> notes = {};
@@ -50,8 +45,6 @@ struct ComparedLabels : inference::SequentialComparison {
 Request labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& study);
 Request labels_of_stores(const CompareArguments& arguments);
 
-// `earlier` has the looks that were made already.
-ComparedLabels judged(const Request& asked, const CompareArguments& arguments,
-                      inference::SequentialComparison earlier = {});
+ComparedLabels judged(const Request& asked, const CompareArguments& arguments);
 
 }  // namespace ikbench::cli

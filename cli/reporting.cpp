@@ -84,22 +84,6 @@ std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry,
   return std::move(changes.sentences);
 }
 
-// The results for a screen: of a sweep each metric's rows begin with the best.
-Table shown_results(const Report& report) {
-  Table table = report.results;
-  if (report.best_first.empty() || table.columns.size() < 2 || table.columns[1] != "metric") return table;
-  const auto place = [&](const std::vector<Cell>& row) {
-    return std::ranges::find(report.best_first, readable(row.front())) - report.best_first.begin();
-  };
-  for (auto begin = table.rows.begin(); begin != table.rows.end();) {
-    const auto end = std::find_if(begin, table.rows.end(),
-                                  [&](const auto& row) { return readable(row[1]) != readable((*begin)[1]); });
-    std::ranges::stable_sort(begin, end, {}, place);
-    begin = end;
-  }
-  return table;
-}
-
 // The verdict, the claims or the results, what else is to be said, and where the report is.
 std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& answers,
                             const std::vector<std::string>& remarks, const OutputArguments& output) {
@@ -123,7 +107,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
       asked.items.emplace_back();
     }
     parts.push_back(std::move(asked));
-    parts.push_back(table_rows(shown_results(report), output, of_table));
+    parts.push_back(table_rows(report.results, output, of_table));
     parts.push_back({.items = {""}});
     parts.push_back(sentences(said, of_sentences));
   } else {
@@ -140,7 +124,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
     parts.push_back(std::move(rows));
     parts.push_back(std::move(asked));
     parts.push_back(sentences(said));
-    if (output.is_verbose) parts.push_back(table_rows(shown_results(report), output, 0));
+    if (output.is_verbose) parts.push_back(table_rows(report.results, output, 0));
   }
   if (!remarks.empty()) {
     Part part;

@@ -40,20 +40,6 @@ Json members_at(const Json& all, const std::string& path) {
   return value.is_object() ? value : Json::object();
 }
 
-std::map<std::string, SweptEntry> swept_in(const Json& all) {
-  std::map<std::string, SweptEntry> swept;
-  const Json entries = members_at(all, "/swept");
-  for (const auto& [label, entry] : entries.items()) {
-    SweptEntry one{.family = text_at(entry, "/family"), .settings = {}};
-    const Json settings = members_at(entry, "/settings");
-    for (const auto& [setting, value] : settings.items()) {
-      if (value.is_string()) one.settings[setting] = value.get<std::string>();
-    }
-    if (!one.settings.empty()) swept[label] = std::move(one);
-  }
-  return swept;
-}
-
 std::map<std::string, TunedEntry> tuned_in(const Json& all) {
   std::map<std::string, TunedEntry> tuned;
   const Json entries = members_at(all, "/tuned");
@@ -113,7 +99,6 @@ StudyFacts facts_of(const Json& all, std::string definition) {
                            .farthest_point = number_at(all, "/out_of_reach/farthest_point"),
                            .farthest_cm = number_at(all, "/out_of_reach/farthest_cm"),
                            .reach_cm = number_at(all, "/out_of_reach/reach_cm")},
-          .swept = swept_in(all),
           .tuned = tuned_in(all),
           .arm = value_at(all, "/arm")};
 }

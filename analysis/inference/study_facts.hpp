@@ -16,12 +16,6 @@ namespace ikbench::inference {
 
 using statistics::not_defined;
 
-// An entry that a sweep made: of which one, and its values of the swept settings.
-struct SweptEntry {
-  std::string family;
-  std::map<std::string, std::string> settings;
-};
-
 // Describes how `ikbench tune` chose the settings of an entry.
 struct TunedEntry {
   std::string by;  // the quantity
@@ -65,9 +59,8 @@ struct StudyFacts {
   Stop stop = {};
   std::string path = {};  // kind of path, or empty
   OutOfReach out_of_reach = {};
-  std::map<std::string, SweptEntry> swept = {};  // by label
-  std::map<std::string, TunedEntry> tuned = {};
-  nlohmann::json arm = {};  // null if there is none
+  std::map<std::string, TunedEntry> tuned = {};  // by label
+  nlohmann::json arm = {};                       // null if there is none
 
   // Returns whether each solve has its own start, the same for all solvers, rather than the previous answer.
   bool starts_anew() const { return !start.empty() && start != "previous"; }

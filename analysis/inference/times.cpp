@@ -41,12 +41,6 @@ StudyResults at_median_speed(StudyResults study) {
   return study;
 }
 
-std::string speed_note(const StudyResults& study) {
-  const std::string uncounted = words_of(left_out(study, Metric::evaluations));
-  return uncounted.empty() ? std::string(median_speed_words)
-                           : fmt::format("{} {} Their times are as measured.", median_speed_words, uncounted);
-}
-
 ValueOf undisturbed_seconds(const StudyResults& study) {
   return [&study, paces = seconds_per_evaluation_of(study)](const Solve& solve) {
     const double usual = usual_seconds(study, paces, solve);

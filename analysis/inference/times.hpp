@@ -1,7 +1,6 @@
 // Replaces times that other programs disturbed, so that these decide nothing, and reports the disturbances.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "analysis/inference/doubt.hpp"
@@ -16,8 +15,6 @@ StudyResults at_median_speed(StudyResults study);
 
 constexpr std::string_view median_speed_words =
     "Times are those of the evaluations at the median speed of the solver, which an interruption does not change.";
-// median_speed_words, and the solvers for which they are not true.
-std::string speed_note(const StudyResults& study);
 
 // Returns a solve's time, or its usual time, that of at_median_speed(), if it took more than three times as long and
 // was not repeated. `study` must outlive the result.

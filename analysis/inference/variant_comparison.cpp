@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/margin.hpp"
-#include "analysis/statistics/group_sequential.hpp"
 
 namespace ikbench::inference {
 
@@ -36,7 +34,7 @@ std::vector<Metric> asked_metrics(std::span<const std::string> names, std::span<
   return result;
 }
 
-// A metric that needs a test, which may be made at several levels.
+// A metric that needs a test, which is made at several levels.
 struct Open {
   MetricComparison* row;
   AnalysisPlan plan;
@@ -93,12 +91,12 @@ std::optional<AnalysisPlan> examine(MetricComparison& row, const VariantStudy& o
 
 // Holm (Scandinavian J. Statistics 6 (1979) 65): the smallest p is tested at significance / m, the next at
 // significance / (m - 1), and so on until one is not below. The others are left at the level of that one.
-void decide(std::vector<Open>& all, double significance, const LevelOf& level_of) {
+void decide(std::vector<Open>& all, double significance) {
   auto left = static_cast<double>(all.size());
-  for (Open& each : all) each.test(level_of(significance / left));
+  for (Open& each : all) each.test(significance / left);
   std::ranges::stable_sort(all, {}, &Open::p);
   for (Open& each : all) {
-    if (const double level = level_of(significance / left); level > each.row->level()) each.test(level);
+    if (const double level = significance / left; level > each.row->level()) each.test(level);
     if (each.p() < each.row->level()) --left;
   }
 }
@@ -122,34 +120,6 @@ std::string failures_note(const StudyResults& study) {
   return all == 0 ? "" : fmt::format("Solves without an answer: {}.", fmt::join(sides, "; "));
 }
 
-// Number of runs, from the first, that both have solved completely.
-int runs_in_common(const StudyResults& study) {
-  std::map<int, int> solves;
-  for (const Solve& solve : study.solves) ++solves[solve.run];
-  int run = 0;
-  while (solves.contains(run + 1) && solves[run + 1] == 2 * study.points) ++run;
-  return run;
-}
-
-std::vector<VariantStudy> first_runs(std::span<const VariantStudy> all, int runs) {
-  std::vector<VariantStudy> result(all.begin(), all.end());
-  for (VariantStudy& each : result) {
-    std::erase_if(each.study.solves.to_change(), [&](const Solve& solve) { return solve.run > runs; });
-    each.study.runs = runs;
-  }
-  return result;
-}
-
-// Keeps what an earlier look decided. A fact of the first runs does not settle later ones.
-void keep_settled(std::vector<VariantComparison>& now, const std::vector<VariantComparison>& before) {
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    for (std::size_t m = 0; m < before[i].metrics.size(); ++m) {
-      const MetricComparison& metric = before[i].metrics[m];
-      if (metric.is_compared() && !metric.finding().is_fact && !is_open(metric)) now[i].metrics[m] = metric;
-    }
-  }
-}
-
 }  // namespace
 
 bool is_regression(const MetricComparison& metric) {
@@ -165,7 +135,7 @@ bool is_open(const MetricComparison& metric) {
 }
 
 std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> studies,
-                                                std::span<const std::string> metrics, const LevelOf& level_of) {
+                                                std::span<const std::string> metrics) {
   const std::vector<Metric> asked = asked_metrics(metrics, studies);
   std::vector<VariantComparison> result;
   std::vector<Open> open;
@@ -186,60 +156,7 @@ std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> st
         comparison.notes.push_back(std::move(note));
     }
   }
-  if (!open.empty()) decide(open, studies.front().study.plan.significance, level_of);
-  return result;
-}
-
-void check_looks(const Looks& looks) {
-  constexpr int most_looks = 20;
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument(
-        fmt::format("looks after every {} of at most {} runs: {}", looks.step, looks.most, what));
-  };
-  if (looks.step < 2) refuse("--step is at least 2, because a single run shows no variation");
-  if (looks.most < looks.step || looks.most % looks.step != 0) refuse("--max-runs is a multiple of --step");
-  if (looks.most / looks.step > most_looks) {
-    refuse(fmt::format("there are at most {} looks; choose a larger --step", most_looks));
-  }
-}
-
-SequentialComparison compare_sequentially(std::span<const VariantStudy> studies, std::span<const std::string> metrics,
-                                          const Looks& looks, SequentialComparison earlier) {
-  check_looks(looks);
-  int available = looks.most;
-  for (const VariantStudy& each : studies) {
-    if (blocks_of(each.study) == Blocks::path_targets && each.study.points > 1) {
-      throw std::invalid_argument(
-          "--sequential adds runs, but here an observation is a target of the path, and runs add no targets; compare "
-          "without it");
-    }
-    available = std::min(available, runs_in_common(each.study));
-  }
-  if (available < looks.step) {
-    throw std::invalid_argument(
-        fmt::format("A and B have {} complete runs in common, and the first look is after {}", available, looks.step));
-  }
-  const Boundary boundary{.looks = looks.most / looks.step};
-  std::map<double, double> constants;  // by level
-  const auto level_of = [&](double level, int look) {
-    const auto [known, is_new] = constants.try_emplace(level);
-    if (is_new) known->second = constant_of(level / 2, boundary);
-    return 2 * level_of_look(known->second, look, boundary);
-  };
-  SequentialComparison result = std::move(earlier);
-  for (int look = result.runs / looks.step + 1; look * looks.step <= available && result.state != LookState::settled;
-       ++look) {
-    result.runs = look * looks.step;
-    std::vector<VariantComparison> now = compare_variants(first_runs(studies, result.runs), metrics,
-                                                          [&](double level) { return level_of(level, look); });
-    keep_settled(now, result.comparisons);
-    result.comparisons = std::move(now);
-    const auto is_waited_for = [](const MetricComparison& metric) { return metric.is_compared() && is_open(metric); };
-    if (any_metric(result.comparisons, is_regression) || !any_metric(result.comparisons, is_waited_for)) {
-      result.state = LookState::settled;
-    }
-  }
-  if (result.state == LookState::open && result.runs == looks.most) result.state = LookState::at_limit;
+  if (!open.empty()) decide(open, studies.front().study.plan.significance);
   return result;
 }
 

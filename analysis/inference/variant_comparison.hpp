@@ -1,8 +1,7 @@
-// Compares variants: the engine of reports with two groups, a family of metrics, and levels by look while runs grow.
+// Compares variants: the engine of reports with two groups, and a family of metrics.
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,40 +49,11 @@ bool any_metric(std::span<const VariantComparison> comparisons, Is is) {
                              [&](const VariantComparison& each) { return std::ranges::any_of(each.metrics, is); });
 }
 
-// Turns a significance level into the level of one look; the identity if there is only one look.
-using LevelOf = std::function<double(double)>;
-
 // Compares the named metrics. If none is named, compares compared_metrics() and, for poses, the orientation error.
 // Takes the mean of each metric, unless the plan asks for another estimand only. The plan's test decides each, at
 // Holm's levels over all labels and metrics: the probability of any false finding is at most `significance`. Throws
 // std::invalid_argument for an unknown metric.
-std::vector<VariantComparison> compare_variants(
-    std::span<const VariantStudy> studies, std::span<const std::string> metrics,
-    const LevelOf& level_of = [](double level) { return level; });
-
-// The looks, planned before the runs are seen: after `step` runs, 2 `step`, ..., `most`.
-struct Looks {
-  int step = 5;
-  int most = 50;
-};
-// Throws std::invalid_argument unless there are 1 to 20 looks, each at 2 runs or more, the last after all runs.
-void check_looks(const Looks& looks);
-
-// settled: something is worse, or nothing is open. at_limit: neither, after `most` runs. open: more runs are needed.
-enum class LookState { settled, open, at_limit };
-
-struct SequentialComparison {
-  std::vector<VariantComparison> comparisons;  // those of the look that settles, or of the last look
-  int runs = 0;                                // number of runs at that look
-  LookState state = LookState::open;
-};
-
-// Calls compare_variants on the first runs of both at each look, at the look's level
-// (analysis/statistics/group_sequential.hpp), so that all looks together make false findings as rarely as a single one.
-// A decision of a look stays. `earlier` has the looks that were made already. Later runs than the settling look's are
-// ignored, so the answer does not depend on them. Throws std::invalid_argument as check_looks does, if more runs give
-// no more observations (targets of a path, each solved alone), or if the first look lacks complete runs.
-SequentialComparison compare_sequentially(std::span<const VariantStudy> studies, std::span<const std::string> metrics,
-                                          const Looks& looks, SequentialComparison earlier = {});
+std::vector<VariantComparison> compare_variants(std::span<const VariantStudy> studies,
+                                                std::span<const std::string> metrics);
 
 }  // namespace ikbench::inference

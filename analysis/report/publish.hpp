@@ -14,18 +14,17 @@
 namespace ikbench::report {
 
 struct Report {
-  std::filesystem::path page;                // report.html
-  std::filesystem::path file;                // report.md
-  Table results = {};                        // a study's table of results
-  std::vector<std::string> verdict = {};     // what the page says first
-  std::vector<Claim> claims = {};            // of a paper
-  Findings findings = {};                    // of a study: the quantity that decides
-  std::vector<std::string> summary;          // its first sentences
-  std::vector<std::string> warnings;         // figures not drawn, an incomplete study, ...
-  bool is_damaged = false;                   // the store has impossible numbers
-  std::vector<std::string> best_first = {};  // solvers of a sweep, by the quantity that decides; else none
-  std::vector<std::string> answers = {};     // the best settings of a sweep; what the last bits of targets change
-  std::vector<std::string> further = {};     // studies of the store that the report is not about
+  std::filesystem::path page;             // report.html
+  std::filesystem::path file;             // report.md
+  Table results = {};                     // a study's table of results
+  std::vector<std::string> verdict = {};  // what the page says first
+  std::vector<Claim> claims = {};         // of a paper
+  Findings findings = {};                 // of a study: the quantity that decides
+  std::vector<std::string> summary;       // its first sentences
+  std::vector<std::string> warnings;      // figures not drawn, an incomplete study, ...
+  bool is_damaged = false;                // the store has impossible numbers
+  std::vector<std::string> answers = {};  // what the last bits of targets change
+  std::vector<std::string> further = {};  // studies of the store that the report is not about
 };
 
 // Replaces files of the same names. Throws std::invalid_argument if the folder cannot be written. Writes tables even

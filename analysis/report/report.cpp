@@ -17,20 +17,17 @@
 #include "analysis/figures/solver_styles.hpp"
 #include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study_facts.hpp"
-#include "analysis/inference/sweep.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_words.hpp"
-#include "analysis/report/cost_tables.hpp"
 #include "analysis/report/moving_arm.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_tables.hpp"
@@ -283,54 +280,6 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   return result;
 }
 
-// The solvers of a study with a sweep by the quantity that decides it, and where that is equal by their mean error.
-std::vector<std::string> swept_best_first(const JudgedStudy& study) {
-  if (study.solves.empty() || swept_families(study).empty()) return {};
-  std::vector<std::string> solvers = study.solvers;
-  for (const Estimand estimand : {Estimand::mean, primary_estimand(study)}) {  // the last one decides
-    const Evidence& evidence = study.evidence(Metric::position_error_cm, estimand);
-    std::ranges::stable_sort(solvers, {}, [&](const std::string& solver) {
-      const auto group = std::ranges::find(evidence.groups, solver, &GroupEvidence::name);
-      return group == evidence.groups.end() ? HUGE_VAL : group_score(evidence, *group);
-    });
-  }
-  return solvers;
-}
-
-// Says what each sweep found, by the quantity that decides the study; equal settings share the first place.
-std::string best_of_sweeps(const JudgedStudy& study) {
-  const Evidence& evidence = study.evidence(Metric::position_error_cm, primary_estimand(study));
-  std::vector<std::string> sweeps;
-  for (const SweptFamily& family : swept_families(study)) {
-    std::vector<std::string> best;
-    double mean = not_defined, least = HUGE_VAL;
-    for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
-      const GroupEvidence& group = evidence.groups[i];
-      const double score = group_score(evidence, group);
-      if (std::ranges::count(family.members, group.name, &SweptFamily::Member::label) == 0 || !(score <= least))
-        continue;
-      if (score < least) best.clear();
-      least = score;
-      mean = group.described.mean;
-      best.push_back(name_words(evidence, i));
-    }
-    if (best.empty() || family.members.size() < 2) continue;
-    const std::string value =
-        evidence.scale == ValueScale::share ? percent(mean) : figures::value_words(Metric::position_error_cm, mean);
-    const std::size_t all = family.members.size();
-    sweeps.push_back(fmt::format(words::best_of_sweep,
-                                 fmt::arg("best", best.size() == all ? family.name : listed(best)),
-                                 fmt::arg("value", value),
-                                 fmt::arg("how", best.size() == all ? "all"
-                                                 : best.size() > 1  ? "a tie, best of"
-                                                                    : "best of"),
-                                 fmt::arg("count", all)));
-  }
-  if (sweeps.empty()) return "";
-  return fmt::format(words::best_of_sweeps, fmt::arg("quantity", split_unit(evidence.quantity).name),
-                     fmt::arg("list", clauses(sweeps)));
-}
-
 // Doubts of solvers whose solves come from a file.
 Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
   Doubts doubts;
@@ -579,14 +528,10 @@ Report write_report(const Store& store, const ReportRequest& request) {
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
   add_article_tables(tables, reported, collection.is_together);
-  std::ranges::move(cost_tables(study), std::back_inserter(tables));
   for (Figure& figure : convergence_figures(study)) {
     if (collection.is_together)
       figure.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", figure.caption));
     figures.push_back(std::move(figure));
-  }
-  if (std::string closest = closest_point_by_point(study); !closest.empty()) {
-    content.summary.push_back(std::move(closest));
   }
   const std::vector<Sentence> own =
       study.solves.empty() ? std::vector<Sentence>() : own_verdict(study, !content.claims.empty());
@@ -622,7 +567,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
   }
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
-  report.best_first = swept_best_first(study);
   report.answers = no_answer_sentences(study);
   if (collection.is_together) {
     for (const JudgedStudy& companion : others.companions) {
@@ -631,7 +575,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
             fmt::format(words::of_study, fmt::arg("study", companion.name), fmt::arg("what", sentence)));
     }
   }
-  if (!report.best_first.empty()) report.answers.push_back(best_of_sweeps(study));
   if (!copies.empty()) report.answers.push_back(last_bits_sentence(study, copies));
   std::erase(report.answers, "");
   if (!study.solves.empty()) {

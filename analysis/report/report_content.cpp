@@ -118,17 +118,14 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
     filled.sentences = assessment.sentences;
     if (!assessment.answer.empty()) content.seen[own.heading] = assessment.answer.front() + '.';
   }
-  fill(
-      {{"Convergence and cost",
-        "How the error falls with the cost. The curves describe single solves; intervals and bands draw runs as a whole "
-        "where each solve starts from the previous answer. Convergence and runtimes need traces, trace = "
-        "\"best_error\" in the study. Success and costs need a tolerance.",
-        {},
-        {"statistics-convergence", "statistics-ecdf-*", "statistics-solved-*", "statistics-profile-*",
-         "statistics-cost*"}},
-       {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {}, {"limits"}},
-       {"Baselines", "Other solvers on the same targets.", {}, {"baselines"}}},
-      content.results);
+  fill({{"Convergence",
+         "How the error falls with the evaluations. The curves describe single solves and need traces, trace = "
+         "\"best_error\" in the study. The share solved needs a tolerance.",
+         {},
+         {"statistics-convergence", "statistics-solved-evaluations"}},
+        {"Joint limits", "The same study with all joint limits enforced, including the wrist's.", {}, {"limits"}},
+        {"Baselines", "Other solvers on the same targets.", {}, {"baselines"}}},
+       content.results);
   if (pieces.empty()) return;
   content.results.push_back(
       {.heading = "Further", .paragraph = "", .sentences = {}, .pieces = {}, .folded = std::move(pieces)});

@@ -13,12 +13,12 @@
 #include <string>
 #include <utility>
 
-#include "analysis/inference/clusters.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/inference/trials.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/report/words.hpp"
 #include "analysis/statistics/descriptive.hpp"

@@ -190,8 +190,7 @@ std::string label_of(Comparisons comparisons, const VariantComparison& compariso
   return comparisons.size() == 1 ? "" : comparison.label + ": ";
 }
 
-// Says what an observation is, and whether observations are in pairs. Their number is the largest of the metrics: those
-// that an earlier look decided have fewer.
+// Says what an observation is, and whether observations are in pairs. Their number is the largest of the metrics.
 std::string design_words(const VariantComparison& comparison) {
   const auto metric = std::ranges::max_element(
       comparison.metrics, {}, [](const MetricComparison& each) { return number_of(each, 0) + number_of(each, 1); });

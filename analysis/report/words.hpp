@@ -187,9 +187,6 @@ inline constexpr Template by_itself = "{better} by itself, but not among all of 
 inline constexpr Template independent_runs = "Independent runs, {a} of A and {b} of B: one observation is {what}.";
 inline constexpr Template pairs = "{a} pairs of {of}s: one observation is {what}; a pair is {pair}.";
 inline constexpr Template by_unknown = "{word}, by how much is not known";
-inline constexpr Template looked_before_plan =
-    "warning: a report or a comparison looked at this study before, after {runs} runs. Looks that are planned afterwards do not "
-    "keep the {level}. For a decision that does, solve with another seed: --sequential --run STUDY --set seed=2.";
 inline constexpr Template families =
     "Judged together here: the metrics of A and B. A report judges each metric over the pairs of {solvers}, so one of the two "
     "may decide what the other leaves undecided.";
@@ -220,32 +217,6 @@ inline constexpr Template statuses =
     "the study has one. A solve without a usable answer leaves the arm where it was and counts with the error that it has "
     "there. observations: what the tests of the position error use, of complete runs or targets. outside limits counts all "
     "answers with a joint outside its limits, whatever their status; worst outside is the largest such violation.";
-
-// Costs, and shares within a part of the budget.
-inline constexpr Template no_intervals = "There are no intervals: {why}.";
-inline constexpr Template cluster_intervals =
-    "Intervals: {level}, from {samples} bootstrap samples of the {clusters} with all their solves, the same for "
-    "all solvers. {meaning} An interval without width means that all {clusters} agree, not that it is certain.";
-inline constexpr Template cost_caption = "Cost of an answer {within}: {cost}";
-inline constexpr Template running_time =
-    "solved: with the status ok. ert, the expected running time: what all solves cost by the number of solved "
-    "ones; inf where there are none.";
-inline constexpr Template infinite_end = "An end of inf: in some samples nothing is solved.";
-inline constexpr Template not_defined_for = "Not defined for {reason}.";
-inline constexpr Template cost_pairs_caption = "Which of two solvers spends less on an answer {within}: {cost}";
-inline constexpr Template cost_ratios =
-    "Ratios are first / second: below 1 the first spends less. The interval decides. In a sample that solves "
-    "nothing the running time is infinite: such a pair has no interval, and the shares solved decide, each "
-    "weighed by the other's cost.";
-inline constexpr Template hold_for_pairs = "They hold for all pairs together.";
-inline constexpr Template anytime_caption = "Share of answers {within} within a part of the budget";
-inline constexpr Template anytime_targets_caption =
-    "Share of solves and target errors that are reached within a part of the budget";
-inline constexpr Template anytime_leaders = "Ahead{leaders}.";
-inline constexpr Template anytime_columns =
-    "The budget is {budget} evaluations, {source}. behind by: the largest share at that budget, less this one. "
-    "ahead: above every other; behind: below the largest; undecided: neither is shown.";
-inline constexpr Template hold_for_budgets = "Those of differences hold for all solvers and budgets together.";
 
 // Summary, claims, audit.
 inline constexpr Template another_task =
@@ -340,21 +311,6 @@ inline constexpr Template audit =
     "printed things cannot both be true.";
 inline constexpr Template plan_changed =
     "Set on the command line after the data were collected, not by the study: {changes}.";
-
-// Swept settings.
-inline constexpr Template sweep_caption = "What each combination of the swept settings reached";
-inline constexpr Template best_of_sweep = "{best} ({value}, {how} {count})";
-inline constexpr Template best_of_sweeps =
-    "Best settings by {quantity}: {list}. tables/sweep.md has all. The best of many looks better than it is; ikbench tune judges it "
-    "on other solves.";
-inline constexpr Template sweep_note =
-    "Means over the observations, with {level} intervals that hold for each number alone. best in: the best mean of the "
-    "family. A best mean may be luck: the pairs below say what is shown to differ.";
-inline constexpr Template interaction_caption = "Does the effect of one setting depend on the other?";
-inline constexpr Template interaction_note =
-    "F of the interaction, with degrees of freedom for unequal variances, and within blocks for correlations. Each row is a "
-    "test of its own. The last columns show how far the effect of the first setting at the last value of the second is from "
-    "that at its first value: a difference, or for typical values a ratio. 0 (of a ratio 1) means that the effects are equal.";
 
 // `ikbench compare`: the columns of its table.
 inline constexpr Template comparison_columns =

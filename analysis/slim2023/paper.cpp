@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/convergence.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/report/summary.hpp"
 #include "analysis/slim2023/paper_figures.hpp"
@@ -35,7 +34,6 @@ std::map<std::string, std::string> seen(const Reported& reported) {
   const JudgedStudy& study = reported.study;
   std::map<std::string, std::string> sentences{
       {"Verdict", verdict_sentence(study, agreements(study, reported.repetitions))},
-      {"figure-6", closest_point_by_point(study)},
       {"figure-9", limits_sentence(study)}};
   for (const auto& [metric, anova, curves, boxes] : paper_metrics) {
     const bool is_judged = is_comparable(study, metric);

@@ -9,6 +9,13 @@
 
 namespace ikbench::statistics {
 
+// The same settings and sample give the same numbers on every machine.
+struct Resampling {
+  int resamples = 10000;
+  std::uint64_t seed = 1;
+  double level = 0.95;
+};
+
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : engine_(seed) {}

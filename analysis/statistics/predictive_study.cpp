@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
 
 namespace ikbench::statistics {

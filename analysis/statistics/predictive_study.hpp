@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "analysis/statistics/bootstrap.hpp"
+#include "analysis/statistics/draw.hpp"
 
 namespace ikbench::statistics {
 

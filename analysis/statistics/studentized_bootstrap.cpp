@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/rounding.hpp"
 #include "analysis/statistics/tails.hpp"

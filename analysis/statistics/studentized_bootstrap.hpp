@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/statistics/bootstrap.hpp"
+#include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
 
 namespace ikbench::statistics {

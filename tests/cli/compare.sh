@@ -154,47 +154,6 @@ refused 'they have different targets (run 1, point 1: ' compare $base farther/st
 make turned --set initial_deg=[1,0,0,0,0,0,0] --set runs=2
 refused 'they have different start configurations' compare $base turned/store.sqlite
 
-# Look by look. Exit code 5 asks for more runs; what is decided stays so, however many runs come later.
-make other --set seed=2
-other=other/store.sqlite looks=(--metric position_error_cm --sequential --step 4)
-run_it compare --verbose $base $other "${looks[@]}" --max-runs 16 --strict
-[ "$code" = 5 ] || fail "not decided after 8 of 16 runs: exit code $code, expected 5; it said: $out $err"
-has "$out" "Looks after every 4 of at most 16 runs: not decided after 8 runs."
-has "$out" "Next: ikbench run STUDY --set runs=12 --no-report for A and for B"
-succeeds compare --verbose $base $other "${looks[@]}" --max-runs 8
-has_no "$out" "Next: "
-has_no "$out" "Looks that are planned afterwards"
-run_it compare --verbose $base $other "${looks[@]}" --max-runs 8 --strict
-[ "$code" = 4 ] || fail "not decided at the limit: exit code $code, expected 4"
-is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
-decided=$(grep -o 'decided after [0-9]* runs' <<<"$out")
-has "$out" "looked at this study before, after "
-has "$out" "Looks that are planned afterwards do not keep the 5 %."
-make base --set runs=12
-make fewer --set runs=12 --set stop.iterations=5
-is_worse $base $fewer --label K-ABC "${looks[@]}" --max-runs 8
-has "$out" "$decided"
-make base
-make fewer --set stop.iterations=5
-
-# The same, and it adds the runs itself: of the six solvers, in one store, as many as it takes.
-own=(--run slim2023 --set path.points=3 --set stop.iterations=40 --set population=10 --sequential --step 4 --max-runs 12)
-succeeds compare --verbose BA IK-BA "${own[@]}" --metric evaluations --out looked
-[ "$(solves looked/store.sqlite)" = 72 ] || fail "after the first look there are $(solves looked/store.sqlite) solves"
-has "$out" "decided after 4 runs."
-run_it compare --verbose PSO DE "${own[@]}" --metric position_error_cm --margin 0 --out looked
-[ "$(solves looked/store.sqlite)" -gt 72 ] || fail "no runs were added: $out"
-has_no "$err" "has a different study"
-refused '--run requires --sequential' compare BA IK-BA --run slim2023
-refused '--step requires --sequential' compare $base $again --step 4
-refused '--store excludes --run' compare BA IK-BA "${own[@]}" --store $base
-refused 'unknown label "IKBA"; did you mean "IK-BA"?' compare BA IKBA "${own[@]}" --out none
-refused 'A and B are both the label BA' compare BA BA "${own[@]}" --out none
-[ ! -e none ] || fail "it solved before it looked at what was asked"
-refused '--max-runs is a multiple of --step' compare $base $again --sequential --step 4 --max-runs 10
-refused '8 complete runs in common, and the first look is after 10' compare $base $again --sequential --step 10
-refused 'runs add no targets' compare each/store.sqlite each_fewer/store.sqlite --sequential
-
 # Files for other programs.
 for type in md csv json; do
   succeeds compare --verbose $base $fewer --label MO-PSO --metric evaluations --metric solved -o new/comparison.$type

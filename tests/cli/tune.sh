@@ -23,41 +23,7 @@ END
 study my 'kind = "random"
 points = 3' >my.toml
 
-# A sweep: every combination, one store, a table and figures over the swept setting.
-succeeds run my.toml --no-figures --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9
-has "$out" 'mine alpha=0.5 population=200'
-has "$out" 'newton population=4'
-[ "$(head -1 out/my/tables/sweep.csv | cut -d, -f1-3)" = family,alpha,population ] || fail "$(head -1 out/my/tables/sweep.csv)"
-[ "$(grep -c ^mine out/my/tables/sweep.csv)" = 6 ] || fail "no row for each combination: $(<out/my/tables/sweep.csv)"
-# A screen begins with the best; files keep the order of the sweep.
-python3 - out/my/tables/results.csv <<'E2' || fail "the rows of a sweep do not begin with the best: $out"
-import csv, re, sys
-rows = [row for row in csv.DictReader(open(sys.argv[1])) if row["metric"] == "position_error_cm"]
-assert rows[0]["algorithm"] == "mine alpha=0.5 population=4", rows[0]
-text = open(".out").read()
-at = {row["algorithm"]: re.search("^" + re.escape(row["algorithm"]) + " +position error", text, re.M) for row in rows}
-shown = sorted((place.start(), float(row["mean"])) for row in rows for place in [at[row["algorithm"]]] if place)
-assert len(shown) >= 6 and [mean for _, mean in shown] == sorted(mean for _, mean in shown), shown
-E2
-grep -q '^mine,"alpha, population",position error' out/my/tables/sweep-interactions.csv || fail "no interaction"
-grep -q 'set logscale x' out/my/figures/sweep-error.gp || fail "4 to 200 needs a logarithmic axis"
-# The same as lists in the file, as a table, and by --set, so that shards and job arrays agree: nothing is solved anew.
-sed 's/^population = 6/population = [4, 8, 200]\noptions = { alpha = [0.5, 0.9] }/' my.toml >lists.toml
-succeeds run lists.toml --no-report --out out/my
-has "$out" 'were already stored'
-{ printf '[sweep]\npopulation = [4, 8, 200]\nmine.alpha = [0.5, 0.9]\n' | cat <(head -4 my.toml) - <(tail -n +5 my.toml); } >table.toml
-succeeds run table.toml --no-report --out out/my
-has "$out" '108 solves in out/my/store.sqlite (108 were already stored)'
-for shard in 1 2; do succeeds run my.toml --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --shard $shard/2; done
-succeeds merge merged out/my/shards
-succeeds submit my.toml --tasks 2 --dry-run --sweep population=4,8
-has "$out" "'sweep.population=[4, 8]'"
-
 # Mistakes.
-refused 'expected setting=values' run my.toml --sweep population
-refused '--sweep damping=nan,1: nan is not allowed there' run my.toml --sweep damping=nan,1
-refused 'expected a whole number from 1 to 100000' run my.toml --sweep population=4,0
-refused 'unknown setting to sweep "alhpa"; did you mean "alpha"?' run my.toml --sweep alhpa=0.5
 refused 'expected several, such as --sweep population=10,20,50' tune my.toml --solver mine --budget 100
 refused 'unknown label of the study "mien"; did you mean "mine"?' tune my.toml --solver mien --budget 9 --sweep alpha=0.1,0.2
 refused 'expected a setting of mine' tune my.toml --solver mine --budget 100 --sweep newton.population=1,2

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "analysis/statistics/bootstrap.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/draw.hpp"
 #include "analysis/statistics/quantile.hpp"

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "analysis/inference/evidence.hpp"
-#include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "tests/error_rates/draws.hpp"
 
@@ -146,60 +145,12 @@ void print_rare(int simulations) {
   }
 }
 
-// Looks at two equal groups after the first n values, the first 2 n, ... until one is better.
-void print_looks(int simulations) {
-  fmt::print(
-      "\n| false findings, two groups, normal | n | one look | five looks, at n, 2 n, ... 5 n |\n|---|---|---|---|\n");
-  const Draw draw = [](Random& r, int) { return 10 + r.normal(); };
-  const auto first = [](const Values& all, int n) {
-    Values values;
-    for (const auto& group : all) values.emplace_back(group.begin(), group.begin() + n);
-    return values;
-  };
-  const auto in_stats = [](const Values& values) { return any_is_better(evidence(observed(values), {})); };
-  const auto print = [&](const std::string& name, int n, const std::function<bool(const Values&)>& finds) {
-    const auto looks = [&](int most) {
-      return with_error(share_of(fmt::format("looks{}", n), simulations,
-                                 [&](Random& random) {
-                                   const Values all = drawn(random, {2, 5 * n}, draw);
-                                   for (int look = 1; look <= most; ++look) {
-                                     if (finds(first(all, look * n))) return true;
-                                   }
-                                   return false;
-                                 }),
-                        simulations);
-    };
-    fmt::print("| {} | {} | {} | {} |\n", name, n, looks(1), looks(5));
-  };
-  for (const int n : {5, 10}) print("`ikbench stats`", n, in_stats);
-}
-
-void print_sensitivity(int simulations) {
-  fmt::print(
-      "\n| power for the least difference that the sentence names, normal | groups | n | standard deviations | default | "
-      "Tamhane |\n|---|---|---|---|---|---|\n");
-  for (const auto& [groups, n] : {std::pair(2, 5), {2, 10}, {2, 20}, {6, 5}, {6, 10}, {6, 20}}) {
-    const double pairs = groups * (groups - 1) / 2.0;
-    const double least = statistics::least_difference(n, false, {.alpha = 0.05 / pairs});
-    const Draw draw = [least](Random& r, int g) { return 100 + (g == 0 ? least : 0) + r.normal(); };
-    const auto finds = [&](const std::string& test) {
-      return share_of(fmt::format("least{}{}", groups, n), simulations, [&](Random& random) {
-        return is_decided(evidence(observed(drawn(random, {groups, n}, draw)), {.test = test}).contrasts[0]);
-      });
-    };
-    fmt::print("| one group is higher | {} | {} | {:.2f} | {:.3f} | {:.3f} |\n", groups, n, least,
-               finds(std::string(by_design)), finds("tamhane"));
-  }
-}
-
 }  // namespace
 
 void print_limits(int simulations) {
   print_blocks(simulations);
   print_same(simulations);
   print_rare(simulations);
-  print_looks(simulations);
-  print_sensitivity(simulations);
 }
 
 }  // namespace ikbench::error_rates

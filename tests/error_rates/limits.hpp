@@ -1,4 +1,4 @@
-// Error rates of tests within blocks, of verdicts of "the same" and of looks at growing data, and the power of tests.
+// Error rates of tests within blocks and of verdicts of "the same".
 #pragma once
 
 namespace ikbench::error_rates {

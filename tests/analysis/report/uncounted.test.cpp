@@ -15,7 +15,6 @@
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
 #include "analysis/report/article_table.hpp"
-#include "analysis/report/cost_tables.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/analysis/cells.hpp"
@@ -57,14 +56,6 @@ bool has(const std::vector<std::string>& notes, const std::string& note) {
   return std::ranges::find(notes, note) != notes.end();
 }
 
-bool is_of_pairs(const Table& table) { return table.name.ends_with("-pairs"); }
-
-Table table_named(const std::vector<Table>& tables, const std::string& name) {
-  const auto found = std::ranges::find(tables, name, &Table::name);
-  REQUIRE(found != tables.end());
-  return *found;
-}
-
 }  // namespace
 
 TEST_CASE("where the control is left out of a metric, the others are compared with each other", "[uncounted]") {
@@ -85,40 +76,22 @@ TEST_CASE("where the control is left out of a metric, the others are compared wi
   CHECK(judged.evidence(Metric::position_error_cm).plan.control == "program");
 }
 
-TEST_CASE("evaluations that nobody counted are in no comparison and no table of costs", "[uncounted]") {
+TEST_CASE("evaluations that nobody counted are in no comparison", "[uncounted]") {
   const StudyResults study = study_without_counts();
   const Observations observed = observations(study, Metric::evaluations, results::Estimand::mean);
   CHECK(observed.groups.size() == 2);
   CHECK(observations(study, Metric::position_error_cm, results::Estimand::mean).groups.size() == 3);
   CHECK(samples(study, Metric::evaluations)[2].values.empty());
   CHECK(samples(study, Metric::evaluations)[1].values.size() == 12);
-
-  const std::vector<Table> tables = cost_tables(study);
-  CHECK(tables.size() >= 4);
-  for (const Table& table : tables) {
-    INFO(table.name);
-    const bool of_seconds = table.name.find("-seconds") != std::string::npos;
-    CHECK(has_note(table, "Nobody counted the evaluations of program.") == (!of_seconds || !is_of_pairs(table)));
-  }
-  CHECK_FALSE(has_row(table_named(tables, "statistics-cost"), "program"));
-  const Table of_seconds = table_named(tables, "statistics-cost-seconds");
-  CHECK(has_row(of_seconds, "program"));
-  CHECK(has_note(of_seconds, "of program. Their times are as measured."));
 }
 
-TEST_CASE("where nobody counts any evaluations there are costs in seconds alone", "[uncounted]") {
+TEST_CASE("where nobody counts any evaluations, times are as measured", "[uncounted]") {
   StudyResults study = study_without_counts();
   for (Solve& solve : study.solves.to_change()) {
     solve.evaluations = 0;
     solve.counted_by = CountedBy::nobody;
   }
   CHECK(observations(study, Metric::evaluations, results::Estimand::mean).groups.empty());
-  const std::vector<Table> tables = cost_tables(study);
-  CHECK_FALSE(tables.empty());
-  for (const Table& table : tables) {
-    INFO(table.name);
-    CHECK(table.name.find("-seconds") != std::string::npos);
-  }
   CHECK(seconds_of(at_median_speed(study), study.solves[0]) == study.solves[0].seconds);
 }
 
@@ -137,10 +110,8 @@ TEST_CASE("a solve without an answer reaches no tolerance, and is a column of it
   failed.position_error_cm = 0.01;  // where the arm happens to be
   StudyResults before = study_without_counts();
   before.solves.to_change().back().position_error_cm = 0.01;
-  const auto reached = [](const StudyResults& of) {
-    return std::get<std::int64_t>(table_named(cost_tables(of), "statistics-cost-seconds").rows.back()[2]);
-  };
-  CHECK(reached(before) == reached(study) + 1);
+  const auto solved = [](const StudyResults& of) { return std::get<std::int64_t>(solved_table(of).rows.back()[2]); };
+  CHECK(solved(before) == solved(study) + 1);
   const Table table = status_table(study);
   const auto has_column = [&](std::string_view name) {
     return std::ranges::find(table.columns, name) != table.columns.end();

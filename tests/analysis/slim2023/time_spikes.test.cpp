@@ -3,7 +3,6 @@
 
 #include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
-#include "analysis/inference/costs.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
@@ -70,15 +69,6 @@ StudyResults times_to_tolerance(std::vector<SolveRecord> solves) {
                     std::move(solves));
 }
 
-std::vector<std::string> verdicts_on_costs(const StudyResults& study) {
-  std::vector<std::string> all = verdicts(study);
-  const StudyResults undisturbed = at_median_speed(study);
-  for (const Finding& pair : compare_costs(undisturbed, Metric::seconds, Clusters(undisturbed))) {
-    all.push_back(fmt::format("{} {} {}", pair.first, static_cast<int>(pair.relation), pair.second));
-  }
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("one solve that takes 50 times as long changes no verdict on the times of a study", "[times][slim2023]") {
@@ -98,12 +88,12 @@ TEST_CASE("one solve that takes 50 times as long changes no verdict on the times
 
 TEST_CASE("one solve that takes 50 times as long changes no verdict on times to a tolerance", "[times][slim2023]") {
   const std::vector<SolveRecord> clean = timed_solves();
-  const std::vector<std::string> before = verdicts_on_costs(times_to_tolerance(clean));
+  const std::vector<std::string> before = verdicts(times_to_tolerance(clean));
   for (std::size_t solver = 0; solver < 4; ++solver) {
     std::vector<SolveRecord> solves = clean;
     SolveRecord& met = solves[20 * solver + 3 * solver];
     met.seconds *= spike;
     CAPTURE(met.solver, met.point);
-    CHECK(verdicts_on_costs(times_to_tolerance(solves)) == before);
+    CHECK(verdicts(times_to_tolerance(solves)) == before);
   }
 }
