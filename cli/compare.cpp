@@ -141,7 +141,7 @@ Table in_order(Table table, const std::vector<std::size_t>& order) {
   return table;
 }
 
-// The remarks on metrics that are not decided: how many runs it takes.
+// The remarks on metrics that are not decided.
 std::vector<std::string> remarks_on_open(const Table& table, const std::vector<VariantComparison>& comparisons) {
   std::vector<std::string> remarks;
   std::size_t row = 0;
@@ -340,8 +340,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare base.sqlite new/store.sqlite --strict -o comparison.md\n\n"
       "A and B are judged as a report judges a study of these two solvers, by the test of A's plan. B is a regression where\n"
       "the whole interval of the difference is beyond the margin. All labels and metrics are judged together: if A and B are\n"
-      "alike, the probability of exit code 3 is at most --significance. An undecided metric says how many runs or targets a\n"
-      "difference of the margin takes. --margin, --margin-cm and --significance default to those of A's study.\n\n"
+      "alike, the probability of exit code 3 is at most --significance.\n"
+      "--margin, --margin-cm and --significance default to those of A's study.\n\n"
       "Exit codes: 0 no regression found, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 (--strict only) nothing is worse, but something is undecided or not compared\n"
       "(evaluations that nobody counted do not matter), 128 + number of the signal (130: Ctrl-C).");

@@ -198,7 +198,7 @@ Table metric_list() {
 }
 
 Table test_list() {
-  constexpr std::array<std::string_view, 3> needs{"summaries", "values", "blocks"};
+  constexpr std::array<std::string_view, 2> needs{"summaries", "values"};
   Table table{.name = "tests", .caption = "", .columns = {"test", "needs", "what", "from"}};
   for (const DecidingTest& test : deciding_tests()) {
     const auto method =

@@ -73,20 +73,6 @@ CLI::Option* add_significance_option(CLI::App& command, double& significance) {
 }
 
 void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
-  const auto enumerated = [&](const std::string& flag, auto& value, const auto& names, const std::string& meaning) {
-    using Enum = std::remove_reference_t<decltype(value)>;
-    command.add_option_function<std::string>(
-        flag,
-        [&value, &names, flag](const std::string& text) {
-          const auto found = std::ranges::find(names, text);
-          if (found == names.end()) {
-            throw CLI::ValidationError(
-                fmt::format("{}: {} is not one of {}", flag, text.substr(0, 100), fmt::join(names, ", ")));
-          }
-          value = static_cast<Enum>(found - names.begin());
-        },
-        fmt::format("{}: {} [{}]", meaning, fmt::join(names, ", "), name_of(value)));
-  };
   std::vector<std::string> tests;
   for (const auto& [name, value] : choices_of_tests()) tests.push_back(name);
   command.add_option("--test", plan.test, fmt::format("test that decides: {} [by_design]", fmt::join(tests, ", ")))
@@ -97,14 +83,10 @@ void add_plan_options(CLI::App& command, AnalysisPlan& plan) {
                             : fmt::format("{} is not one of {}", text.substr(0, 100), fmt::join(tests, ", "));
           },
           ""));
-  enumerated("--adjustment", plan.adjustment, adjustment_names, "correction of rank tests for multiple comparisons");
   command.add_option("--control", plan.control, "group to compare the others with; default: compare every pair");
   add_significance_option(command, plan.significance);
   add_margin_option(command, plan.margin);
   add_margin_cm_option(command, plan.margin_cm);
-  command.add_option("--power", plan.power, "power with which the tests should detect a difference of the margin")
-      ->check(number_in(powers))
-      ->capture_default_str();
   command
       .add_option("--quartiles", plan.quartiles, "Hyndman-Fan type of quartiles: 7 as in R and NumPy, 5 as in MATLAB")
       ->check(whole_number({1, 9}))

@@ -9,8 +9,7 @@
 
 namespace ikbench::cli {
 
-// Adds --test, --adjustment, --control, --significance, --margin, --margin-cm, --power and --quartiles; the plan's
-// values are the defaults.
+// Adds --test, --control, --significance, --margin, --margin-cm and --quartiles; the plan's values are the defaults.
 void add_plan_options(CLI::App& command, results::AnalysisPlan& plan);
 
 // Accepts a number in the range, with digits and point only: CLI11 accepts more texts as numbers.

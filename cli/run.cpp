@@ -26,8 +26,7 @@ namespace {
 // Warns before hours are spent on an undecidable study: tests within blocks need a number of blocks, whatever the data.
 void warn_of_too_few(const Study& study) {
   const AnalysisPlan& plan = study.analysis;
-  const bool one_step = plan.adjustment == Adjustment::holm || plan.adjustment == Adjustment::bonferroni;
-  if (!one_step || study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
+  if (study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
   const bool starts_anew = study.start != Start::previous;
   const auto points = static_cast<std::size_t>(study.path->points()), runs = static_cast<std::size_t>(study.runs);
   const std::size_t solvers = study.solvers.size();

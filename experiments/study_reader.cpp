@@ -84,12 +84,6 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
     reader.fail("control", *reader.find("control"),
                 fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
   }
-  if (const std::string reason = why_no_blocks(study); needs_blocks(plan.test) && !reason.empty()) {
-    reader.fail("test", *reader.find("test"),
-                fmt::format("another test: {} compares the solvers within targets that are the same for all, and {}; "
-                            "start = \"initial\" or path.kind = \"random\" with several would give them",
-                            plan.test, reason));
-  }
   if (plan.unit == Unit::point && points_as_observations == PointsAsObservations::refused) {
     reader.fail("unit", *reader.find("unit"), fmt::format("\"run\": {}", why_points_are_refused));
   }

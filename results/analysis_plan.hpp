@@ -12,9 +12,6 @@
 
 namespace ikbench::results {
 
-// The correction of p-values for multiple contrasts, if the method does not correct by itself (those of means do).
-enum class Adjustment { holm, hochberg, bonferroni, benjamini_hochberg };
-
 // One observation: a run's mean over its points, or a single solve. Points of one run depend on each other.
 enum class Unit { run, point };
 
@@ -26,15 +23,11 @@ enum class Estimand { mean, typical, reliability };
 // solvers.
 enum class ProgramTimes { apart, compared };
 
-constexpr std::array<std::string_view, 4> adjustment_names{"holm", "hochberg", "bonferroni", "benjamini_hochberg"};
 constexpr std::array<std::string_view, 2> unit_names{"run", "point"};
 constexpr std::array<std::string_view, 3> estimand_names{"mean", "typical", "reliability"};
 
 constexpr std::array<std::string_view, 2> program_times_names{"apart", "compared"};
 
-constexpr std::string_view name_of(Adjustment adjustment) {
-  return adjustment_names[static_cast<std::size_t>(adjustment)];
-}
 constexpr std::string_view name_of(Unit unit) { return unit_names[static_cast<std::size_t>(unit)]; }
 constexpr std::string_view name_of(Estimand estimand) { return estimand_names[static_cast<std::size_t>(estimand)]; }
 constexpr std::string_view name_of(ProgramTimes times) { return program_times_names[static_cast<std::size_t>(times)]; }
@@ -43,12 +36,10 @@ struct AnalysisPlan {
   // Name of the deciding test (deciding_tests.hpp). by_design: the studentized bootstrap of the means, within blocks if
   // all solvers share targets; Tamhane's test if only summaries are known. It does not depend on the data.
   std::string test{by_design};
-  Adjustment adjustment = Adjustment::holm;
   std::string control;         // label to compare the others with; empty: compare every pair
   double significance = 0.05;  // of a test; intervals have the level 1 - significance
   double margin = 0.05;        // relative difference that matters; within it two solvers count as the same
   double margin_cm = 0;        // the same for errors in cm; a difference within either margin does not matter
-  double power = 0.8;          // with which tests should find a difference of that size
   int quartiles = 5;           // Hyndman-Fan type; 5 is MATLAB's
   Unit unit = Unit::run;
   std::vector<Estimand> estimands{Estimand::mean, Estimand::typical, Estimand::reliability};  // in this order

@@ -29,18 +29,13 @@ inline std::vector<std::pair<std::string, std::string>> choices_of_tests() {
 }
 
 // Ranges for study files, the command line and comparisons.
-constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000},
-    powers{0.5, 0.999};
-static_assert(2 * significances.second < powers.first,
-              "one-sided tests double the significance; it is below any power");
+constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000};
 
 template <class Io>
 void list_fields(Io& io, AnalysisPlan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test, choices_of_tests(),
             "test that decides; by_design: bootstrap, within blocks if all solvers share the same targets");
-  io.choice("adjustment", plan.adjustment, choices_of<Adjustment>(adjustment_names),
-            "how p-values are corrected for multiple comparisons");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
   io.number("significance", plan.significance, 1, significances,
             "significance level of a test; intervals have level 1 - significance");
@@ -48,7 +43,6 @@ void list_fields(Io& io, AnalysisPlan& plan) {
             "smallest relative difference that matters; within it two solvers count as the same");
   io.number("margin_cm", plan.margin_cm, 1, margins_cm,
             "the same in cm, of errors in cm; a difference within either margin does not matter");
-  io.number("power", plan.power, 1, powers, "power with which the tests should detect that difference");
   io.whole("quartiles", plan.quartiles, {1, 9}, "Hyndman-Fan type of quartiles; 5 as in MATLAB");
   io.choice("unit", plan.unit, choices_of<Unit>(unit_names),
             "what one observation is: the mean of a run over its points, or a point, which needs --force");

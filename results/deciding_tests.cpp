@@ -25,6 +25,4 @@ const DecidingTest& deciding_test(std::string_view name) {
   return *found;
 }
 
-bool needs_blocks(std::string_view test) { return test != by_design && deciding_test(test).needs == Needs::blocks; }
-
 }  // namespace ikbench::results

@@ -6,9 +6,8 @@
 
 namespace ikbench::results {
 
-// The data that a test needs of its groups: means, standard deviations and sizes; every value; or values in common
-// blocks.
-enum class Needs { summaries, values, blocks };
+// The data that a test needs of its groups: means, standard deviations and sizes; or every value.
+enum class Needs { summaries, values };
 
 struct DecidingTest {
   std::string_view name;
@@ -23,8 +22,5 @@ const DecidingTest& deciding_test(std::string_view name);
 
 // The plan leaves the choice to the design, before it sees data.
 constexpr std::string_view by_design = "by_design";
-
-// True if a plan's test needs blocks; by_design never chooses a test whose data are missing.
-bool needs_blocks(std::string_view test);
 
 }  // namespace ikbench::results

@@ -344,7 +344,7 @@ struct Spread {
 Verdict verdict_on_spreads(std::vector<Spread>& spreads, const AnalysisPlan& plan) {
   std::vector<double> p;
   for (const Spread& spread : spreads) p.push_back(spread.p);
-  p = adjusted(p, Adjustment::holm);
+  p = adjusted(p);
   PairCounts found;
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     spreads[i].p = p[i];

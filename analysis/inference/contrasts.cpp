@@ -10,7 +10,6 @@
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/mann_whitney.hpp"
-#include "analysis/statistics/power.hpp"
 #include "analysis/statistics/proportion.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/rounding.hpp"
@@ -173,9 +172,6 @@ void judge_constants(const Evidence& evidence, Finding& contrast) {
   contrast.why.clear();
   contrast.estimate = {.value = difference};
   contrast.relation = Relation::undecided;
-  const double fewest = fewest_in_order(evidence);
-  contrast.runs_to_decide.value =
-      are_shares ? std::max(trials_to_exclude(margin_of(evidence, contrast), evidence.alpha()), fewest) : fewest;
   if (by_chance >= evidence.plan.significance) return;
   contrast.estimate = {difference, difference, difference};
   if (are_shares) {
@@ -188,7 +184,6 @@ void judge_constants(const Evidence& evidence, Finding& contrast) {
   }
   measure_extent(evidence, contrast);
   contrast.relation = relation_by_p(evidence, contrast);
-  if (contrast.relation != Relation::undecided) contrast.runs_to_decide = {};
 }
 
 // Compares two known values, or two groups that are equal bit for bit.
@@ -235,8 +230,6 @@ void judge(const Evidence& evidence, Finding& contrast) {
     if (by_chance < usual_significance || is_against_known) {
       contrast.p = by_chance;
       contrast.p_alone = std::min(1.0, alone);
-      if (is_against_known && by_chance >= evidence.plan.significance)
-        contrast.runs_to_decide.value = fewest_to_show(evidence, evidence.plan.significance, chance_of_one_side);
       contrast.ahead = ahead_by_means(evidence, contrast.estimate.value);
       contrast.is_by_order = true;
       contrast.lacks_spread = false;
@@ -262,53 +255,12 @@ void judge(const Evidence& evidence, Finding& contrast) {
   contrast.relation = relation_by_p(evidence, contrast);
 }
 
-// Observations needed to find a difference as large as the margin, for the spread seen and for plausible spreads. The
-// seen difference does not enter: it may be chance. Signs have no size: for them it is the fewest that the test needs.
-Estimate runs_to_decide(const Evidence& evidence, const Finding& contrast, const Groups& groups) {
-  const std::span summaries = groups.summaries;
-  const std::span values = groups.values;
-  if (evidence.of_outcomes) return runs_to_decide_shares(evidence, contrast, values);
-  const double to_see = margin_of(evidence, contrast), outside = evidence.plan.significance / 2;
-  if (to_see == 0) return {};  // no number of runs sees it
-  if (evidence.ranks_decide() && evidence.decides_within_blocks())
-    return {.value = static_cast<double>(evidence.fewest)};
-  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
-  const auto runs = [&](double probability) {
-    GroupSummary first = summaries[contrast.first], second = summaries[contrast.second];
-    if (evidence.decides_within_blocks()) {
-      const double std =
-          standard_deviation(differences_without_rounding(values[contrast.first], values[contrast.second]));
-      return pairs_to_see(plausible_deviation(std, first.n, probability), to_see, goal);
-    }
-    first.std = plausible_deviation(first.std, first.n, probability);
-    second.std = plausible_deviation(second.std, second.n, probability);
-    return runs_to_see(first, second, to_see, goal);
-  };
-  const double fewest = evidence.fewest > 0 ? evidence.fewest : not_defined;
-  const double value = std::fmax(runs(0.5), fewest), low = std::fmax(runs(outside), fewest);
-  return {.value = std::isinf(value) ? not_defined : value,
-          .low = std::isinf(low) ? most_runs : low,
-          .high = std::fmax(runs(1 - outside), fewest)};
-}
-
 // Judges two groups with equal values in every block.
 void judge_equal_blocks(const Evidence& evidence, Finding& contrast) {
   contrast.p = contrast.p_alone = 1;
   contrast.why.clear();
-  if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance) {
+  if (in_family(evidence, chance_of_unanimity(evidence, contrast)) < evidence.plan.significance)
     contrast.estimate = {0, 0, 0};
-  } else {
-    contrast.runs_to_decide.value = fewest_in_order(evidence);
-  }
-}
-
-void add_ranks(const Evidence& evidence, const Groups& groups, std::vector<Finding>& contrasts) {
-  if (evidence.method->compares != Compares::means || groups.values.empty()) return;
-  const std::vector<Finding> ranks = rank_method(evidence).pairs(evidence, groups);
-  for (std::size_t i = 0; i < contrasts.size(); ++i) {
-    contrasts[i].p_ranks = ranks[i].p;
-    contrasts[i].ahead_by_ranks = ranks[i].ahead;
-  }
 }
 
 // Typical ratio of two groups that ranks compare; its interval holds for the whole family (Bonferroni).
@@ -332,16 +284,10 @@ Estimate typical_ratio(const Evidence& evidence, const std::vector<double>& firs
   const auto varies = [](const std::vector<double>& values) {
     return std::ranges::any_of(values, [&](double value) { return value != values.front(); });
   };
+  const Estimate of = hodges_lehmann(one, other, level);
   // Where most values are tied, an interval without width would hide those that differ.
-  const auto with_width = [&](const Estimate& of, bool has_differences) {
-    return exponential(has_differences && of.low == of.high ? Estimate{.value = of.value} : of);
-  };
-  if (!evidence.decides_within_blocks())
-    return with_width(hodges_lehmann(one, other, level), varies(one) || varies(other));
-  std::vector<double> differences;
-  for (std::size_t i = 0; i < one.size(); ++i) differences.push_back(one[i] - other[i]);
-  std::ranges::sort(differences);
-  return with_width(median_interval(differences, level), varies(differences));
+  const bool has_differences = varies(one) || varies(other);
+  return exponential(has_differences && of.low == of.high ? Estimate{.value = of.value} : of);
 }
 
 void add_effects(const Evidence& evidence, const Groups& groups, Finding& contrast) {
@@ -379,12 +325,7 @@ void add_contrasts(Evidence& evidence, const Groups& groups) {
       judge_equal_blocks(evidence, contrast);
     }
     judge(evidence, contrast);
-    if (contrast.relation == Relation::undecided && std::isfinite(contrast.p) &&
-        std::isnan(contrast.runs_to_decide.value)) {
-      contrast.runs_to_decide = runs_to_decide(evidence, contrast, groups);
-    }
   }
-  add_ranks(evidence, groups, evidence.contrasts);
 }
 
 }  // namespace ikbench::inference

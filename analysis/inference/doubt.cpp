@@ -105,9 +105,6 @@ constexpr std::array all_words{
           "There are no blocks: the solvers did not have the same targets and starts."},
     Words{K::no_common_run, "There are no blocks", "There are no blocks: no run is complete for all solvers."},
     Words{K::single_block, "There is one block", "There are no blocks to compare, because there is only one."},
-    Words{
-        K::other_test, "Another test decides",
-        "The plan asks for the {what} test, which needs blocks. The studentized bootstrap of the means decides instead."},
     Words{K::plan_changed, "The analysis plan was changed",
           "The analysis plan was changed after {count} of {of} solves were made: {what}."},
     Words{

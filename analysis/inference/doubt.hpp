@@ -46,7 +46,6 @@ enum class DoubtKind {
   other_targets,
   no_common_run,
   single_block,
-  other_test,
   // the plan
   plan_changed,
   solvers_dropped,

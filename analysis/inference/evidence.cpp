@@ -14,13 +14,11 @@
 #include "analysis/inference/not_finite.hpp"
 #include "analysis/inference/outcomes.hpp"
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/equal_variances.hpp"
+#include "analysis/statistics/anova.hpp"
+#include "analysis/statistics/effect_size.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "analysis/statistics/ranks.hpp"
 #include "analysis/statistics/rounding.hpp"
-#include "analysis/statistics/shapiro_wilk.hpp"
-#include "analysis/statistics/studentized_bootstrap.hpp"
-#include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
 
 namespace ikbench::inference {
@@ -55,50 +53,27 @@ void choose_method(Evidence& evidence) {
   if (!evidence.of_outcomes || evidence.plan.test == by_design) evidence.plan.test = evidence.method->name;
 }
 
-// Finds the greatest and least known variance.
-void compare_variances(Evidence& evidence, std::span<const GroupSummary> summaries) {
-  std::optional<std::size_t> most, least;
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    if (summaries[i].n < 2 || !std::isfinite(summaries[i].std)) continue;
-    if (!most || summaries[i].std > summaries[*most].std) most = i;
-    if (!least || summaries[i].std < summaries[*least].std) least = i;
-  }
-  if (!most || most == least) return;
-  evidence.most_variable = *most;
-  evidence.least_variable = *least;
-  const double ratio = summaries[*most].std / summaries[*least].std;
-  evidence.variance_ratio = ratio * ratio;
-}
-
 // Adds ranks; 1 is the best.
-void set_ranks(Evidence& evidence, const RankTest& test, double GroupEvidence::*rank) {
-  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].*rank = test.mean_ranks[i];
+void set_ranks(Evidence& evidence, const RankTest& test) {
+  for (std::size_t i = 0; i < test.mean_ranks.size(); ++i) evidence.groups[i].mean_rank = test.mean_ranks[i];
 }
 
-// Adds average ranks within blocks, with Nemenyi's critical difference.
-void add_average_ranks(Evidence& evidence, const RankTest& test) {
-  set_ranks(evidence, test, &GroupEvidence::average_rank);
-  if (!test.undefined.empty()) return;
-  const auto k = static_cast<double>(evidence.groups.size());
-  const double q =
-      StudentizedRange(k).quantile(1 - evidence.plan.significance, std::numeric_limits<double>::infinity());
-  evidence.critical_difference = critical_difference(q / std::sqrt(2.0), evidence.groups.size(), evidence.blocks);
+TestResult anova_of_all(const Groups& groups) {
+  const AnovaTable table = groups.values.empty() ? anova_from_summaries(groups.summaries) : anova(groups.values);
+  return {table, std::string(anova_name), "F", Role::paper, "omega^2", omega_squared(table)};
 }
 
-// Adds the tests of all groups: equal variances, the paper's analysis, the one of the deciding method, and the rank
-// test.
+// Adds the tests of all groups: the paper's analysis, the one of the deciding method, and the rank test.
 void add_tests(Evidence& evidence, const Groups& groups) {
-  evidence.tests = {
-      groups.values.empty()
-          ? TestResult{bartlett(groups.summaries), std::string(bartlett_name), "chi^2", Role::assumption}
-          : TestResult{brown_forsythe(groups.values), std::string(brown_forsythe_name), "F", Role::assumption}};
-  std::vector<const Method*> shown{&anova_method, evidence.method};
-  if (!groups.values.empty() && evidence.groups.size() > 2) shown.push_back(&rank_method(evidence));
-  for (auto method = shown.begin(); method != shown.end(); ++method) {
-    if (std::find(shown.begin(), method, *method) != method || (*method)->all == nullptr) continue;
-    std::optional<TestResult> result = (*method)->all(evidence, groups);
+  evidence.tests = {anova_of_all(groups)};
+  std::vector<const Method*> shown{evidence.method};
+  const bool has_rank_test = !groups.values.empty() && evidence.groups.size() > 2 && evidence.blocks == 0;
+  if (has_rank_test && evidence.method != &kruskal_wallis_method) shown.push_back(&kruskal_wallis_method);
+  for (const Method* method : shown) {
+    if (method->all == nullptr) continue;
+    std::optional<TestResult> result = method->all(evidence, groups);
     if (!result) continue;
-    result->decides = *method == evidence.method;
+    result->decides = method == evidence.method;
     evidence.tests.push_back(std::move(*result));
   }
 }
@@ -178,7 +153,6 @@ const TestResult* Evidence::test(std::string_view test_name) const {
 }
 
 AnalysisPlan feasible(AnalysisPlan plan, const Observations& observations) {
-  if (needs_blocks(plan.test) && observations.blocks.empty()) plan.test = by_design;
   if (group_named(observations.groups, plan.control) == nullptr) plan.control.clear();
   if (!observations.are_summaries()) return plan;
   if (plan.test != by_design && results::deciding_test(plan.test).needs != Needs::summaries) plan.test = by_design;
@@ -218,16 +192,10 @@ Evidence describe_groups(const Observations& observations, const AnalysisPlan& p
   result.pairs = k * (k - 1) / 2;
   result.constant = !result.of_outcomes &&
                     std::ranges::all_of(result.groups, [](const GroupEvidence& g) { return is_constant(g.described); });
-  if (!result.constant) compare_variances(result, summaries_of(observations));
   return result;
 }
 
 void make_tests(Evidence& result, const Observations& observations) {
-  for (std::size_t i = 0; i < result.groups.size() && !result.of_outcomes; ++i) {
-    const Test normal = shapiro_wilk(observations.groups[i].values);
-    result.groups[i].normality = normal.p;
-    result.groups[i].normality_w = normal.statistic;
-  }
   if (result.groups.size() < 2) return;
   const std::vector<GroupSummary> summaries = summaries_of(observations);
   const Samples comparable = rankable(observations);
@@ -237,9 +205,7 @@ void make_tests(Evidence& result, const Observations& observations) {
   }
   Groups groups{.summaries = summaries, .values = comparable, .ranked = ranked};
   if (result.from_summaries) groups.values = groups.ranked = {};
-  if (!result.of_outcomes && !result.from_summaries)
-    set_ranks(result, kruskal_wallis(ranked), &GroupEvidence::mean_rank);
-  if (result.blocks > 0 && !result.constant && !result.of_outcomes) add_average_ranks(result, friedman(ranked));
+  if (!result.of_outcomes && !result.from_summaries) set_ranks(result, kruskal_wallis(ranked));
   if (!result.of_outcomes && !result.constant) add_tests(result, groups);
   add_contrasts(result, groups);
   name_groups(result);
@@ -282,7 +248,6 @@ void judge_not_finite(Evidence& evidence, const Observations& observations) {
     contrast.p_alone = found.p;
     contrast.ahead = found.ahead;
     contrast.estimate = found.estimate;
-    contrast.runs_to_decide = found.runs_to_decide;
     contrast.relation = found.relation;
     contrast.size = found.size;
     contrast.margin = found.margin;
@@ -299,24 +264,6 @@ Evidence evidence(const Observations& given, const AnalysisPlan& plan) {
   result = in_unit_of_values(std::move(result));
   if (!result.contrasts.empty()) judge_not_finite(result, observations);
   return result;
-}
-
-// Adds bootstrap intervals, which follow the skewness of the values. Of many values the mean is normal anyway.
-Evidence with_bootstrap(Evidence evidence, const Observations& observations) {
-  constexpr std::size_t most_values = 2000;  // over all groups: takes about a second
-  constexpr std::size_t fewest_values = 5;   // of a group; fewer have too few different resamples
-  std::size_t all = 0;
-  for (const Group& group : observations.groups) all += group.values.size();
-  if (evidence.of_outcomes || all > most_values) return evidence;
-  const Samples values = values_of(exact(observations));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i].size() < fewest_values) continue;
-    GroupEvidence& group = evidence.groups[i];
-    group.bootstrapped = studentized_interval(values[i], {.level = 1 - evidence.plan.significance});
-    if (evidence.scale == ValueScale::log10) group.bootstrapped = power_of_ten(group.bootstrapped);
-    group.bootstrapped.value = group.described.mean;
-  }
-  return evidence;
 }
 
 Evidence described(const Observations& observations, const AnalysisPlan& plan) {

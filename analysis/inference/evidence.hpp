@@ -19,22 +19,18 @@ struct Method;
 struct GroupEvidence {
   std::string name;
   statistics::Description described = {};
-  Estimate mean = {};          // interval of Student's t
-  Estimate bootstrapped = {};  // mean with the studentized bootstrap's interval
-  Estimate median = {};        // distribution-free interval by order statistics
+  Estimate mean = {};    // interval of Student's t
+  Estimate median = {};  // distribution-free interval by order statistics
   double q1 = statistics::not_defined;
   double q3 = statistics::not_defined;
-  double normality = statistics::not_defined;  // p of Shapiro and Wilk's test
-  double normality_w = statistics::not_defined;
-  double mean_rank = statistics::not_defined;     // among all values, 1 is best; not defined for summaries
-  double average_rank = statistics::not_defined;  // over the blocks, 1 is best; not defined without blocks
-  double decades = statistics::not_defined;       // decades that the single values span (statistics::decades)
-  int copies = 0;                                 // Group::copies
-  std::size_t bits = 0;                           // Group::bits
+  double mean_rank = statistics::not_defined;  // among all values, 1 is best; not defined for summaries
+  double decades = statistics::not_defined;    // decades that the single values span (statistics::decades)
+  int copies = 0;                              // Group::copies
+  std::size_t bits = 0;                        // Group::bits
 };
 
-// assumption: checks what other tests assume. paper: the usual analysis of papers. robust: needs fewer assumptions.
-enum class Role { assumption, paper, robust };
+// paper: the usual analysis of papers. robust: needs fewer assumptions.
+enum class Role { paper, robust };
 
 struct TestResult : statistics::Test {
   std::string test;
@@ -63,10 +59,7 @@ struct Evidence {
   bool of_outcomes = false;         // every observation is 0 or 1, so a group's mean is a share (outcomes.hpp)
   bool constant = false;            // every group has one value only, and the values are no outcomes
   std::vector<GroupEvidence> groups = {};
-  double variance_ratio = statistics::not_defined;  // largest / smallest variance
-  std::size_t most_variable = 0, least_variable = 0;
-  std::vector<TestResult> tests = {};                    // in the order of Role
-  double critical_difference = statistics::not_defined;  // Nemenyi's, for average ranks
+  std::vector<TestResult> tests = {};  // in the order of Role
   // Pairs with first < second, in order. With a control or more than most_groups_in_pairs groups, only pairs with the
   // group `reference`.
   std::vector<Finding> contrasts = {};
@@ -87,22 +80,18 @@ struct Evidence {
 // The difference of equal groups: 0, or the ratio 1 on a log10 scale.
 constexpr double no_difference(const Evidence& evidence) { return evidence.scale == ValueScale::log10 ? 1 : 0; }
 
-// Throws std::invalid_argument if the control is no group, or the deciding test does not fit the data (Friedman without
-// blocks, ranks from summaries).
+// Throws std::invalid_argument if the control is no group, or the deciding test does not fit the data (ranks from
+// summaries).
 Evidence evidence(const Observations& observations, const results::AnalysisPlan& plan);
-// Adds the bootstrap's intervals of the means, which take time and decide nothing.
-Evidence with_bootstrap(Evidence evidence, const Observations& observations);
-// Describes the groups only: no tests, no bootstrap.
+// Describes the groups only: no tests.
 Evidence described(const Observations& observations, const results::AnalysisPlan& plan);
 
-// Reduces a plan to what the data allow: no Friedman without blocks, no ranks and no control for summaries, no control
+// Reduces a plan to what the data allow: no ranks and no control for summaries, no control
 // that is no group.
 results::AnalysisPlan feasible(results::AnalysisPlan plan, const Observations& observations);
 
 // Names of the tests of all groups.
 constexpr std::string_view anova_name = "One-way ANOVA", welch_name = "Welch's ANOVA",
-                           kruskal_wallis_name = "Kruskal-Wallis test", friedman_name = "Friedman's test",
-                           brown_forsythe_name = "Brown-Forsythe test of equal variances",
-                           bartlett_name = "Bartlett's test of equal variances";
+                           kruskal_wallis_name = "Kruskal-Wallis test";
 
 }  // namespace ikbench::inference

@@ -33,7 +33,6 @@ Finding reversed(Finding finding) {
   const Estimate& ahead = finding.superiority;
   finding.superiority = {.value = 1 - ahead.value, .low = 1 - ahead.high, .high = 1 - ahead.low};
   finding.ahead = -finding.ahead;
-  finding.ahead_by_ranks = -finding.ahead_by_ranks;
   finding.g = -finding.g;
   return finding;
 }

@@ -1,5 +1,5 @@
 // A finding: the result of comparing two, as a row of plain data, for every quantity and method. Reports, comparisons
-// of variants, costs, shares of a budget and claims read the same rows.
+// of variants and claims read the same rows.
 #pragma once
 
 #include <cstddef>
@@ -39,19 +39,11 @@ struct Finding {
   // because a group has one value only or the bootstrap has no spread to judge by.
   bool is_by_order = false;
   bool lacks_spread = false;  // the test has no p because the values are too alike: undecided
-  // p, corrected as planned, and direction of the rank test shown beside a test of means (rank_method).
-  double p_ranks = statistics::not_defined;
-  int ahead_by_ranks = 0;
   Estimate superiority = {};  // A12: the chance that an observation of first is better than one of second
-  // Typical ratio first / second, defined if ranks decide and all values have one sign. Within blocks: the median of
-  // the ratios, with the sign test's interval from order statistics. Else: Hodges and Lehmann's estimate, with the
-  // interval of Mann and Whitney's test.
+  // Typical ratio first / second, defined if ranks decide and all values have one sign: Hodges and Lehmann's estimate,
+  // with the interval of Mann and Whitney's test.
   Estimate ratio = {};
   double g = statistics::not_defined;  // Hedges' g; positive if the mean of first is larger
-  // Observations per group (or blocks) needed to decide an undecided pair: to find a difference as large as the margin
-  // with the planned power. The value assumes the spread seen here, the interval plausible spreads. At least as many as
-  // the test needs.
-  Estimate runs_to_decide = {};
   // The sizes that the interval holds, beside the plan's margin. `low` is not defined if the interval does not favour
   // the better group.
   Estimate size = {};

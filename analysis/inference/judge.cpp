@@ -64,9 +64,7 @@ const TestResult* deciding_test(const Evidence& evidence) {
 }
 
 double group_score(const Evidence& evidence, const GroupEvidence& group) {
-  const double rank = !evidence.ranks_decide()           ? not_defined
-                      : evidence.decides_within_blocks() ? group.average_rank
-                                                         : group.mean_rank;
+  const double rank = evidence.ranks_decide() ? group.mean_rank : not_defined;
   if (std::isfinite(rank)) return rank;
   const double mean = evidence.better == Better::smaller ? group.described.mean : -group.described.mean;
   return std::isfinite(mean) ? mean : std::numeric_limits<double>::infinity();

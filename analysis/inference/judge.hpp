@@ -37,7 +37,7 @@ std::string_view pair_test_words(const Evidence& evidence);
 std::string_view deciding_words(const Evidence& evidence);
 // Names the test of two groups with one value each.
 std::string_view test_of_constants_words(const Evidence& evidence);
-// A group's score by the deciding method: its mean rank, average rank or mean. Smaller is better; infinite if not
+// A group's score by the deciding method: its mean rank or mean. Smaller is better; infinite if not
 // defined.
 double group_score(const Evidence& evidence, const GroupEvidence& group);
 // Index of the group with the smallest group_score().

@@ -34,10 +34,6 @@ const Method& method_named(std::string_view name) {
 
 void refuse_missing(const Method& method, const Evidence& evidence) {
   const Needs needs = results::deciding_test(method.name).needs;
-  if (needs == Needs::blocks && evidence.blocks == 0) {
-    throw std::invalid_argument(fmt::format(
-        "the {} test needs blocks, which all groups share; expected another test, or a block column", method.name));
-  }
   if (needs == Needs::summaries || !evidence.from_summaries) return;
   std::vector<std::string_view> others;
   for (const DecidingTest& test : deciding_tests()) {
@@ -45,20 +41,6 @@ void refuse_missing(const Method& method, const Evidence& evidence) {
   }
   throw std::invalid_argument(fmt::format("the {} test needs single values; expected one of these for summaries: {}",
                                           method.name, fmt::join(others, ", ")));
-}
-
-// The factor for the p of the given rank, 1 for the smallest, among m.
-double factor(Adjustment adjustment, double rank, double m) {
-  switch (adjustment) {
-    case Adjustment::holm:
-    case Adjustment::hochberg:
-      return m - rank + 1;
-    case Adjustment::bonferroni:
-      return m;
-    case Adjustment::benjamini_hochberg:
-      return m / rank;
-  }
-  return m;
 }
 
 }  // namespace
@@ -79,11 +61,7 @@ const Method& method_for(const Evidence& evidence) {
 
 Compares compares(std::string_view test) { return test == by_design ? Compares::means : method_named(test).compares; }
 
-const Method& rank_method(const Evidence& evidence) {
-  return evidence.blocks > 0 ? friedman_method : kruskal_wallis_method;
-}
-
-std::vector<double> adjusted(std::span<const double> p, Adjustment adjustment) {
+std::vector<double> adjusted(std::span<const double> p) {
   std::vector<double> result(p.begin(), p.end());
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -95,17 +73,9 @@ std::vector<double> adjusted(std::span<const double> p, Adjustment adjustment) {
   const double m = static_cast<double>(order.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     double& value = result[order[rank]];
-    value = std::min(1.0, factor(adjustment, static_cast<double>(rank) + 1, m) * value);
-  }
-  // An adjusted p is never below that of a smaller p: Holm steps down from the smallest, the others up from the
-  // largest.
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    if (adjustment == Adjustment::holm) {
-      result[order[i]] = std::max(result[order[i]], result[order[i - 1]]);
-    } else {
-      const std::size_t rank = order.size() - 1 - i;
-      result[order[rank]] = std::min(result[order[rank]], result[order[rank + 1]]);
-    }
+    value = std::min(1.0, (m - static_cast<double>(rank)) * value);
+    // An adjusted p is never below that of a smaller p.
+    if (rank > 0) value = std::max(value, result[order[rank - 1]]);
   }
   return result;
 }
@@ -114,7 +84,7 @@ void correct(const Evidence& evidence, std::vector<double>& p) {
   std::vector<double> raw;
   for (const double each : p) raw.push_back(std::isnan(each) ? 1 : each);
   raw.resize(std::max(raw.size(), evidence.family()), 1);
-  const std::vector<double> corrected = adjusted(raw, evidence.plan.adjustment);
+  const std::vector<double> corrected = adjusted(raw);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isnan(p[i])) p[i] = corrected[i];
   }

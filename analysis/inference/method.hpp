@@ -25,8 +25,8 @@ enum class Compares { means, ranks, shares };
 struct Method {
   std::string_view name;                // name in a plan; a plan cannot name the two methods of shares
   std::string_view title;               // names the test of all groups and that of its pairs
-  std::string_view of_pair = title;     // "Tukey's test"
-  std::string_view of_two = of_pair;    // name if there are only two groups: "Student's test"
+  std::string_view of_pair = title;     // "Tamhane's test"
+  std::string_view of_two = of_pair;    // name if there are only two groups: "Welch's test"
   std::string_view interval = of_pair;  // method of a difference's interval
   std::string_view source;
   Compares compares = Compares::means;
@@ -56,16 +56,12 @@ const Method& method_for(const Evidence& evidence);
 // Returns whether a plan's test compares means, ranks or shares. by_design compares means.
 Compares compares(std::string_view test);
 
-// The rank test shown beside a test of means: within blocks if there are any.
-const Method& rank_method(const Evidence& evidence);
+// Adjusts p-values for several tests, in the given order, as R's p.adjust does, by Holm (Scandinavian J. Statistics 6
+// (1979) 65). A p that is NaN (a test that could not be made) stays NaN and does not count. The others must be 0 to 1;
+// anything else throws std::invalid_argument.
+std::vector<double> adjusted(std::span<const double> p);
 
-// Adjusts p-values for several tests, in the given order, as R's p.adjust does: Holm (Scandinavian J. Statistics 6
-// (1979) 65), Hochberg (Biometrika 75 (1988) 800), Bonferroni, and Benjamini and Hochberg (J. Royal Statistical Society
-// B 57 (1995) 289). A p that is NaN (a test that could not be made) stays NaN and does not count. The others must be 0
-// to 1; anything else throws std::invalid_argument.
-std::vector<double> adjusted(std::span<const double> p, results::Adjustment adjustment);
-
-// Corrects p-values as planned. A pair of the family that is not among these, or has no p, counts as one that does not
+// Corrects p-values. A pair of the family that is not among these, or has no p, counts as one that does not
 // differ.
 void correct(const Evidence& evidence, std::vector<double>& p);
 // Fills p of each result with the corrected p_alone.
@@ -73,13 +69,7 @@ void correct(const Evidence& evidence, std::vector<Finding>& pairs);
 
 // Shared by several rows.
 std::vector<Finding> of_means(const Evidence& evidence, const std::vector<statistics::MeanDifference>& differences);
-// Compares all pairs of means by summaries, as tukey() does.
-template <auto compare>
-std::vector<Finding> pairs_of_means(const Evidence& evidence, const Groups& groups) {
-  return of_means(evidence, compare(groups.summaries, 1 - evidence.plan.significance, evidence.reference));
-}
 // Number of bootstrap resamples that so many values allow; 0 if there are too many values.
 int resamples_of(const Evidence& evidence);
-std::optional<TestResult> welch_of_all(const Evidence& evidence, const Groups& groups);
 
 }  // namespace ikbench::inference

@@ -6,31 +6,12 @@
 #include <cmath>
 
 #include "analysis/inference/text.hpp"
-#include "analysis/statistics/power.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::inference {
 
 using namespace results;
 using namespace statistics;
-
-namespace {
-
-// `n` trials find a difference as large as the margin; with fewer than `fewest` no test finds any.
-Estimate takes(double fewest, double n) {
-  if (std::isinf(n)) return {.low = most_runs, .high = n};
-  return n > fewest ? Estimate{.value = n, .low = n, .high = n} : Estimate{.value = fewest};
-}
-
-// The fewest trials of two groups that always succeed, or never, whose interval is within the margin.
-double trials_to_agree(double margin, double alpha) {
-  return smallest_number(2, [&](double trials) {
-    const Successes all{.successes = static_cast<int>(trials), .trials = static_cast<int>(trials)};
-    return newcombe(all, all, 1 - alpha).high <= margin;
-  });
-}
-
-}  // namespace
 
 Successes successes_of(const std::vector<double>& values) {
   return {.successes = static_cast<int>(std::ranges::count(values, 1.0)), .trials = static_cast<int>(values.size())};
@@ -44,28 +25,6 @@ PairedSuccesses paired_successes(const std::vector<double>& first, const std::ve
     ++(first[i] == second[i] ? alike : either);
   }
   return counts;
-}
-
-Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
-                               std::span<const std::vector<double>> values) {
-  const std::vector<double>&first = values[contrast.first], &second = values[contrast.second];
-  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
-  double fewest = evidence.fewest;
-  const Description &one = evidence.groups[contrast.first].described,
-                    &other = evidence.groups[contrast.second].described;
-  if (is_constant(one) && is_constant(other) && one.mean == other.mean) {
-    if (evidence.plan.margin == 0) return {};  // no number suffices
-    return takes(fewest, trials_to_agree(evidence.plan.margin, goal.alpha));
-  }
-  if (evidence.blocks > 0) {
-    const PairedSuccesses counts = paired_successes(first, second);
-    // Only blocks in which the two differ count.
-    const int differ = counts.first_only + counts.second_only;
-    if (differ > 0) fewest = std::ceil(fewest * counts.trials() / differ);
-    const double std = standard_deviation(differences_without_rounding(first, second));
-    return takes(fewest, pairs_to_see(std, evidence.plan.margin, goal));
-  }
-  return takes(fewest, runs_to_see(summarise(first), summarise(second), evidence.plan.margin, goal));
 }
 
 bool are_outcomes(const Observations& observations) {

@@ -23,10 +23,6 @@ Estimate solve_rate(const StudyResults& study, std::string_view solver, double l
 statistics::Successes successes_of(const std::vector<double>& values);
 statistics::PairedSuccesses paired_successes(const std::vector<double>& first, const std::vector<double>& second);
 
-// Observations needed to find a difference of shares as large as the margin (Finding::runs_to_decide).
-Estimate runs_to_decide_shares(const Evidence& evidence, const Finding& contrast,
-                               std::span<const std::vector<double>> values);
-
 // "20 runs can miss what happens in up to 14 % of them", such as a failure
 std::string rare_failures_words(int observations, std::string_view of_what, double significance);
 

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <span>
 
-#include "analysis/statistics/power.hpp"
-
 namespace ikbench::inference {
 namespace {
 
@@ -183,13 +181,6 @@ std::string capitalised(std::string_view text) {
   std::string result(text);
   result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
   return result;
-}
-
-std::string range_words(double low, double high) {
-  constexpr double widest = 100;
-  if (low >= statistics::most_runs) return "more than 10 million";
-  if (!(high <= widest * low)) return fmt::format("at least {:.0f}", low);
-  return low == high ? fmt::format("{:.0f}", low) : fmt::format("{:.0f} to {:.0f}", low, high);
 }
 
 std::string percent(double share) { return rounded_number(100 * share, 3) + " %"; }

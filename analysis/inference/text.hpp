@@ -27,8 +27,6 @@ std::string rounded_number(double value, int significant_digits);  // 2430, not 
 std::string short_number(double value);                            // three digits, or "not defined"
 // "7.5 deg"; radians too large for a double in degrees are "more than 1e308 deg".
 std::string degrees_words(double degrees);
-// "31 to 122", "31"; "at least 31" if the range has no end or spans more than a factor of 100.
-std::string range_words(double low, double high);
 std::string percent(double share);  // "5 %", three digits
 std::string points(double share);   // "5 percentage points", three digits
 

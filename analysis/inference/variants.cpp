@@ -254,7 +254,6 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
   judged.margin = plan.margin;
   judged.margin_cm = plan.margin_cm;
   judged.significance = plan.significance;
-  judged.power = plan.power;
   judged.estimands = plan.estimands;
   refuse_other_tasks(result.study, a, b);
   return result;

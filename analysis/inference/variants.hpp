@@ -33,7 +33,7 @@ struct VariantStudy {
   std::string differences;  // settings, program and machine that differ between A and B
 };
 
-// Takes the definition and plan of A, but margins, significance, power and estimands from `plan`. Throws
+// Takes the definition and plan of A, but margins, significance and estimands from `plan`. Throws
 // std::invalid_argument if one side has no complete run, or if robot, targets or start configurations differ. The
 // differences call them by their names.
 VariantStudy study_of_both(const Variant& a, const Variant& b, const results::AnalysisPlan& plan,

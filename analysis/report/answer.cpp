@@ -14,7 +14,6 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
-#include "analysis/statistics/power.hpp"
 #include "analysis/statistics/rounding.hpp"
 
 namespace ikbench::report {
@@ -65,32 +64,6 @@ std::string against(double mean, double other) {
 std::string at_most(double p) {
   const double unit = std::pow(10, std::floor(std::log10(p)) - 1);
   return rounded_number(std::ceil(p / unit) * unit, 2);
-}
-
-// "it takes 31 to 122 observations per group to see a difference of 5 %"; for constants and outcomes "it takes at least
-// 4 ...". Empty if unknown or already reached.
-std::string runs_words(const Evidence& evidence, const Estimate& runs) {
-  if (std::isnan(runs.low)) return "";  // a margin of 0 is never found
-  const double most = std::fmax(runs.value, runs.high);
-  const bool more =
-      std::ranges::any_of(evidence.groups, [&](const GroupEvidence& group) { return most > group.described.n; });
-  if (!more) return "";
-  const std::string_view of = replicates_words(evidence);
-  if (std::isnan(runs.high)) return fmt::format(words::runs_at_least, "runs"_a = runs.low, "of"_a = of);
-  if (runs.low >= most_runs) return fmt::format(words::runs_beyond, "margin"_a = margin_words(evidence), "of"_a = of);
-  return fmt::format(words::runs_for_margin, "range"_a = range_words(runs.low, std::max(runs.low, runs.high)),
-                     "of"_a = of, "margin"_a = margin_words(evidence));
-}
-
-// Observations needed to decide all of these pairs.
-Estimate runs_of_all(const Pairs& pairs) {
-  Estimate all;
-  for (const Finding* pair : pairs) {
-    const Estimate& own = pair->runs_to_decide;
-    const double low = std::isnan(own.low) ? own.value : own.low;
-    all = {std::fmax(all.value, own.value), std::fmax(all.low, low), std::fmax(all.high, own.high)};
-  }
-  return all;
 }
 
 // " for FD vs PSO": the open pairs; empty if all are open.
@@ -321,10 +294,7 @@ class Answer {
     const bool is_one = pairs.size() == 1;
     const Clause effect = effect_of(evidence_, nearest, best_);
     Clause text{fmt::format(words::decided, "first"_a = first(), "better"_a = better,
-                            "by"_a = !evidence_.ranks_decide()           ? ""
-                                     : evidence_.decides_within_blocks() ? " by ranks within blocks"
-                                                                         : " by ranks",
-                            "others"_a = others(pairs))};
+                            "by"_a = !evidence_.ranks_decide() ? "" : " by ranks", "others"_a = others(pairs))};
     if (is_one && !is_short_) {
       if (!effect.text.empty()) text.text += ": " + effect.text;
       text.remarks = effect.remarks;
@@ -372,8 +342,6 @@ class Answer {
       text.remarks.push_back(names.size() == pairs.size() ? reason
                                                           : fmt::format("against {} {}", listed(names), reason));
     }
-    const std::string runs = is_short_ ? "" : runs_words(evidence_, runs_of_all(pairs));
-    if (!runs.empty()) text.remarks.push_back(runs);
     say(text, doubts(pairs));
   }
   void say_undefined(const Pairs& pairs) {
@@ -480,17 +448,14 @@ std::string reasons_of_undecided(const Evidence& evidence) {
     open.push_back(&pair);
     if (!pair.why.empty() && std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
   }
-  if (std::string runs = runs_words(evidence, runs_of_all(open)); !runs.empty()) reasons.push_back(std::move(runs));
   return reasons.empty() ? ""
                          : fmt::format(words::why_undecided, "pairs"_a = open_pairs_words(evidence, open),
                                        "reasons"_a = fmt::join(reasons, "; "));
 }
 
 Sentence change_words(const Evidence& evidence, bool tells_extent) {
-  Pairs open;
   bool is_within = false, is_across = false, is_doubted = false;
   for (const Finding& pair : evidence.contrasts) {
-    if (pair.relation == Relation::undecided) open.push_back(&pair);
     if (!is_decided(pair)) continue;
     is_within = is_within || pair.is_within_margin();
     is_across = is_across || pair.is_across_margin();
@@ -499,13 +464,6 @@ Sentence change_words(const Evidence& evidence, bool tells_extent) {
   if (evidence.contrasts.empty() || has_single_values(evidence)) return {};
   std::vector<std::string> parts;
   if (!evidence.flaws.empty()) parts.emplace_back(words::sound_observations);
-  const Estimate runs_of_open = runs_of_all(open);
-  if (const std::string runs = runs_words(evidence, runs_of_open); !runs.empty() && !(runs_of_open.low >= most_runs)) {
-    parts.push_back(fmt::format(words::larger_study, "pairs"_a = open_pairs_words(evidence, open), "runs"_a = runs));
-  } else if (!open.empty() && evidence.ranks_decide() && evidence.decides_within_blocks()) {
-    parts.push_back(fmt::format(words::more_blocks, "pairs"_a = open_pairs_words(evidence, open),
-                                "blocks"_a = evidence.block_noun));
-  }
   const auto is_short = [](const GroupEvidence& group) { return group.described.n < 3 && group.copies == 0; };
   if (std::ranges::count(evidence.contrasts, Relation::undefined, &Finding::relation) > 0 &&
       std::ranges::any_of(evidence.groups, is_short)) {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "analysis/figures/box_figure.hpp"
-#include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_figures.hpp"
 #include "analysis/inference/design.hpp"
@@ -69,20 +68,6 @@ void add_differences(const Evidence& evidence, const Drawn& drawn, std::vector<F
                                               .larger_is_better = evidence.better == Better::larger}));
 }
 
-void add_ranks(const Evidence& evidence, std::vector<Figure>& figures) {
-  if (evidence.blocks == 0 || !std::isfinite(evidence.critical_difference)) return;
-  CriticalDifference ranks{.name = figure_name(evidence, "ranks"),
-                           .critical_difference = evidence.critical_difference,
-                           .significance = evidence.plan.significance,
-                           .method = fmt::format("Nemenyi, all pairs, {} blocks", evidence.blocks),
-                           .decides = std::string(pair_test_words(evidence))};
-  for (const GroupEvidence& group : evidence.groups) {
-    ranks.labels.push_back(group.name);
-    ranks.average_ranks.push_back(group.average_rank);
-  }
-  if (ranks.labels.size() <= most_groups_in_pairs) figures.push_back(critical_difference_figure(ranks));
-}
-
 // Returns whether at least two groups have different values; otherwise tables are enough.
 bool is_worth_drawing(const Evidence& evidence) {
   if (evidence.from_summaries) return true;
@@ -103,7 +88,6 @@ Assessment assessment_of(const Evidence& evidence, const Drawn& drawn) {
                     .json = json_of(evidence)};
   if (!is_worth_drawing(evidence)) return result;
   add_differences(evidence, drawn, result.figures);
-  add_ranks(evidence, result.figures);
   if (evidence.flaws.empty()) return result;
   for (Figure& figure : result.figures) figure.caption += fmt::format(" Flawed: {}", words_of(evidence.flaws));
   return result;
@@ -127,8 +111,7 @@ Observations drawn_part(Observations observations, const Drawn& drawn) {
   return observations;
 }
 
-Assessment with_observations(const Evidence& evidence, const Observations& observations, const Drawn& drawn) {
-  const Evidence found = with_bootstrap(evidence, observations);
+Assessment with_observations(const Evidence& found, const Observations& observations, const Drawn& drawn) {
   Assessment result = assessment_of(found, drawn);
   if (is_worth_drawing(found) && !found.of_outcomes && !found.from_summaries) {
     result.figures.insert(result.figures.begin(),
@@ -159,17 +142,13 @@ Json group_json(const GroupEvidence& group) {
           {"n", of.n},
           {"not_finite", of.not_finite},
           {"mean", estimate(group.mean)},
-          {"mean_by_bootstrap", estimate(group.bootstrapped)},
           {"sd", json_number(of.std)},
           {"median", estimate(group.median)},
           {"q1", json_number(group.q1)},
           {"q3", json_number(group.q3)},
           {"min", json_number(of.min)},
           {"max", json_number(of.max)},
-          {"shapiro_wilk_w", json_number(group.normality_w)},
-          {"shapiro_wilk_p", json_number(group.normality)},
           {"mean_rank", json_number(group.mean_rank)},
-          {"average_rank", json_number(group.average_rank)},
           {"decades", json_number(group.decades)}};
 }
 
@@ -194,13 +173,9 @@ Json contrast_json(const Evidence& evidence, const Finding& contrast) {
               {"difference", estimate(contrast.estimate)},
               {"p", json_number(contrast.p)},
               {"p_alone", json_number(contrast.p_alone)},
-              {"p_ranks", json_number(contrast.p_ranks)},
               {evidence.blocks > 0 ? "share_of_blocks_ahead" : "a12", estimate(contrast.superiority)},
               {"typical_ratio", estimate(contrast.ratio)},
               {"hedges_g", json_number(contrast.g)},
-              {"runs_to_decide", json_number(contrast.runs_to_decide.value)},
-              {"runs_to_decide_low", json_number(contrast.runs_to_decide.low)},
-              {"runs_to_decide_high", json_number(contrast.runs_to_decide.high)},
               {"relation", name_of(contrast.relation)},
               {"extent", extent_of(contrast)},
               {"verdict", verdict_words(evidence, contrast)}};
@@ -246,18 +221,14 @@ std::string json_of(const Evidence& evidence) {
               {"of_outcomes", evidence.of_outcomes},
               {"plan",
                {{"test", plan.test},
-                {"adjustment", name_of(plan.adjustment)},
                 {"control", plan.control},
                 {"significance", plan.significance},
                 {"margin", plan.margin},
                 {"margin_cm", plan.margin_cm},
                 {"margin_absolute", evidence.margin},
-                {"power", plan.power},
                 {"quartiles", plan.quartiles}}},
               {"notes", evidence.notes},
               {"flaw", words_of(evidence.flaws)},
-              {"variance_ratio", json_number(evidence.variance_ratio)},
-              {"critical_difference", json_number(evidence.critical_difference)},
               {"pairs", evidence.pairs}};
   Json groups = Json::array(), tests = Json::array(), contrasts = Json::array();
   for (const GroupEvidence& group : evidence.groups) groups.push_back(group_json(group));
@@ -309,17 +280,15 @@ Table with_notes(Table table, const Evidence& evidence, const std::string& inter
 Table groups_table(const Evidence& evidence) {
   const std::string level = percent(1 - evidence.plan.significance);
   const bool of_logarithms = evidence.scale == ValueScale::log10;
-  Table table{
-      .name = table_name(evidence, "groups"),
-      .caption = fmt::format("Observations: {}", quantity_words(evidence.quantity, evidence.unit)),
-      .columns = {"group", "n", "not finite", of_logarithms ? "geometric mean" : "mean",
-                  level + " interval of the mean", "bootstrap interval", of_logarithms ? "sd of log10" : "sd", "median",
-                  level + " interval of the median", "q1", "q3", "min", "max", "Shapiro-Wilk p", "average rank"}};
+  Table table{.name = table_name(evidence, "groups"),
+              .caption = fmt::format("Observations: {}", quantity_words(evidence.quantity, evidence.unit)),
+              .columns = {"group", "n", "not finite", of_logarithms ? "geometric mean" : "mean",
+                          level + " interval of the mean", of_logarithms ? "sd of log10" : "sd", "median",
+                          level + " interval of the median", "q1", "q3", "min", "max"}};
   if (evidence.unit == "s") {
     table.times = {"mean",
                    "geometric mean",
                    level + " interval of the mean",
-                   "bootstrap interval",
                    "median",
                    level + " interval of the median",
                    "q1",
@@ -332,9 +301,8 @@ Table groups_table(const Evidence& evidence) {
     const Description& of = group.described;
     const Cell not_finite = unless_zero(of.not_finite);
     table.rows.push_back({group.name, std::int64_t{of.n}, not_finite, of.mean, range_of(group.mean),
-                          range_of(group.bootstrapped), of.n > 1 ? Cell(of.std) : Cell(), or_nothing(of.median),
-                          range_of(group.median), or_nothing(group.q1), or_nothing(group.q3), or_nothing(of.min),
-                          or_nothing(of.max), or_nothing(PValue{group.normality}), or_nothing(group.average_rank)});
+                          of.n > 1 ? Cell(of.std) : Cell(), or_nothing(of.median), range_of(group.median),
+                          or_nothing(group.q1), or_nothing(group.q3), or_nothing(of.min), or_nothing(of.max)});
   }
   return with_notes(
       std::move(table), evidence,
@@ -360,8 +328,7 @@ Table tests_table(const Evidence& evidence) {
               .columns = {"part", "test", "statistic", "value", "df", "df within", "p", "effect", "size", "verdict"}};
   for (const TestResult& test : evidence.tests) {
     const bool significant = test.p < evidence.plan.significance;
-    const std::string_view finding = test.role == Role::assumption ? (significant ? "rejected" : "not rejected")
-                                                                   : (significant ? "the groups differ" : "undecided");
+    const std::string_view finding = significant ? "the groups differ" : "undecided";
     const bool defined = test.undefined.empty(), has_effect = std::isfinite(test.effect);
     table.rows.push_back(
         {std::string(role_words(test.role)),
@@ -397,20 +364,12 @@ Table contrasts_table(const Evidence& evidence) {
                           level + (evidence.blocks > 0 ? " interval of the share" : " interval of A12"), "Hedges g"}};
   if (evidence.unit == "s" && evidence.scale == ValueScale::plain)
     table.times = {"difference of means", level + " interval"};
-  const bool has_ranks = evidence.method->compares == Compares::means && !evidence.from_summaries;
-  if (has_ranks) table.columns.push_back(fmt::format("p, {}", rank_method(evidence).of_pair));
-  table.columns.push_back(replicates_words(evidence) == evidence.block_noun ? "blocks to decide" : "runs to decide");
   for (const Finding& contrast : evidence.contrasts) {
-    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{
-        evidence.groups[contrast.first].name, evidence.groups[contrast.second].name, verdict_words(evidence, contrast),
-        contrast.estimate.value, range_of(contrast.estimate), or_nothing(PValue{contrast.p}),
-        or_nothing(PValue{contrast.p_alone}), or_nothing(contrast.superiority.value), range_of(contrast.superiority),
-        or_nothing(contrast.g)});
-    if (has_ranks) row.push_back(or_nothing(PValue{contrast.p_ranks}));
-    const Estimate& runs = contrast.runs_to_decide;  // the same range as in the sentence
-    row.push_back(std::isfinite(runs.low)     ? Cell(range_words(runs.low, runs.high))
-                  : std::isfinite(runs.value) ? Cell(fmt::format("at least {:.0f}", runs.value))
-                                              : Cell());
+    table.rows.push_back({evidence.groups[contrast.first].name, evidence.groups[contrast.second].name,
+                          verdict_words(evidence, contrast), contrast.estimate.value, range_of(contrast.estimate),
+                          or_nothing(PValue{contrast.p}), or_nothing(PValue{contrast.p_alone}),
+                          or_nothing(contrast.superiority.value), range_of(contrast.superiority),
+                          or_nothing(contrast.g)});
   }
   table.notes.push_back(family_note(evidence));
   if (!evidence.from_summaries && !evidence.of_outcomes) {

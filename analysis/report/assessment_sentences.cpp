@@ -11,7 +11,6 @@
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
-#include "analysis/statistics/power.hpp"
 
 namespace ikbench::report {
 
@@ -48,21 +47,7 @@ Sentence design(const Evidence& evidence) {
   return {"Data", text};
 }
 
-// The smallest difference that so many observations can find.
-std::string sensitivity(const Evidence& evidence) {
-  const int n =
-      std::ranges::min_element(evidence.groups, {}, [](const GroupEvidence& g) { return g.described.n; })->described.n;
-  if (n < 2 || evidence.constant || !too_few(evidence).text.empty()) return "";
-  const PowerGoal goal{.power = evidence.plan.power, .alpha = evidence.alpha()};
-  const bool in_blocks = evidence.decides_within_blocks();
-  return ' ' + fmt::format(words::sensitivity, "n"_a = n, "of"_a = replicates_words(evidence),
-                           "least"_a = rounded_number(least_difference(n, in_blocks, goal), 2),
-                           "of_differences"_a = in_blocks ? " of the differences" : "",
-                           "power"_a = percent(evidence.plan.power));
-}
-
 Sentence methods(const Evidence& evidence) {
-  constexpr std::array<std::string_view, 4> whose{"Holm", "Hochberg", "Bonferroni", "Benjamini-Hochberg"};
   std::string family;
   if (!evidence.plan.control.empty()) {
     family =
@@ -71,7 +56,7 @@ Sentence methods(const Evidence& evidence) {
     family = fmt::format(words::family_of_all, "pairs"_a = evidence.pairs);
   }
   if (!evidence.from_summaries && (evidence.ranks_decide() || evidence.of_outcomes) && evidence.pairs > 1) {
-    family += fmt::format(words::correction, "whose"_a = whose[static_cast<std::size_t>(evidence.plan.adjustment)]);
+    family += words::correction;
   }
   std::string method = fmt::format(words::method, "test"_a = deciding_words(evidence),
                                    "level"_a = rounded_number(evidence.plan.significance, 3), "family"_a = family,
@@ -79,7 +64,7 @@ Sentence methods(const Evidence& evidence) {
   if (evidence.blocks > 0 && !evidence.decides_within_blocks()) method += words::ignores_blocks;
   return {"Methods", evidence.of_outcomes ? fmt::format(words::method_of_shares, "method"_a = method,
                                                         "interval"_a = evidence.method->interval)
-                                          : method + sensitivity(evidence)};
+                                          : method};
 }
 
 // "F(5, 44.3) = 142, p = 4e-26"
@@ -91,50 +76,6 @@ std::string result_words(const TestResult& test) {
                          ? fmt::format("{}({}) = {}", test.symbol, df, rounded_number(test.statistic, 4))
                          : fmt::format("{} = {}", test.symbol, rounded_number(test.statistic, 4));
   return fmt::format("{}, {}", text, p_words(test.p));
-}
-
-std::string normality_words(const Evidence& evidence) {
-  if (evidence.from_summaries) return std::string(words::normality_unknown);
-  std::vector<std::string> not_normal;
-  for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
-    const double p = evidence.groups[i].normality;
-    if (p < evidence.plan.significance)
-      not_normal.push_back(fmt::format("{} ({})", name_words(evidence, i), p_words(p)));
-  }
-  if (!not_normal.empty()) return fmt::format(words::not_normal, "names"_a = listed(not_normal));
-  const bool is_tested =
-      std::ranges::any_of(evidence.groups, [](const GroupEvidence& of) { return std::isfinite(of.normality); });
-  return std::string(is_tested ? words::normal : words::normality_untested);
-}
-
-// The test of equal variances: Brown and Forsythe's if the values are known, because Bartlett's assumes normal ones.
-const TestResult* variance_test(const Evidence& evidence) {
-  const TestResult* by_values = evidence.test(brown_forsythe_name);
-  return by_values != nullptr ? by_values : evidence.test(bartlett_name);
-}
-
-bool variances_differ(const Evidence& evidence) {
-  const TestResult* test = variance_test(evidence);
-  return test != nullptr && test->p < evidence.plan.significance;
-}
-
-Sentence assumptions(const Evidence& evidence) {
-  std::vector<std::string> tests;
-  for (const TestResult& each : evidence.tests) {
-    if (each.role == Role::assumption) tests.push_back(fmt::format("{}: {}", each.test, result_words(each)));
-  }
-  if (tests.empty()) return {};
-  const TestResult* test = variance_test(evidence);
-  const bool tested = test != nullptr && test->undefined.empty();
-  std::string text = !tested                      ? "equal variances cannot be tested"
-                     : variances_differ(evidence) ? "equal variances are rejected"
-                                                  : "equal variances are not rejected";
-  if (std::isfinite(evidence.variance_ratio)) {
-    text += fmt::format(words::variances, "most"_a = name_words(evidence, evidence.most_variable),
-                        "ratio"_a = rounded_number(evidence.variance_ratio, 3),
-                        "least"_a = name_words(evidence, evidence.least_variable));
-  }
-  return {"Assumptions", fmt::format("{} ({}). {}", text, fmt::join(tests, "; "), normality_words(evidence))};
 }
 
 // Warns of single values over decades: the largest few decide their mean, and so a test of means.
@@ -161,28 +102,7 @@ Sentence all_together(const Evidence& evidence) {
   if (test->undefined.empty()) {
     text += test->p < evidence.plan.significance ? "; at least one group differs" : "; no difference is shown";
   }
-  return {
-      "All groups together",
-      text + '.' +
-          std::string(test->role == Role::paper && variances_differ(evidence) ? words::assumes_equal_variances : "")};
-}
-
-// Pairs of which the rank test says other than the deciding one.
-Sentence disagreements(const Evidence& evidence) {
-  std::vector<std::string> pairs;
-  for (const Finding& pair : evidence.contrasts) {
-    if (!std::isfinite(pair.p_ranks) || !std::isfinite(pair.p)) continue;
-    const bool by_ranks = pair.p_ranks < evidence.plan.significance, is_opposite = pair.ahead_by_ranks == -pair.ahead;
-    if (by_ranks == is_decided(pair) && !(by_ranks && is_opposite)) continue;
-    pairs.push_back(fmt::format(words::by_ranks_instead, "pair"_a = pair_words(evidence, pair),
-                                "finds"_a = !by_ranks                         ? "undecided"
-                                            : is_opposite && is_decided(pair) ? "the other one is better"
-                                                                              : "different",
-                                "p"_a = p_words(pair.p_ranks), "deciding"_a = p_words(pair.p)));
-  }
-  if (pairs.empty()) return {};
-  return {"Where methods disagree",
-          fmt::format(words::disagreements, "ranks"_a = rank_method(evidence).of_pair, "pairs"_a = clauses(pairs))};
+  return {"All groups together", text + '.'};
 }
 
 Sentence limits(const Evidence& evidence) {
@@ -229,10 +149,8 @@ std::vector<Sentence> sentences_of(const Evidence& evidence) {
   if (has_single_values(evidence)) return sentences;
   say(methods(evidence));
   say(too_few(evidence));
-  say(assumptions(evidence));
   say(decades(evidence));
   say(all_together(evidence));
-  say(disagreements(evidence));
   say(limits(evidence));
   return sentences;
 }

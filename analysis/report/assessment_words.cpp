@@ -131,7 +131,7 @@ std::string verdict_words(const Evidence& evidence, const Finding& contrast) {
 }
 
 std::string_view role_words(Role role) {
-  constexpr std::array<std::string_view, 3> roles{"assumption", "classical", "robust"};
+  constexpr std::array<std::string_view, 2> roles{"classical", "robust"};
   return roles[static_cast<std::size_t>(role)];
 }
 
@@ -159,10 +159,8 @@ std::string rare_failures_words(const Evidence& evidence) {
 }
 
 Sentence too_few(const Evidence& evidence) {
-  const bool has_one_step = evidence.plan.adjustment == results::Adjustment::holm ||
-                            evidence.plan.adjustment == results::Adjustment::bonferroni;
   const auto size = [](const GroupEvidence& group) { return group.described.n; };
-  if (!has_one_step || evidence.fewest == 0 || evidence.groups.empty()) return {};
+  if (evidence.fewest == 0 || evidence.groups.empty()) return {};
   const int most = std::ranges::max(evidence.groups, {}, size).described.n;
   if (most >= evidence.fewest) return {};
   return {"Caution", fmt::format(words::too_few, "fewest"_a = evidence.fewest, "of"_a = replicates_words(evidence),

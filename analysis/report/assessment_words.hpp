@@ -36,7 +36,7 @@ std::pair<std::string, std::string> extent_words(const inference::Evidence& evid
                                                  const inference::Finding& contrast);
 // "IK-BA is better by more than 5 %", "the same within 5 %", "undecided", "not defined: ..."
 std::string verdict_words(const inference::Evidence& evidence, const inference::Finding& contrast);
-std::string_view role_words(inference::Role role);            // "assumption", "classical", "robust"
+std::string_view role_words(inference::Role role);            // "classical", "robust"
 std::int64_t ones_of(const inference::GroupEvidence& group);  // of outcomes
 std::string_view replicates_words(
     const inference::Evidence& evidence);  // "observations per group", or the blocks' noun: "targets"

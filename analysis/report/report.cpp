@@ -379,11 +379,6 @@ Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   return doubts;
 }
 
-Doubts blocks_doubts(const StudyResults& study) {
-  if (!needs_blocks(study.plan.test) || why_not_blocked(study).empty()) return {};
-  return Doubts{{.kind = DoubtKind::other_test, .what = study.plan.test}} + why_not_blocked(study);
-}
-
 std::vector<ColouredSolver> coloured(const StudyResults& study, const FigureStyle& style) {
   std::vector<ColouredSolver> solvers;
   for (const std::string& solver : study.solvers)
@@ -521,8 +516,8 @@ Report write_report(const Store& store, const ReportRequest& request) {
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
       missing_doubts(study) + left_out_doubts(left_out, whole) + claims_doubts(paper, left_out) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(whole, sessions, solves_of_sessions(study)) + others.plan_changes + blocks_doubts(study) +
-      imported_doubts(entry, study) + tuning_doubts(study) + fairness_doubts(study, reported.companions);
+      plan_changes(whole, sessions, solves_of_sessions(study)) + others.plan_changes + imported_doubts(entry, study) +
+      tuning_doubts(study) + fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));

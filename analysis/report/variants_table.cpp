@@ -134,14 +134,6 @@ std::string not_finite_words(const Observations& observed) {
   return parts.empty() ? "" : fmt::format(words::lost, "list"_a = fmt::join(parts, ", "));
 }
 
-// Says how many observations a decision takes; empty if there are as many already.
-std::string what_would_show(const MetricComparison& metric) {
-  const Estimate runs = metric.finding().runs_to_decide;
-  const double least = std::isfinite(runs.low) ? runs.low : runs.value;
-  if (!(least > std::min(number_of(metric, 0), number_of(metric, 1)))) return "";
-  return fmt::format(words::takes, "number"_a = range_words(least, runs.high), "of"_a = noun_of(metric.observed));
-}
-
 std::string remark_on(const MetricComparison& metric, double significance) {
   if (!metric.refused.empty()) return metric.refused;
   if (!metric.is_compared()) return metric.is_counted ? "see below" : "nobody counted";
@@ -153,7 +145,6 @@ std::string remark_on(const MetricComparison& metric, double significance) {
   } else if (found.relation == Relation::undecided) {
     if (found.p >= metric.level() && found.p < significance)
       parts.push_back(fmt::format(words::by_itself, "better"_a = found.ahead < 0 ? "better" : "worse"));
-    parts.push_back(what_would_show(metric));
   } else if (found.relation != Relation::better && !metric.evidence.ranks_decide()) {
     parts.push_back(inference::rare_failures_words(std::min(number_of(metric, 0), number_of(metric, 1)),
                                                    fmt::format("{}s", noun_of(metric.observed)), metric.level()));
@@ -226,13 +217,12 @@ std::string regressions(Comparisons comparisons) {
                      found.size() == named ? "" : fmt::format(" and {} more", found.size() - named));
 }
 
-// "position_error_cm (a difference of the margin takes at least 40 runs), seconds": the metrics that nothing decides.
+// The metrics that nothing decides.
 std::string undecided_metrics(const VariantComparison& comparison) {
   std::vector<std::string> found;
   for (const MetricComparison& metric : comparison.metrics) {
     if (!metric.is_compared() || metric.finding().relation != Relation::undecided) continue;
-    const std::string takes = what_would_show(metric);
-    found.push_back(takes.empty() ? metric_words(metric) : fmt::format("{} ({})", metric_words(metric), takes));
+    found.push_back(metric_words(metric));
   }
   return fmt::format("{}", fmt::join(found, ", "));
 }

@@ -39,10 +39,6 @@ inline constexpr Template has_no_mean = "{name} has no mean: {lost} of {n} value
 inline constexpr Template not_by_ranks = "{means}, which ranks do not compare";
 inline constexpr Template ahead = "ahead in {share} of {of}";
 inline constexpr Template interval = "{what} between {low} and {high}{unit}";
-inline constexpr Template runs_for_margin = "it takes {range} {of} to see a difference of {margin}";
-inline constexpr Template runs_beyond =
-    "no study will show a difference of {margin}: it takes more than 10 million {of}";
-inline constexpr Template runs_at_least = "it takes at least {runs:.0f} {of}";
 
 // The leader, in a line.
 inline constexpr Template none_tested = "no solver is tested: {values}";
@@ -59,10 +55,7 @@ inline constexpr Template by_claims = "its claims";
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
-inline constexpr Template larger_study = "a larger new study{pairs}, planned before it is seen ({runs})";
 inline constexpr Template open_pairs = " for {pairs}";
-inline constexpr Template more_blocks =
-    "a larger new study{pairs}, planned before it is seen; signs have no size, so they do not tell how many {blocks} it takes";
 inline constexpr Template more_than_two = "more than two observations of each group that are not all equal";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";
@@ -87,21 +80,11 @@ inline constexpr Template method = "{test} decides, at {level}{family}; differen
 inline constexpr Template ignores_blocks = " It does not use the blocks.";
 inline constexpr Template family_of_control = ", for each group against the control {control}";
 inline constexpr Template family_of_all = ", for all {pairs} pairs";
-inline constexpr Template correction = "; p-values are corrected by {whose}";
+inline constexpr Template correction = "; p-values are corrected by Holm";
 inline constexpr Template one_group = "There is only one group, so there is nothing to compare.";
-inline constexpr Template variances = "; the variance of {most} is {ratio} times that of {least}";
-inline constexpr Template assumes_equal_variances = " It assumes equal variances, which are rejected.";
-inline constexpr Template normality_unknown = "Summaries do not show whether the values are normal.";
-inline constexpr Template normality_untested =
-    "Normality cannot be tested: Shapiro-Wilk takes 3 to 5000 values that are not all equal.";
-inline constexpr Template not_normal = "Normality is rejected for {names} (Shapiro-Wilk, separately for each group).";
-inline constexpr Template normal = "Normality is not rejected for any group that can be tested (Shapiro-Wilk).";
 inline constexpr Template method_of_shares =
     "every observation is 0 or 1, so shares are compared. {method} Intervals: Wilson's of a share; of a difference "
     "{interval}.";
-inline constexpr Template sensitivity =
-    "With {n} {of} a t-test finds differences of at least {least} standard deviations{of_differences} with {power} power; "
-    "other tests need more.";
 inline constexpr Template too_few =
     "no pair can differ by this test. It takes at least {fewest} {of}, and here are {most}.";
 inline constexpr Template decades =
@@ -112,9 +95,6 @@ inline constexpr Template described_only =
 inline constexpr Template constants =
     "All values within a group are equal, apart from rounding. p comes from {test}. If a quantity is fixed by design, such as a budget of "
     "evaluations, its difference is a fact and needs no test.";
-
-inline constexpr Template by_ranks_instead = "{pair}: {finds} ({p}, deciding {deciding})";
-inline constexpr Template disagreements = "by ranks ({ranks}): {pairs}.";
 
 // Notes of the tables of an assessment.
 inline constexpr Template intervals_and_quartiles =
@@ -182,7 +162,6 @@ inline constexpr std::string_view the_same_bits = "the same, bit for bit";
 inline constexpr Template equal_bits = "equal bit for bit";
 inline constexpr Template repeats_itself = "all runs of each are equal: a fact of these targets, without a test";
 inline constexpr Template lost = "not finite: {list}";
-inline constexpr Template takes = "a difference of the margin takes {number} {of}s";
 inline constexpr Template by_itself = "{better} by itself, but not among all of this comparison";
 inline constexpr Template independent_runs = "Independent runs, {a} of A and {b} of B: one observation is {what}.";
 inline constexpr Template pairs = "{a} pairs of {of}s: one observation is {what}; a pair is {pair}.";

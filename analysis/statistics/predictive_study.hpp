@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 
+#include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/draw.hpp"
 
 namespace ikbench::statistics {

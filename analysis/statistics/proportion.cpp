@@ -78,11 +78,6 @@ double most_without_success(int trials, double significance) {
   return trials < 1 ? 1 : 1 - std::pow(significance, 1.0 / trials);
 }
 
-double trials_to_exclude(double share, double significance) {
-  if (!(share > 0 && share < 1)) return not_defined;
-  return std::ceil(std::log(significance) / std::log1p(-share));
-}
-
 double mcnemar_exact(const PairedSuccesses& counts) {
   const int apart = counts.first_only + counts.second_only;
   if (apart == 0) return 1;

@@ -28,8 +28,6 @@ double fisher_exact(Successes first, Successes second);
 
 // The largest chance that so many trials without a success do not exclude, one-sided: 1 - significance^(1 / trials).
 double most_without_success(int trials, double significance);
-// The number of trials from which that chance is at most `share`; NaN if no number suffices.
-double trials_to_exclude(double share, double significance);
 
 // Compares successes of groups that were all given the same trials: pair by pair.
 

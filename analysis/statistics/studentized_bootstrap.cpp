@@ -380,23 +380,4 @@ std::vector<MeanDifference> bootstrap_within_blocks(Groups groups, const PairFam
   return judged(std::move(all), family, settings, Scale::mean);
 }
 
-Estimate studentized_interval(std::span<const double> sample, const Resampling& settings) {
-  check_level(settings.level);
-  if (!group_undefined(sample, 0).empty()) return {};
-  const std::vector<double> values(sample.begin(), sample.end());
-  const Mean found = resampled({&values, 1}, Scale::mean, settings).front();
-  if (found.error == 0) return {.value = found.value, .low = found.value, .high = found.value};
-  std::vector<double> studentized;
-  for (std::size_t i = 0; i < found.deviations.size(); ++i) {
-    const double off = found.deviations[i];
-    studentized.push_back(off == 0 ? 0 : off / std::sqrt(found.squares[i]));
-  }
-  std::ranges::sort(studentized);
-  const double outside = (1 - settings.level) / 2;
-  const double low = found.value - found.error * quantile(studentized, 1 - outside, QuantileType::type_6);
-  const double high = found.value - found.error * quantile(studentized, outside, QuantileType::type_6);
-  if (!std::isfinite(low) || !std::isfinite(high)) return {.value = found.value};
-  return {.value = found.value, .low = low, .high = high};
-}
-
 }  // namespace ikbench::statistics

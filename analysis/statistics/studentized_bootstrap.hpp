@@ -43,7 +43,4 @@ std::vector<MeanDifference> bootstrap_within_blocks(std::span<const std::vector<
 // The least number of blocks with which it can judge a pair among so many.
 int fewest_blocks(std::size_t pairs, double level);
 
-// One mean with its interval, equally likely to miss it on either side.
-Estimate studentized_interval(std::span<const double> sample, const Resampling& settings);
-
 }  // namespace ikbench::statistics

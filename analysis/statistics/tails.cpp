@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -22,7 +19,6 @@ namespace {
 // Boost computes in long double by default, which takes several times as long for digits that nobody sees.
 using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 using StudentsT = boost::math::students_t_distribution<double, Plain>;
-using NoncentralT = boost::math::non_central_t_distribution<double, Plain>;
 
 }  // namespace
 
@@ -51,24 +47,6 @@ double t_quantile(double p, double df) {
   try {
     return boost::math::quantile(StudentsT(df), p);
   } catch (const std::exception&) {  // overflow: a tail too small for so few degrees of freedom
-    return not_defined;
-  }
-}
-
-double noncentral_t_upper_tail(double t, double df, double shift) {
-  if (!std::isfinite(t) || !std::isfinite(shift) || !(df > 0)) return not_defined;
-  constexpr double all_shift = 1e4;
-  try {
-    if (std::abs(shift) <= all_shift) {
-      const NoncentralT distribution(df, shift);
-      return std::clamp(boost::math::cdf(boost::math::complement(distribution, t)), 0.0, 1.0);
-    }
-    if (t * shift <= 0) return shift > 0 ? 1 : 0;
-    const double bound = std::min(shift / t, 1e100);  // of S
-    const double half = df / 2;
-    return shift > 0 ? boost::math::gamma_p(half, half * bound * bound)
-                     : boost::math::gamma_q(half, half * bound * bound);
-  } catch (const std::exception&) {  // a series that did not converge
     return not_defined;
   }
 }

@@ -13,17 +13,12 @@ double normal_quantile(double p);
 // (0, 1).
 double normal_critical(double level);
 
-// Student's t and its noncentral form (Johnson, Kotz, Balakrishnan 1995, ch. 31), for every argument: NaN if there is
-// no answer, never an exception.
+// Student's t, for every argument: NaN if there is no answer, never an exception.
 
 // P(T > t), df > 0.
 double t_upper_tail(double t, double df);
 // The t with P(T <= t) = p, 0 < p < 1, df > 0.
 double t_quantile(double p, double df);
-
-// P((Z + shift) / S > t), Z standard normal, S the square root of chi-squared / df. Beyond a shift of ten thousand it
-// leaves out Z, which then changes nothing before the fourth digit.
-double noncentral_t_upper_tail(double t, double df, double shift);
 
 // P(X >= x) of chi-square; NaN if x is not a finite number of at least 0 or df is less than 1.
 double chi_squared_upper_tail(double x, double df);

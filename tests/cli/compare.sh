@@ -183,15 +183,15 @@ has "$out" "margin 500 cm"
 answers "No regression beyond 500 cm"
 
 # All readers of a study's [analysis] can work with its limits.
-for edge in "analysis.margin_percent=99 analysis.significance=0.2 analysis.power=0.5" \
-  "analysis.margin_percent=0 analysis.significance=0.0001 analysis.power=0.999"; do
-  read -r margin significance power <<<"$edge"
-  make edge --set "$margin" --set "$significance" --set "$power"
+for edge in "analysis.margin_percent=99 analysis.significance=0.2" \
+  "analysis.margin_percent=0 analysis.significance=0.0001"; do
+  read -r margin significance <<<"$edge"
+  make edge --set "$margin" --set "$significance"
   succeeds compare --verbose edge/store.sqlite $fewer --label K-ABC --metric variation_deg
   has "$out" "some difference is found with a probability of at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
   succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
-    --significance "${significance#*=}" --power "${power#*=}" --out edge_stats
+    --significance "${significance#*=}" --out edge_stats
   rm -r edge
 done
 

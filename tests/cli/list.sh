@@ -52,7 +52,7 @@ done
 
 # So does its plan of analysis.
 succeeds list studies slim2023
-for line in "[analysis]  # how" "test = 'by_design'  # by_design | bootstrap | tamhane | welch | anova | kruskal_wallis | friedman: " \
+for line in "[analysis]  # how" "test = 'by_design'  # by_design | bootstrap | tamhane | kruskal_wallis: " \
   "significance = 0.05  # significance level of a test" "margin_percent = 5  # smallest relative difference that matters" "unit = 'run'  # run | point: " \
   "estimands = ['mean', 'typical', 'reliability']  # mean | typical | reliability: " "within_cm = 0.01  # "; do
   has "$out" $'\n'"$line"

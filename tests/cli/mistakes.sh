@@ -71,7 +71,6 @@ refused 'dobot_magician has no spherical wrist' run slim2023-dobot --set search=
 refused '--set analysis.significance: analysis.significance is 0.75; expected a number from 0.0001 to 0.2' \
   run slim2023 --set analysis.significance=0.75
 refused 'the label of a solver of the study: "IK-BA", "BA"' run slim2023 --set analysis.control=IKBA
-refused 'analysis.test is "friedman"; expected another test' run slim2023 --set analysis.test=friedman
 refused 'to insist: --force' run slim2023 --set analysis.unit=point
 refused 'did you mean "analysis"?' run slim2023 --set anlysis.unit=run
 

@@ -18,7 +18,7 @@ std::vector<Finding> kruskal_wallis_pairs(const Evidence& evidence, const Groups
   std::vector<Finding> result;
   std::vector<double> exact, unequal;
   const std::vector<MeanDifference> means =
-      games_howell(groups.summaries, 1 - evidence.plan.significance, evidence.reference);
+      tamhane(groups.summaries, 1 - evidence.plan.significance, evidence.reference);
   for (std::size_t i = 0; i < evidence.contrasts.size(); ++i) {
     const std::size_t first = evidence.contrasts[i].first, second = evidence.contrasts[i].second;
     Test test = mann_whitney(groups.ranked[first], groups.ranked[second]);
@@ -47,7 +47,7 @@ const Method kruskal_wallis_method{
     .title = "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
     .of_pair = "Brunner-Munzel and Mann-Whitney tests",
     .of_two = "Brunner-Munzel test with Mann-Whitney's test",
-    .interval = "Games-Howell, separate variances",
+    .interval = "Tamhane, separate variances",
     .source =
         "Kruskal and Wallis, JASA 47 (1952) 583; Mann and Whitney, Annals of Mathematical Statistics 18 (1947) "
         "50; Brunner and Munzel, Biometrical J. 42 (2000) 17",

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "analysis/figures/box_figure.hpp"
-#include "analysis/figures/critical_difference_figure.hpp"
 #include "analysis/figures/figure_parts.hpp"
 #include "analysis/figures/row_figures.hpp"
 #include "analysis/inference/text.hpp"
@@ -54,15 +53,6 @@ std::vector<Group> groups_named(const Texts& names, const Values& values) {
   std::vector<Group> groups;
   for (const std::string& name : names) groups.push_back({name, values});
   return groups;
-}
-
-Figure demsar(double critical_difference, double significance) {  // Demsar 2006, Table 6, average ranks as printed
-  return critical_difference_figure({.name = "cd",
-                                     .labels = {"C4.5", "C4.5+m", "C4.5+cf", "C4.5+m+cf"},
-                                     .average_ranks = {3.143, 2.000, 2.893, 1.964},
-                                     .critical_difference = critical_difference,
-                                     .significance = significance,
-                                     .method = "Nemenyi"});
 }
 
 void check_drawn(const Figure& figure) {
@@ -136,12 +126,12 @@ TEST_CASE("intervals are marked where they exclude zero, and in words where ther
                                             {"touching", "x", 1, 0, 2},
                                             {"nothing", "x"},
                                             {"unbounded", "x", 1, -HUGE_VAL, 2}},
-                                           {"differences", {"difference", "cm"}, 0.95, "Games-Howell"});
+                                           {"differences", {"difference", "cm"}, 0.95, "Tamhane"});
   CHECK(lines_below(figure.data, "# row") ==
         Texts{"1 1 0.5 1.5 1", "2 -1 -1.5 -0.5 1", "3 0.1 -1 1 0", "4 1 0 2 0", "5 NaN NaN NaN -1", "6 1 NaN 2 -1"});
   CHECK(contains(figure.settings, "'not defined' at 0, first 5"));
   CHECK(contains(figure.settings, "'unbounded' at 0, first 6"));
-  CHECK(contains(figure.caption, "simultaneous 95 % intervals (Games-Howell)"));
+  CHECK(contains(figure.caption, "simultaneous 95 % intervals (Tamhane)"));
 }
 
 TEST_CASE("differences say who is better on which side, and small times are in ms", "[figure]") {
@@ -195,34 +185,6 @@ TEST_CASE("ratios have a logarithmic axis around 1", "[figure]") {
                                  {"differences", {"ratio: time", ""}, 0.95, "bootstrap", true}));
 }
 
-TEST_CASE("Demsar's Figure 1a: at 0.10 two bars, C4.5 apart from the two with m", "[figure]") {
-  const Figure figure = demsar(1.12, 0.1);
-  const Texts bars = lines_below(figure.data, "# undecided differences");
-  REQUIRE(bars.size() == 2);
-  const auto ends = [](const std::string& line) {
-    double from = 0, height = 0, to = 0;
-    std::istringstream(line) >> from >> height >> to;
-    return std::pair(from, to);
-  };
-  CHECK(ends(bars[0]).first == Approx(1.964).margin(0.06));  // each bar reaches a little beyond its ranks
-  CHECK(ends(bars[0]).second == Approx(2.893).margin(0.06));
-  CHECK(ends(bars[1]).first == Approx(2.893).margin(0.06));
-  CHECK(ends(bars[1]).second == Approx(3.143).margin(0.06));
-  CHECK(contains(figure.caption,
-                 "Bars join groups whose difference is undecided by Nemenyi's test at significance 0.1: "));
-  CHECK(contains(figure.caption, "CD = 1.12"));
-  CHECK(lines_below(demsar(1.25356, 0.05).data, "# undecided differences").size() == 1);  // at 0.05 none differ
-}
-
-TEST_CASE("without a critical difference nothing is joined, and ranks that are none are told", "[figure]") {
-  CHECK(lines_below(demsar(NAN, 0.05).data, "# undecided differences") == Texts{"NaN NaN NaN"});
-  CHECK(contains(demsar(NAN, 0.05).caption, "critical difference is not defined"));
-  CHECK(contains(demsar(20, 0.05).settings, "CD = 20 (longer than the axis)"));
-  const Figure figure = critical_difference_figure(
-      {.name = "cd", .labels = {"a", "b", "c", "d"}, .average_ranks = {1, NAN, 1e308, 0}, .critical_difference = 1});
-  CHECK(contains(figure.caption, "Only 1 of 4 are shown"));
-}
-
 TEST_CASE("figures of a statistical analysis are drawn whatever the names and numbers", "[figure]") {
   check_drawn(observed(groups_named(hostile_names, numbers(8))));
   for (const Values& values : std::vector<Values>{{},
@@ -244,12 +206,6 @@ TEST_CASE("figures of a statistical analysis are drawn whatever the names and nu
   check_drawn(
       differences_figure({{hostile_names[5], hostile_names[2], 1e-12, -1e-12, 3e-12}},
                          {.name = "differences", .quantity = {hostile_names[4], "s"}, .method = hostile_names[1]}));
-  for (const std::size_t n : {0u, 1u, 2u, 8u}) {
-    const Texts labels(hostile_names.begin(), hostile_names.begin() + static_cast<long>(n));
-    const Values ranks(n, (static_cast<double>(n) + 1) / 2);
-    check_drawn(
-        critical_difference_figure({.name = "cd", .labels = labels, .average_ranks = ranks, .critical_difference = 1}));
-  }
 }
 
 TEST_CASE("names stand in the figures of an analysis as they are", "[figure]") {

@@ -90,9 +90,7 @@ TEST_CASE("equal values that are too few are said to be equal, and no more", "[a
   for (const std::string& sentence : words_of(sentences_of(evidence(with({{7, 7}, {7, 7}}), {}))))
     text += sentence + '\n';
   INFO(text);
-  const std::string why =
-      "(all observations are equal, but there are too few to call the groups the same; it takes at least 4 "
-      "observations per group)";
+  const std::string why = "(all observations are equal, but there are too few to call the groups the same)";
   CHECK(text.find("In short: g0 against g1 is undecided " + why) != std::string::npos);
   CHECK(text.find("same within") == std::string::npos);
 }
@@ -108,9 +106,7 @@ TEST_CASE("shares that are all 1 are the same only where so many exclude that a 
   CHECK(is_same(all_succeed(6, {.margin = 0.4})));  // 0.6^6 = 0.0467
   CHECK_FALSE(is_same(all_succeed(5, {.margin = 0.4})));
   const Finding open = all_succeed(10).contrasts[0];
-  CHECK(all_succeed(3).contrasts[0].runs_to_decide.value == 59);
   CHECK(open.p == 1);
-  CHECK(open.runs_to_decide.value == 59);
   CHECK(open.estimate.high == Approx(1 - std::pow(0.05, 0.1)));
   CHECK(open.estimate.low == -open.estimate.high);
   std::vector<double> failures(100, 0.0);  // of none, no margin is a share
@@ -139,7 +135,7 @@ TEST_CASE("what n observations cannot exclude stands beside the finding", "[asse
   }
   // 1 - 0.05^(1 / 20) = 0.139
   const std::string limit = "20 observations per group can miss what happens in up to 14 % of them";
-  const Evidence same = evidence(with({near, other}), {.test = "welch"});
+  const Evidence same = evidence(with({near, other}), {.test = "tamhane"});
   REQUIRE(is_same(same));
   CAPTURE(text_of(same));
   CHECK(text_of(same).find("g0 and g1 are the same within 5 %") != std::string::npos);
@@ -173,16 +169,6 @@ TEST_CASE("groups whose means differ by more than the margin are rarely called t
   }
 }
 
-TEST_CASE("more blocks than are searched for are at least ten million, not the fewest", "[equivalence]") {
-  const std::vector<double> best{0.001, 0.002, 0.0015, 0.0012, 0.0018, 0.0011, 0.0017, 0.0013};
-  const std::vector<double> spread{0.3, 0.1, 1.9, 0.2, 5, 0.1, 0.9, 9};
-  const Finding found = evidence(in_blocks({best, spread}), {}).contrasts.front();
-  REQUIRE(found.relation == Relation::undecided);
-  CHECK(std::isnan(found.runs_to_decide.value));
-  CHECK(found.runs_to_decide.low == 1e7);
-  CHECK(std::isinf(found.runs_to_decide.high));
-}
-
 TEST_CASE("what equals a known value is the same where so many runs are not equal to it by chance",
           "[assessment][equivalence]") {
   const auto against_known = [](std::vector<double> values, double known) {
@@ -201,16 +187,14 @@ TEST_CASE("what equals a known value is the same where so many runs are not equa
   CHECK(std::string_view(around.why).find("not all on one side") != std::string_view::npos);
 }
 
-TEST_CASE("runs on one side of a known value are undecided if they are too few, and how many it takes is said",
-          "[assessment]") {
-  for (const std::string test : {"bootstrap", "welch", "tamhane"}) {
+TEST_CASE("runs on one side of a known value are undecided if they are too few", "[assessment]") {
+  for (const std::string test : {"bootstrap", "tamhane"}) {
     Observations observed = with({{7}, {8, 8.5, 9.5}, {7}});
     observed.groups[0].copies = observed.groups[2].copies = 20;
     const Finding few = evidence(observed, {.test = test}).contrasts.at(0);
     CHECK(few.relation == Relation::undecided);
-    CHECK(few.p_alone == Approx(0.25));    // 2 * 2^-3
-    CHECK(few.p == Approx(0.75));          // Bonferroni, three pairs
-    CHECK(few.runs_to_decide.value == 7);  // 3 * 2 * 2^-7 < 0.05
+    CHECK(few.p_alone == Approx(0.25));  // 2 * 2^-3
+    CHECK(few.p == Approx(0.75));        // Bonferroni, three pairs
   }
 }
 

@@ -87,16 +87,11 @@ TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
     REQUIRE(result);
     return result->p;
   };
-  // R 4.2.2: oneway.test, aov, kruskal.test, car::leveneTest
-  CHECK(evidence(plant_growth(), {.test = "welch"}).test("Welch's ANOVA")->p == Approx(0.01739282149).epsilon(1e-9));
+  // R 4.2.2: oneway.test, aov, kruskal.test
+  CHECK(evidence(plant_growth(), {.test = "tamhane"}).test("Welch's ANOVA")->p == Approx(0.01739282149).epsilon(1e-9));
   CHECK(p_of("One-way ANOVA") == Approx(0.01591).epsilon(1e-3));
   CHECK(p_of("Kruskal-Wallis test") == Approx(0.01842375573147).epsilon(1e-9));
-  CHECK(p_of("Brown-Forsythe test of equal variances") == Approx(0.34123).epsilon(1e-4));
-  CHECK(found.groups[0].normality == Approx(0.747473443830).epsilon(1e-6));
-  // SciPy's brunnermunzel, the larger beside mannwhitneyu; times 3 as Holm's smallest of three
-  const Finding& last = contrast(found, "trt1", "trt2");
-  CHECK(last.p_ranks == Approx(3 * 0.011244179779992036).epsilon(1e-9));
-  CHECK(last.p == Approx(0.05).margin(4 * 0.0022));  // of 9999 resamples
+  CHECK(contrast(found, "trt1", "trt2").p == Approx(0.05).margin(4 * 0.0022));  // of 9999 resamples
   CHECK(contrast(found, "ctrl", "trt1").relation == Relation::undecided);
 }
 
@@ -104,30 +99,19 @@ TEST_CASE("the plan decides which test has the word", "[assessment]") {
   const auto p_with = [](const std::string& test) {
     return contrast(evidence(plant_growth(), {.test = test}), "trt1", "trt2").p;
   };
-  // R 4.2.2: TukeyHSD, rstatix::games_howell_test; SciPy's brunnermunzel, times 3
-  CHECK(p_with("anova") == Approx(0.012006423979).epsilon(1e-6));
-  CHECK(p_with("welch") == Approx(0.0237034547392).epsilon(1e-6));
+  // mpmath; SciPy's brunnermunzel, the larger beside mannwhitneyu, times 3 as Holm's smallest of three
+  CHECK(p_with("tamhane") == Approx(0.02763663710409).epsilon(1e-9));
   CHECK(p_with("kruskal_wallis") == Approx(3 * 0.011244179779992036).epsilon(1e-9));
   CHECK(p_with("bootstrap") == p_with("by_design"));
-  CHECK_THROWS_AS(evidence(plant_growth(), {.test = "friedman"}), std::invalid_argument);
   CHECK_THROWS_AS(evidence(plant_growth(), {.control = "nobody"}), std::invalid_argument);
   CHECK_THROWS_AS(evidence(printed_table_3("seconds"), {.test = "kruskal_wallis"}), std::invalid_argument);
 }
 
-TEST_CASE("on the printed Table 3 the pooled variance hides what separate variances find in the error",
-          "[assessment]") {
+TEST_CASE("the printed Table 3 is judged by Tamhane's test", "[assessment]") {
   const Evidence found = evidence(printed_table_3("position_error_cm"), {});
   CHECK(found.test("One-way ANOVA")->statistic == Approx(40.7736).epsilon(1e-5));
   CHECK(found.test("Welch's ANOVA")->statistic == Approx(141.791).epsilon(1e-5));
-  const Evidence pooled = evidence(printed_table_3("position_error_cm"), {.test = "anova"});
-  const Evidence unpooled = evidence(printed_table_3("position_error_cm"), {.test = "welch"});
-  CHECK(found.variance_ratio == Approx(2.6e7).epsilon(0.02));
-  CHECK(contrast(pooled, "IK-BA", "DE").p == Approx(0.07).margin(0.005));
-  CHECK(contrast(pooled, "IK-BA", "K-ABC").p == Approx(0.50).margin(0.005));
-  CHECK(contrast(unpooled, "IK-BA", "DE").p == Approx(3.0e-4).epsilon(0.02));
-  CHECK(contrast(unpooled, "IK-BA", "K-ABC").p == Approx(1.9e-10).epsilon(0.03));
-  CHECK(contrast(found, "IK-BA", "DE").p == Approx(0.00035549252).epsilon(1e-6));  // Tamhane's, by mpmath
-  CHECK(says(found, "equal variances are rejected"));
+  CHECK(contrast(found, "IK-BA", "DE").p == Approx(0.00035549252).epsilon(1e-6));  // by mpmath
 }
 
 TEST_CASE("on the printed Table 3 IK-BA and MO-PSO do not differ in variation, and PSO is faster than IK-BA",
@@ -138,13 +122,8 @@ TEST_CASE("on the printed Table 3 IK-BA and MO-PSO do not differ in variation, a
   CHECK(contrast(time, "IK-BA", "PSO").relation == Relation::worse);
 }
 
-TEST_CASE("in blocks Friedman's ranks decide, as Demsar has them", "[assessment]") {
-  CHECK(evidence(demsar(), {}).plan.test == "bootstrap");  // unless the plan asks for ranks, means decide
-  const Evidence found = evidence(demsar(), {.test = "friedman", .significance = 0.1});
-  const std::vector<double> ranks{3.143, 2.000, 2.893, 1.964};  // Demsar 2006, Table 6
-  for (std::size_t i = 0; i < ranks.size(); ++i) CHECK(found.groups[i].average_rank == Approx(ranks[i]).epsilon(1e-3));
-  CHECK(found.critical_difference == Approx(1.11806).epsilon(1e-4));  // 0.10
-  CHECK(found.blocks == 14);
+TEST_CASE("in blocks means decide, against a control its pairs alone", "[assessment]") {
+  CHECK(evidence(demsar(), {}).plan.test == "bootstrap");
   const Evidence against = evidence(demsar(), {.control = "C4.5", .significance = 0.05});
   CHECK(against.contrasts.size() == 3);
   CHECK(against.reference == 0u);
@@ -164,14 +143,14 @@ TEST_CASE("a difference that is found and lies within the margin is said to be t
       .name = "x",
       .quantity = "x",
       .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
-  const Evidence found = evidence(near, {.test = "welch", .margin = 0.05});
+  const Evidence found = evidence(near, {.test = "tamhane", .margin = 0.05});
   CHECK(found.contrasts[0].relation == Relation::better);
   CHECK(found.contrasts[0].is_within_margin());
   CHECK(found.contrasts[0].estimate.low == Approx(-1.12).epsilon(0.01));
   CHECK(found.contrasts[0].estimate.high == Approx(-0.885).epsilon(0.01));
   // Welch's interval is 1 -+ 2.306 sqrt(0.00625 * 2 / 5): 0.885 to 1.115, of 100.
   const auto verdict_at = [&](double margin) {
-    const Evidence at = evidence(near, {.test = "welch", .margin = margin});
+    const Evidence at = evidence(near, {.test = "tamhane", .margin = margin});
     return verdict_words(at, at.contrasts[0]);
   };
   CHECK(verdict_at(0.05) == "A is better by less than 5 %");
@@ -188,7 +167,7 @@ TEST_CASE("a margin in the unit of the values has no percent beside it", "[asses
       .groups = {{"A", {100.0, 100.1, 99.9, 100.05, 99.95}}, {"B", {101.0, 101.1, 100.9, 101.05, 100.95}}}};
   const auto verdict = [&](double margin) {
     drift.margin = margin;
-    const Evidence found = evidence(drift, {.test = "welch", .margin = 0});
+    const Evidence found = evidence(drift, {.test = "tamhane", .margin = 0});
     return verdict_words(found, found.contrasts[0]);
   };
   CHECK(verdict(2) == "A is better by less than 2");
@@ -208,7 +187,7 @@ TEST_CASE("a test that does not use the blocks finds less", "[assessment]") {
   const Evidence blocked = evidence(sets, {});
   REQUIRE(std::ranges::all_of(blocked.contrasts, is_decided));
   REQUIRE(blocked.test(anova_name)->p > 0.99);
-  const Evidence unblocked = evidence(sets, {.test = "welch"});
+  const Evidence unblocked = evidence(sets, {.test = "tamhane"});
   CHECK(std::ranges::none_of(unblocked.contrasts, is_decided));
 }
 
@@ -279,7 +258,7 @@ TEST_CASE("degenerate data are explained and never a crash", "[assessment]") {
 
 TEST_CASE("a value of any size makes no test of means call its group the worse for certain", "[assessment]") {
   const double huge = GENERATE(1e150, 1e200, 1e300, 1.7e308);
-  const auto test = GENERATE("anova", "welch", "tamhane", "bootstrap");
+  const auto test = GENERATE("tamhane", "bootstrap");
   const Evidence found = evidence(
       Observations{.name = "x", .quantity = "x", .groups = {{"a", {0.5, huge, 1, 2}}, {"b", {0.1, 0.2, 5, 2}}}},
       {.test = test});
@@ -330,30 +309,8 @@ TEST_CASE("p does not depend on the level that it is held against", "[assessment
   }
 }
 
-TEST_CASE("unequal variances are found where they are larger than by chance alone", "[assessment]") {
-  // Variances of 26.3 and 1 (by hand), of three values each: Brown and Forsythe's p is above 0.05.
-  const Observations few{
-      .name = "x",
-      .quantity = "x",
-      .groups = {{"A", {0, 5.13, 10.26}}, {"B", {9, 10, 11}}, {"C", {12, 14, 16}}, {"D", {1, 3, 5}}}};
-  const Evidence found = evidence(few, {.test = "welch"});
-  CHECK(found.variance_ratio == Approx(26.3169));
-  CHECK(says(found, "equal variances are not rejected"));
-}
-
-TEST_CASE("two groups in few blocks are told apart by the exact test alone", "[assessment]") {
-  // The sign test's two-sided p is 2 / 2^n where all n differences have one sign: 0.125 of 4 and 0.0625 of 5 blocks.
-  Observations four{.name = "x",
-                    .quantity = "x",
-                    .groups = {{"A", {1, 2, 3, 4}}, {"B", {2, 3.5, 5, 7}}},
-                    .blocks = {"1", "2", "3", "4"},
-                    .block = "a problem"};
-  const Evidence by_ranks = evidence(four, {.test = "friedman"});
-  CHECK(by_ranks.contrasts[0].p == Approx(0.125));
-  CHECK(by_ranks.contrasts[0].relation == Relation::undecided);
-  Observations three = four;
-  three.blocks.clear();
-  three.groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}};
+TEST_CASE("two small groups are told apart by the exact test alone", "[assessment]") {
+  const Observations three{.name = "x", .quantity = "x", .groups = {{"A", {1, 2, 3}}, {"B", {4, 5, 6}}}};
   const Evidence found = evidence(three, {.test = "kruskal_wallis"});
   CHECK(found.contrasts[0].p == Approx(0.1));  // Mann-Whitney, exact: 2 of 20 arrangements
   CHECK(found.contrasts[0].relation == Relation::undecided);
@@ -371,34 +328,10 @@ TEST_CASE("groups of one value each differ as far as Fisher's exact test says", 
 }
 
 TEST_CASE("in blocks, what decides, its p, its interval and its words go together", "[assessment]") {
-  const Evidence by_welch = evidence(demsar(), {.test = "welch"});
-  CHECK(by_welch.method->interval.starts_with("Games-Howell"));
+  CHECK(evidence(demsar(), {.test = "tamhane"}).method->interval.starts_with("Tamhane"));
   const Evidence by_ranks = evidence(demsar(), {.test = "kruskal_wallis"});
   CHECK(by_ranks.contrasts[0].p > 0.5);  // the ranks of all values together, whatever the blocks
-  const Evidence by_friedman = evidence(demsar(), {.test = "friedman"});
-  CHECK(by_friedman.contrasts[0].p < 0.2);
-  CHECK(by_friedman.method->interval.starts_with("paired t"));
-  const Evidence by_means = evidence(demsar(), {});
-  CHECK(by_means.contrasts[0].p_ranks == Approx(by_friedman.contrasts[0].p));
-  CHECK(by_means.method->interval == "studentized bootstrap of the differences within blocks");
-}
-
-TEST_CASE("with a control, ranks are corrected for its pairs alone, larger or smaller being better", "[assessment]") {
-  const AnalysisPlan plan{.test = "friedman", .control = "C4.5", .significance = 0.1};
-  const Evidence found = evidence(demsar(), plan);
-  double smallest = 1;
-  for (const Finding& each : found.contrasts) {
-    smallest = std::min(smallest, each.p);
-  }
-  // C4.5 and C4.5+m+cf: 2 of 13 signs are for the first, and 1 + 13 + 78 of 2^13 have as few of one kind.
-  CHECK(smallest == Approx(3 * 2 * 92 / 8192.0).epsilon(1e-12));
-  CHECK(contrast(found, "C4.5", "C4.5+m+cf").relation == Relation::worse);
-  Observations negated = demsar();
-  negated.better = Better::smaller;
-  for (Group& group : negated.groups) {
-    for (double& value : group.values) value = -value;
-  }
-  CHECK(contrast(evidence(negated, plan), "C4.5", "C4.5+m+cf").relation == Relation::worse);
+  CHECK(evidence(demsar(), {}).method->interval == "studentized bootstrap of the differences within blocks");
 }
 
 TEST_CASE("equivalence does not depend on the order of the groups", "[assessment]") {
@@ -406,7 +339,6 @@ TEST_CASE("equivalence does not depend on the order of the groups", "[assessment
   const Observations one{.name = "x", .quantity = "x", .groups = {{"a", a}, {"b", b}}};
   const Observations other{.name = "x", .quantity = "x", .groups = {{"b", b}, {"a", a}}};
   CHECK(evidence(one, {.margin = 0.9}).contrasts[0].relation == evidence(other, {.margin = 0.9}).contrasts[0].relation);
-  CHECK(evidence(one, {}).contrasts[0].runs_to_decide.value == evidence(other, {}).contrasts[0].runs_to_decide.value);
 }
 
 TEST_CASE("two hundred groups are compared with the best, corrected for all pairs", "[assessment]") {

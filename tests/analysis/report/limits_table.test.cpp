@@ -35,7 +35,7 @@ StudyResults limited_study(const std::string& name, const char* limits, const st
     solves.push_back(solve);
   }
   const std::string definition =
-      std::string(R"({"points": 1, "analysis": {"test": "welch"}, "limits": ")") + limits + "\"}";
+      std::string(R"({"points": 1, "analysis": {"test": "tamhane"}, "limits": ")") + limits + "\"}";
   return make_study(StudyEntry{.name = name, .definition = definition, .series = {}}, solves);
 }
 

@@ -415,10 +415,8 @@ TEST_CASE("times that are not comparable have no verdict anywhere in a report", 
     CHECK(contains(section, "Not judged"));
     CHECK(times_said(section, "2400 of 2400 solves took more than 1.1 times their CPU time") ==
           2);  // once with the table, once with the figure
-    for (const char* verdict :
-         {"In short", "Methods", "Assumptions", "All groups together", "Other tests of all groups",
-          "Where methods disagree", "is better than", "are the same within", "p = ", "Shapiro", "Tests of all groups",
-          "average rank", "A12"}) {
+    for (const char* verdict : {"In short", "Methods", "All groups together", "is better than", "are the same within",
+                                "p = ", "Tests of all groups", "A12"}) {
       CAPTURE(verdict);
       CHECK(!contains(section, verdict));
     }
