@@ -93,21 +93,6 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
   CHECK(verified(100, 0).limit_violation == 0);
 }
 
-TEST_CASE("starts near a solution are as near where a joint turns without end", "[endless][starts]") {
-  const Study study = parse_study(
-      "robot = \"kinova_gen3\"\nsearch = \"pose\"\nstart = \"near\"\nnear_deg = 90\n[path]\nkind = \"random\"\npoints = "
-      "200\n[[solvers]]\nsolver = \"bat\"\n",
-      "my.toml");
-  const Robot arm = arm_of(study);
-  int beyond = 0;
-  for (const Configuration& start : starts(study, arm, 1)) {
-    CHECK(arm.limits.violation(start) == 0);
-    CHECK(std::abs(start[0]) != half);
-    beyond += std::abs(start[0]) > half ? 1 : 0;
-  }
-  CHECK(beyond > 0);
-}
-
 TEST_CASE("a program gets null for a limit that there is not, and a whole turn each way to search in", "[endless]") {
   const Robot arm = robot("kinova_gen3");
   const ParsedJson robot_told = ParsedJson::parse(robot_message({.name = "gen3",

@@ -98,16 +98,6 @@ TEST_CASE("searching all joints, for a position or a pose, the tool counts, with
   }
 }
 
-TEST_CASE("two links of half a metre reach one metre and no further", "[reachability]") {
-  Study study;
-  study.robot = "planar_2";
-  study.search = Search::all_joints;
-  study.path = path_of({"kind=circle", "centre_cm=[0, 0, 0]", "radius_cm=99.99"});
-  CHECK(unreachable(study).empty());
-  study.path = path_of({"kind=circle", "centre_cm=[0, 0, 0]", "radius_cm=100.01"});
-  CHECK(unreachable(study).size() == 20);
-}
-
 TEST_CASE("the Dobot reaches the paper's circle, and random targets are reachable by the way they are made",
           "[reachability][paper]") {
   CHECK(unreachable(load_study("slim2023-dobot")).empty());

@@ -49,19 +49,6 @@ TEST_CASE("the verifier's forward kinematics agrees with the chain's to 1e-12", 
   }
 }
 
-TEST_CASE("offsets, twists, lengths and a tip off the axis are all in both forward kinematics", "[verifier]") {
-  const Chain chain({{.a = 0.1, .alpha = 0.7, .d = 0.2, .offset = 0.3},
-                     {.a = -0.4, .alpha = -1.1, .d = 0.05, .offset = -0.6},
-                     {.a = 0.3, .alpha = 2.0, .d = -0.1, .offset = 1.0}},
-                    {0.01, -0.02, 0.03});
-  std::mt19937_64 random(13);
-  std::uniform_real_distribution<double> angle(-pi, pi);
-  for (int i = 0; i < 1000; ++i) {
-    const Eigen::VectorXd q = angles({angle(random), angle(random), angle(random)});
-    CHECK((verified_pose(chain, q) - chain.forward(q).matrix()).cwiseAbs().maxCoeff() <= 1e-12);
-  }
-}
-
 TEST_CASE("joints of any kind, bases and tools are in both forward kinematics", "[verifier]") {
   std::mt19937_64 random(14);
   std::uniform_real_distribution<double> length(-1, 1), angle(-pi, pi);
@@ -112,20 +99,6 @@ TEST_CASE("the iiwa at zeros stands upright: 36 + 42 + 40 + 12.6 cm above the ba
   Eigen::Matrix4d expected = Eigen::Matrix4d::Identity();
   expected(2, 3) = 1.306;
   CHECK(pose.isApprox(expected, 1e-15));
-}
-
-TEST_CASE("the iiwa with 90 degrees at the second joint points along x", "[verifier]") {
-  const Eigen::Matrix4d pose = verified_pose(robot("kuka_iiwa14").chain, angles({0, pi / 2, 0, 0, 0, 0, 0}));
-  CHECK((pose.col(3).head<3>() - Eigen::Vector3d(0.946, 0, 0.360)).norm() < 1e-15);
-  CHECK((pose.col(2).head<3>() - Eigen::Vector3d::UnitX()).norm() < 1e-15);  // the tool's axis too
-}
-
-TEST_CASE("two links of half a metre at 0 and 90 degrees reach (0.5, 0.5)", "[verifier]") {
-  const Verification verified = verify(robot("planar_2"), place(0.5, 0.5, 0), angles({0, 0}), angles({0, pi / 2}));
-  CHECK(verified.position_error < 1e-15);
-  CHECK(verified.variation == Approx(pi / 2));
-  CHECK(verified.largest_move == Approx(pi / 2));
-  CHECK(verified.limit_violation == 0);
 }
 
 TEST_CASE("the position error is the Euclidean distance", "[verifier][paper]") {
@@ -203,11 +176,6 @@ TEST_CASE("an answer that is not finite gives errors that are not finite", "[ver
       CHECK(judge(verified, any) == Status::not_finite);
     }
   }
-}
-
-TEST_CASE("an answer that is exact, inside the limits and as claimed is ok", "[verifier]") {
-  CHECK(judge({}, any) == Status::ok);
-  CHECK(judge({.position_error = 0.01, .limit_violation = 0}, {.claimed_error = 0.01}) == Status::ok);
 }
 
 TEST_CASE("an error above the tolerance is a missed tolerance, if one was asked for", "[verifier]") {

@@ -193,22 +193,6 @@ TEST_CASE("every instruction set gives the portable sines and cosines bit for bi
   }
 }
 
-TEST_CASE("sines and cosines of fewer angles than there are lanes leave the numbers behind them alone", "[kernels]") {
-  for (const InstructionSet set : instruction_sets()) {
-    for (std::size_t count = 1; count <= 20; ++count) {
-      CAPTURE(name_of(set), count);
-      const std::vector<double> angles(count, 0.5);
-      std::vector<double> sines(count + 10, -2), cosines(count + 10, -2);
-      numerics::kernels(set).sines_and_cosines(angles.data(), static_cast<ptrdiff_t>(count), sines.data(),
-                                               cosines.data());
-      CHECK(std::count(sines.begin(), sines.end(), -2) == 10);
-      CHECK(std::count(cosines.begin(), cosines.end(), -2) == 10);
-      CHECK(sines[count] == -2);
-      CHECK(cosines[count] == -2);
-    }
-  }
-}
-
 TEST_CASE("the errors of the iiwa are within 1e-13 cm of 4x4 products in long double", "[kernels]") {
   RandomConfigurations random;
   Dice dice;

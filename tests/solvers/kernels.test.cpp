@@ -217,25 +217,6 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
   }
 }
 
-TEST_CASE("NaN, an infinity and -0.0 are clamped in whatever lane", "[kernels]") {
-  for (const InstructionSet set : instruction_sets()) {
-    for (std::size_t place = 0; place < 21; ++place) {
-      CAPTURE(name_of(set), place);
-      const auto clamped = [&](double x) {
-        Column q(21, 0.5);
-        q[place] = x;
-        solvers::kernels(set).clamp(-2, 3, q.data(), 21);
-        CHECK(std::count(q.begin(), q.end(), 0.5) == 20);
-        return q[place];
-      };
-      CHECK(std::isnan(clamped(no_number)));
-      CHECK(clamped(infinite) == 3);
-      CHECK(clamped(-infinite) == -2);
-      CHECK(std::signbit(clamped(-0.0)));
-    }
-  }
-}
-
 TEST_CASE("every instruction set chooses by chance as the plain loop does, and touches nothing else", "[kernels]") {
   Dice dice;
   for (const InstructionSet set : instruction_sets()) {

@@ -159,38 +159,6 @@ TEST_CASE("a solve of a pose stops where position and angle are both within thei
   }
 }
 
-TEST_CASE("no pose within both tolerances has a larger error than those that are looked at", "[pose][solve]") {
-  // A solver that stays at one configuration: it stops if the deviation says so, in whatever direction.
-  class Still final : public Solver {
-   public:
-    void start(const Problem& problem, Objective& objective, Random&) override {
-      best_ = {problem.start};
-      best_.improve(problem.start, objective.error(problem.start));
-    }
-    void step(Objective&, Random&) override {}
-    const Best& best() const override { return best_; }
-
-   private:
-    Best best_;
-  };
-  const PoseTask task = pose_task("ur5e");
-  const Goal here{task.arm.chain.forward(task.problem.start), 2};
-  Dice dice;
-  for (int trial = 0; trial < 2000; ++trial) {
-    const auto direction = [&] {
-      const Eigen::Vector3d any(dice.between(-1, 1), dice.between(-1, 1), dice.between(-1, 1));
-      return Eigen::Vector3d(any.normalized());
-    };
-    const double far = dice.between(0.5, 1.5), turned = dice.between(0.5, 1.5), angle = dice.between(0.001, 2);
-    Objective objective(task.arm.chain, moved(here, 0.01 * far * direction(), turned * angle, direction()));
-    Still still;
-    Random random{Key(1)};
-    const StopRule stop{.iterations = 1, .tolerance = 0.01, .angle_tolerance = angle};
-    const Solution solution = solve(still, task.problem, objective, random, stop);
-    REQUIRE((solution.stopped == Stopped::tolerance) == (far <= 1 && turned <= 1));
-  }
-}
-
 TEST_CASE("a damped step towards a pose reduces the norm of the residual that it linearizes", "[pose][dls]") {
   PoseTask task = pose_task("ur5e");
   task.problem.start.setConstant(0.4);

@@ -185,34 +185,6 @@ TEST_CASE("MO-PSO's leaders are the non-dominated and least crowded of all it ha
   CHECK(crowded > 0);
 }
 
-TEST_CASE("MO-PSO follows one leader a generation unless told otherwise", "[mo_pso]") {
-  for (const std::string choice : {"per_generation", "per_particle"}) {
-    const Task task = iiwa_task(40);
-    RecordingObjective objective(task.chain, task.target);
-    Random random{Key(6)}, replay{Key(6)};
-    Problem problem = task.problem;
-    problem.iterations = 1;
-    const auto swarm =
-        solver("multi_objective_swarm")
-            .make({{"inertia", "0"}, {"cognitive", "0"}, {"social", "1"}, {"mutation", "0"}, {"leader", choice}});
-    swarm->start(problem, objective, random);
-    swarm->step(objective, random);
-    drawn_uniforms(replay, 4, 40);
-    drawn_uniforms(replay, 4, 40);
-    const Candidates u2 = drawn_uniforms(replay, 4, 40);
-    bool one = true;
-    Eigen::VectorXd leader;
-    for (std::size_t i = 0; i < 40; ++i) {
-      const Eigen::VectorXd& from = objective.candidates[i];
-      const Eigen::VectorXd led_by =
-          from + (objective.candidates[40 + i] - from).cwiseQuotient(u2.col(static_cast<Eigen::Index>(i)));
-      if (i == 0) leader = led_by;
-      one = one && (led_by - leader).norm() < 1e-9;
-    }
-    CHECK(one == (choice == "per_generation"));
-  }
-}
-
 TEST_CASE("MO-PSO's roulette gives each occupied cell 10 / (its members), whoever stands in it", "[mo_pso]") {
   const int particles = 1000;
   const Task task = iiwa_task(particles);

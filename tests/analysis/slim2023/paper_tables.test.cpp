@@ -32,16 +32,6 @@ bool contains(const std::vector<std::string>& notes, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("one observation is one run's mean over its points", "[study]") {
-  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2, .points = 2});
-  const double errors[] = {1, 3, 10, 30};
-  for (std::size_t i = 0; i < solves.size(); ++i) solves[i].position_error_cm = errors[i];
-  StudyResults study = make_study("two runs", solves);
-  CHECK(samples(study, Metric::position_error_cm)[0].values == std::vector<double>{2, 20});
-  study.plan.unit = Unit::point;
-  CHECK(samples(study, Metric::position_error_cm)[0].values == std::vector<double>{1, 3, 10, 30});
-}
-
 TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the paper", "[paper]") {
   const StudyResults study = paper_study(synthetic::solves({}));
   const AnovaTable table = anova(study, Metric::variation_deg).table;
@@ -141,21 +131,6 @@ TEST_CASE("times taken while other programs were at work are said to be so", "[s
   solves[1].cpu_seconds /= 50;
   CHECK(!timing_doubts(paper_study(solves)).empty());
   CHECK(timing_doubts(paper_study({solves[0]})).empty());
-}
-
-TEST_CASE("times of a study that was solved on two CPUs are not comparable", "[study]") {
-  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA"}, .runs = 2});
-  const auto note_of = [&](const char* second_cpu) {
-    const StudyEntry entry{.name = "s", .series = {{.label = "IK-BA"}}};
-    return words_of(timing_doubts(make_study(entry, solves,
-                                             {{.id = 1, .environment = {{"cpu", "one"}}},
-                                              {.id = 2, .environment = {{"cpu", second_cpu}}},
-                                              {.id = 3, .environment = {{"cpu", "of no solve"}}}})));
-  };
-  CHECK(note_of("another").empty());  // all solves are of session 1
-  solves.back().session = 2;
-  CHECK(note_of("one").empty());
-  CHECK(note_of("another") == "Times are not comparable: they come from different machines (another, one).");
 }
 
 TEST_CASE("without published numbers ours stand alone", "[paper]") {

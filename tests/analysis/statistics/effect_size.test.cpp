@@ -73,11 +73,6 @@ TEST_CASE("Hedges's g of IK-BA's error against the others in Table 3", "[effect_
   }
 }
 
-TEST_CASE("exchanging the groups turns g round", "[effect_size]") {
-  const GroupSummary a{3, 1.5, 7}, b{2, 2.5, 12};
-  CHECK(hedges_g(a, b) == Approx(-hedges_g(b, a)));
-}
-
 TEST_CASE("groups without a mean or a spread have no g", "[effect_size]") {
   const GroupSummary good{1, 1, 5};
   for (const GroupSummary& other : {GroupSummary{1, not_defined, 1}, {not_defined, 1, 5}, {1, HUGE_VAL, 5}}) {
@@ -111,27 +106,6 @@ TEST_CASE("Cliff's interval from sorted samples is that from every pair", "[effe
   const double reach = z * std::sqrt(variance * (rest * rest + z * z * variance));
   CHECK(delta.low == Approx((delta.value * rest - reach) / (rest + z * z * variance)));
   CHECK(delta.high == Approx((delta.value * rest + reach) / (rest + z * z * variance)));
-}
-
-TEST_CASE("an interval of dominance stays within its bounds and around its value", "[effect_size]") {
-  for (int shift = 0; shift <= 12; ++shift) {
-    Values a, b;
-    for (int i = 0; i < 6; ++i) a.push_back(i + shift / 2.0);
-    for (int i = 0; i < 5; ++i) b.push_back(i);
-    const Estimate delta = cliffs_delta(a, b, 0.99), reverse = cliffs_delta(b, a, 0.99);
-    CAPTURE(shift, delta.value, delta.low, delta.high);
-    CHECK(delta.low >= -1);
-    CHECK(delta.high <= 1);
-    CHECK(delta.low < delta.value);
-    CHECK(delta.value <= delta.high);
-    CHECK(reverse.low == Approx(-delta.high).margin(1e-12));
-  }
-}
-
-TEST_CASE("near certainty asks for an interval of nearly everything", "[effect_size]") {
-  const Estimate delta = cliffs_delta(Values{1, 2, 3, 4}, Values{2, 3, 5, 0}, std::nextafter(1.0, 0.0));
-  CHECK(delta.low < -0.8);
-  CHECK(delta.high > 0.8);
 }
 
 TEST_CASE("where one sample lies wholly above the other the interval is Wilson's", "[effect_size]") {
