@@ -39,7 +39,7 @@ while read -r solver _; do
 done < <("$program" list solvers | sed -n '2,$s/^\([a-z]\)/\1/p')
 ((2 * cited > of_solvers)) || fail "only $cited of $of_solvers solvers were cited: $err"
 
-# Program, citation, metadata, Python and manual pages have one version; the citation says what `ikbench cite` says.
+# Program, citation, metadata and manual pages have one version; the citation says what `ikbench cite` says.
 succeeds --version
 whole=$out version=$(sed 's/^ikbench \([0-9.]*\) (.*)$/\1/' <<<"$out")
 [[ $version =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]] || fail "no version in: $out"
@@ -47,7 +47,6 @@ source_folder=$scripts/../..
 has "$(<"$source_folder/CMakeLists.txt")" "project(ikbench VERSION $version "
 grep -qx "version: $version" "$source_folder/CITATION.cff" || fail "CITATION.cff is not of $version"
 grep -q "\"version\": \"$version\"" "$source_folder/codemeta.json" || fail "codemeta.json is not of $version"
-grep -qx "__version__ = \"$version\"" "$source_folder/results/python/ikbench.py" || fail "ikbench.py is not of $version"
 grep -qx "  version: \"$version\"" "$source_folder/docs/conda/recipe.yaml" || fail "the recipe for conda is not of $version"
 if command -v help2man >/dev/null; then
   "$source_folder/docs/man" "$program" man1 || fail "no manual pages"

@@ -9,7 +9,7 @@ build=$(dirname "$program")
 "$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
 files=$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' ! -path './share/doc/*' | LC_ALL=C sort | tr '\n' ' ')
 expected='./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp
-  ./share/bash-completion/completions/ikbench ./share/ikbench/python/ikbench.py ./share/ikbench/python/pyproject.toml
+  ./share/bash-completion/completions/ikbench
   ./share/zsh/vendor-completions/_ikbench '
 [ "$files" = "$(tr -s ' \n' ' ' <<<"$expected")" ] || fail "installed are: $files"
 for file in copyright README.md CITATION.cff docs/library.md docs/examples/pso.py cli/gate.sh; do
