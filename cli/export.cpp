@@ -15,8 +15,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/inference/make_study.hpp"
-#include "analysis/report/benchmark_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -30,22 +28,6 @@ using namespace experiments;
 using namespace report;
 
 namespace {
-
-// Formats of means instead of solves.
-struct SummaryFormat {
-  std::string_view name;
-  std::string_view meaning;
-  std::string (*text)(const inference::JudgedStudy& study);
-};
-constexpr SummaryFormat summary_formats[]{
-#define EXPORT_TEXT(name, meaning)
-#define EXPORT_FOLDER(name, meaning)
-#define EXPORT_MEANS(function, name, meaning) {name, meaning, function},
-#include "results/export_formats.inc"
-#undef EXPORT_TEXT
-#undef EXPORT_FOLDER
-#undef EXPORT_MEANS
-};
 
 void refuse_store(const std::string& file, const std::string& store) {
   for (const char* part : {"", "-wal", "-shm", "-journal"}) {
@@ -67,12 +49,10 @@ void add_export(CLI::App& app, Invocation&) {
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   std::vector<std::string> names, meanings;
-  const auto add = [&](const auto& format) {
+  for (const ExportFormat& format : export_formats()) {
     names.emplace_back(format.name);
     meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
-  };
-  std::ranges::for_each(export_formats(), add);
-  std::ranges::for_each(summary_formats, add);
+  }
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -83,19 +63,11 @@ void add_export(CLI::App& app, Invocation&) {
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
       "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
-      "  ikbench export out/slim2023/store.sqlite --format bencher-json -o bencher.json\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
-    const auto summary = std::ranges::find(summary_formats, arguments->format, &SummaryFormat::name);
-    if (summary != std::end(summary_formats)) {
-      for (const std::string& damage : damages_of(store, study.name)) warn(damage);
-      const std::string text = summary->text(inference::JudgedStudy(inference::read_study(store, study)));
-      if (arguments->file == "-") return fmt::print("{}", text);
-      return write_through(arguments->file, text);
-    }
     const ExportFormat& format = export_format(arguments->format);
     if (format.write_folder && arguments->file == "-")
       throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));

@@ -9,7 +9,6 @@ namespace ikbench::results {
 #define EXPORT_TEXT(name, meaning) void name##_text(const Exported&, const Write&);
 #define EXPORT_FOLDER(name, meaning) \
   std::vector<std::string> write_##name(const Exported&, const std::filesystem::path&);
-#define EXPORT_MEANS(function, name, meaning)
 #include "results/export_formats.inc"
 #undef EXPORT_TEXT
 #undef EXPORT_FOLDER
@@ -22,7 +21,6 @@ constexpr ExportFormat formats[]{
 #include "results/export_formats.inc"
 #undef EXPORT_TEXT
 #undef EXPORT_FOLDER
-#undef EXPORT_MEANS
 };
 
 template <class Value>
