@@ -214,9 +214,9 @@ std::string markdown(const ComparedLabels& compared, const Table& table) {
 
 void refuse_output(const CompareArguments& arguments, const std::filesystem::path& file) {
   const std::string type = file.extension().string();
-  if (type != ".md" && type != ".csv" && type != ".json" && type != ".xml") {
+  if (type != ".md" && type != ".csv" && type != ".json") {
     throw std::invalid_argument(
-        fmt::format("-o {}: expected a file name that ends in .md, .csv, .json or .xml", file.string()));
+        fmt::format("-o {}: expected a file name that ends in .md, .csv or .json", file.string()));
   }
   for (const std::string& store : {arguments.a, arguments.b, arguments.store}) {
     std::error_code error;
@@ -231,7 +231,6 @@ void write_output(const ComparedLabels& compared, const std::string& file, const
   const Table table = variants_table(compared.comparisons, compared.plan);
   write_through(file, type == ".md"    ? markdown(compared, table)
                       : type == ".csv" ? to_csv(table)
-                      : type == ".xml" ? variants_junit(compared.comparisons, compared.plan)
                                        : variants_json(compared.comparisons, compared.plan, outcome));
 }
 
@@ -327,7 +326,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
                     "--metric seconds");
   command
       ->add_option("-o,--output", arguments->outputs,
-                   "also write the full table to this .md, .csv, .json or .xml (JUnit) file; repeat for more")
+                   "also write the full table to this .md, .csv or .json file; repeat for more")
       ->allow_extra_args(false);
   add_output_options(*command, arguments->output_as);
   command->footer(

@@ -5,7 +5,7 @@
 #
 # MARGIN (default: that of the study's plan), METRICS (names separated by spaces; default: those that are the same on
 # every runner), STRICT (true: undecided fails too), OUT (ikbench-gate), IKBENCH (the program). Writes OUT/store.sqlite,
-# OUT/verdict.md, OUT/verdict.json and OUT/verdict.xml (JUnit). Adds the verdict to the job's summary where there is one.
+# OUT/verdict.md and OUT/verdict.json. Adds the verdict to the job's summary where there is one.
 # Exit codes: 0 passed or no baseline, 3 worse, 4 undecided with STRICT, otherwise that of the command that failed.
 set -euo pipefail
 program=${IKBENCH:-ikbench} out=${OUT:-ikbench-gate} baseline=${BASELINE:?the store of the baseline}
@@ -29,7 +29,7 @@ if [[ ! -e $baseline ]]; then
   told no-baseline
   exit 0
 fi
-options=(-o "$out/verdict.md" -o "$out/verdict.json" -o "$out/verdict.xml")
+options=(-o "$out/verdict.md" -o "$out/verdict.json")
 [[ -z ${MARGIN:-} ]] || options+=(--margin "$MARGIN")
 read -ra metrics <<<"${METRICS:-}"
 for metric in "${metrics[@]}"; do options+=(--metric "$metric"); done

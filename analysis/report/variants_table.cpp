@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tinyxml2.h>
 
 #include <algorithm>
 #include <array>
@@ -338,43 +337,6 @@ std::string variants_json(Comparisons comparisons, const AnalysisPlan& plan, con
             {"notes", variants_notes(comparisons)},
             {"rows", rows_json(variants_table(comparisons, plan))}};
   return numerics::text_of(json, 2) + "\n";
-}
-
-std::string variants_junit(Comparisons comparisons, const AnalysisPlan& plan) {
-  tinyxml2::XMLPrinter xml;
-  xml.PushHeader(false, true);
-  xml.OpenElement("testsuites");
-  for (const VariantComparison& comparison : comparisons) {
-    const auto count = [&](auto is) { return static_cast<int>(std::ranges::count_if(comparison.metrics, is)); };
-    xml.OpenElement("testsuite");
-    xml.PushAttribute("name", one_line(comparison.label).c_str());
-    xml.PushAttribute("tests", static_cast<int>(comparison.metrics.size()));
-    xml.PushAttribute("failures", count(is_regression));
-    xml.PushAttribute("skipped", count([](const MetricComparison& metric) { return !metric.is_compared(); }));
-    for (const MetricComparison& metric : comparison.metrics) {
-      const std::string verdict = verdict_of(comparisons, metric, plan);
-      xml.OpenElement("testcase");
-      xml.PushAttribute("classname", one_line(comparison.label).c_str());
-      xml.PushAttribute("name", metric_words(metric).c_str());
-      if (is_regression(metric)) {
-        xml.OpenElement("failure");
-        xml.PushAttribute("message", regression(metric).c_str());
-        xml.CloseElement();
-      } else if (!metric.is_compared()) {
-        xml.OpenElement("skipped");
-        xml.PushAttribute("message", verdict.c_str());
-        xml.CloseElement();
-      } else {
-        xml.OpenElement("system-out");
-        xml.PushText(verdict.c_str());
-        xml.CloseElement();
-      }
-      xml.CloseElement();
-    }
-    xml.CloseElement();
-  }
-  xml.CloseElement();
-  return xml.CStr();
 }
 
 }  // namespace ikbench::report

@@ -34,9 +34,5 @@ struct Outcome {
 };
 std::string variants_json(std::span<const inference::VariantComparison> comparisons, const results::AnalysisPlan& plan,
                           const Outcome& outcome);
-// JUnit: a test case for each label and metric; what is worse by more than the margin fails, what is not compared is
-// skipped.
-std::string variants_junit(std::span<const inference::VariantComparison> comparisons,
-                           const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::report

@@ -26,7 +26,7 @@ code=0
 OUT=times STRICT=true METRICS=seconds bash "$gate" >.out 2>.err || code=$?
 [ "$code" = 4 ] || fail "times of two sessions, strict: exit code $code, expected 4: $(<.out) $(<.err)"
 
-for file in store.sqlite verdict.md verdict.json verdict.xml; do
+for file in store.sqlite verdict.md verdict.json; do
   [ -s ikbench-gate/$file ] || fail "no $file"
 done
 
