@@ -5,16 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/inference/method.hpp"
 #include "analysis/inference/metrics.hpp"
-#include "analysis/report/study_pieces.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
@@ -197,28 +194,6 @@ Table metric_list() {
   return table;
 }
 
-Table test_list() {
-  constexpr std::array<std::string_view, 2> needs{"summaries", "values"};
-  Table table{.name = "tests", .caption = "", .columns = {"test", "needs", "what", "from"}};
-  for (const DecidingTest& test : deciding_tests()) {
-    const auto method =
-        std::ranges::find(inference::methods(), test.name, [](const inference::Method* each) { return each->name; });
-    table.rows.push_back({std::string(test.name), std::string(needs[static_cast<std::size_t>(test.needs)]),
-                          std::string(test.meaning), std::string((*method)->source)});
-  }
-  return table;
-}
-
-Table piece_list() {
-  Table table{.name = "pieces", .caption = "", .columns = {"piece", "kind", "under", "files and contents"}};
-  for (const StudyPiece& piece : all_study_pieces()) {
-    if (!piece.tables && !piece.figures) continue;  // a place only
-    table.rows.push_back({std::string(piece.name), piece.tables ? "table" : "figure", std::string(piece.heading),
-                          std::string(piece.meaning)});
-  }
-  return table;
-}
-
 Table instruction_set_list() {
   Table table{.name = "instruction-sets", .caption = "", .columns = {"name", "in use"}};
   for (const InstructionSet each : instruction_sets()) {
@@ -233,8 +208,6 @@ Listed listed(const std::string& kind, const std::string& name) {
   if (kind == "paths") return name.empty() ? listed(path_list()) : path_details(name);
   if (kind == "columns") return rows_or_one(column_list(), "column", name);
   if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
-  if (kind == "tests") return rows_or_one(test_list(), "test", name);
-  if (kind == "pieces") return rows_or_one(piece_list(), "piece", name);
   if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
   return name.empty() ? listed(study_list(studies())) : study_details(name);
 }
@@ -248,10 +221,9 @@ void add_list(CLI::App& app, Invocation&) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "list",
-      "List solvers, robots, studies, kinds of path, result columns, metrics, tests, pieces of a report or instruction sets");
-  const std::vector<std::string> kinds{"solvers", "robots", "studies", "paths",           "columns",
-                                       "metrics", "tests",  "pieces",  "instruction-sets"};
+      "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
+  const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
+                                       "columns", "metrics", "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
   command->add_option(
       "NAME", arguments->name,
@@ -263,7 +235,6 @@ void add_list(CLI::App& app, Invocation&) {
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
-      "  ikbench list pieces                      the tables and figures of a study without a paper\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one\n\n"
       "A terminal shows what fits on a screen, with --verbose all. A pipe or a file gets all.");
   command->callback([arguments, kinds] {

@@ -8,9 +8,8 @@ namespace ikbench::report {
 using namespace inference;
 using namespace figures;
 
-#define TABLE(name, heading, place, meaning) \
-  std::vector<Table> name##_tables(const StudyResults&, const std::vector<Metric>&);
-#define FIGURE(name, heading, place, meaning) \
+#define TABLE(name, heading, place) std::vector<Table> name##_tables(const StudyResults&, const std::vector<Metric>&);
+#define FIGURE(name, heading, place) \
   std::vector<Figure> name##_figures(const StudyResults&, const std::vector<Metric>&);
 #define PLACE(names, heading, place)
 #include "analysis/report/study_pieces.inc"
@@ -22,9 +21,9 @@ namespace {
 
 constexpr bool shown = true, folded = false;
 constexpr StudyPiece every_piece[]{
-#define TABLE(name, heading, place, meaning) {#name, heading, place, meaning, name##_tables, nullptr},
-#define FIGURE(name, heading, place, meaning) {#name, heading, place, meaning, nullptr, name##_figures},
-#define PLACE(names, heading, place) {names, heading, place, "", nullptr, nullptr},
+#define TABLE(name, heading, place) {#name, heading, place, name##_tables, nullptr},
+#define FIGURE(name, heading, place) {#name, heading, place, nullptr, name##_figures},
+#define PLACE(names, heading, place) {names, heading, place, nullptr, nullptr},
 #include "analysis/report/study_pieces.inc"
 #undef TABLE
 #undef FIGURE
@@ -45,8 +44,6 @@ void add(std::vector<Piece> made, std::vector<std::string>& names, std::vector<P
 }
 
 }  // namespace
-
-std::span<const StudyPiece> all_study_pieces() { return every_piece; }
 
 StudyPieces study_pieces(const StudyResults& study) {
   const std::vector<Metric> metrics = shown_metrics(study);

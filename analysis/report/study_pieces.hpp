@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,12 +20,10 @@ namespace ikbench::report {
 struct StudyPiece {
   std::string_view name, heading;
   bool is_shown;  // else folded
-  std::string_view meaning;
   std::vector<Table> (*tables)(const inference::StudyResults&, const std::vector<inference::Metric>&) = nullptr;
   std::vector<figures::Figure> (*figures)(const inference::StudyResults&,
                                           const std::vector<inference::Metric>&) = nullptr;
 };
-std::span<const StudyPiece> all_study_pieces();
 
 struct StudyPieces {
   std::vector<Table> tables = {};

@@ -2,7 +2,7 @@
 # Everything that can be named is listed, and everything listed can be looked at.
 source "$(dirname "$0")/common.sh"
 
-for kind in solvers robots studies paths columns metrics tests pieces instruction-sets; do
+for kind in solvers robots studies paths columns metrics instruction-sets; do
   succeeds list $kind
   [ -z "$err" ] || fail "list $kind wrote to the standard error: $err"
   quiet
