@@ -1,13 +1,10 @@
 // ikbench report: tables and figures from any store, without solving.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
@@ -18,24 +15,6 @@ namespace ikbench::cli {
 
 using namespace results;
 using namespace experiments;
-
-namespace {
-
-// The labels that the arguments name: a label of the study itself, or several between commas.
-std::vector<std::string> chosen_labels(const std::vector<std::string>& arguments, const StudyEntry& study) {
-  std::vector<std::string> labels;
-  for (const std::string& argument : arguments) {
-    if (std::ranges::count(study.series, argument, &Series::label) > 0) {
-      labels.push_back(argument);
-      continue;
-    }
-    std::istringstream parts(argument);
-    for (std::string part; std::getline(parts, part, ',');) labels.push_back(part);
-  }
-  return labels;
-}
-
-}  // namespace
 
 void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
@@ -53,17 +32,10 @@ void add_report(CLI::App& app, Invocation&) {
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
       ->check(not_empty());
   add_report_options(*command, arguments->report);
-  command
-      ->add_option(
-          "--solvers", arguments->report.solvers,
-          "report on these solvers alone, by label: A,B, or --solvers once a label, which may have commas; fewer "
-          "pairs are compared, and the report says so")
-      ->allow_extra_args(false);
   command->footer(
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs --quartiles 7\n"
-      "  ikbench report out/my/store.sqlite --out out/pair --solvers mine,newton\n"
       "  ikbench report out/arms/store.sqlite --study arms.toml    a collection, as ikbench run arms.toml reports it\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
@@ -78,7 +50,6 @@ void add_report(CLI::App& app, Invocation&) {
     if (file) {
       for (const Study& each : file->studies) static_cast<void>(store.study(each.name));  // all are there
     }
-    arguments->report.solvers = chosen_labels(arguments->report.solvers, study);
     write_and_announce(store, {.study = study.name,
                                .folder = folder.empty() ? "." : folder,
                                .arguments = arguments->report,

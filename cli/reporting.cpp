@@ -300,7 +300,6 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
       store, {.study = wanted.study,
               .folder = wanted.folder,
               .plan = plan,
-              .solvers = wanted.arguments.solvers,
               .style = styled(figure_style_of(entry), wanted.arguments),
               .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
               .collections = own.empty() ? analysis::collections() : own,

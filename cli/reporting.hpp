@@ -36,8 +36,7 @@ struct ReportArguments {
   double significance = 0;  // replaces the study's; 0: not given
   bool forced = false;      // points of a run may be observations
   bool without_figures = false;
-  std::string style = {};                 // a file; its keys replace those of the study's [figures]
-  std::vector<std::string> solvers = {};  // labels to report on alone; empty: all
+  std::string style = {};  // a file; its keys replace those of the study's [figures]
   OutputArguments output = {};
 };
 

@@ -133,10 +133,6 @@ constexpr std::array all_words{
         "solvers."},
     Words{K::unknown_paper, "The paper is not known", "no published tables of '{what}'; known papers: {who}"},
     Words{K::solves_missing, "Solves are missing", "{who}: only {count} of {of} solves are stored"},
-    Words{
-        K::solvers_left_out, "Solvers were left out",
-        "This report is about {count} of {of} solvers. It leaves out {who}, so fewer pairs are compared, and p-values "
-        "and intervals are corrected for those alone."},
     Words{K::imported_verified, "Solves were imported",
           "{who} was imported from {what}: its answers are verified, its counts and times are not."},
     Words{

@@ -59,7 +59,6 @@ enum class DoubtKind {
   out_of_reach,
   unknown_paper,
   solves_missing,
-  solvers_left_out,
   imported_verified,
   imported_unverified,
   figures_edited,

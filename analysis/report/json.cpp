@@ -19,14 +19,6 @@ struct AsJson {
   }
   Json operator()(const Graded& graded) const { return graded.words; }
   Json operator()(const Id& id) const { return id.id; }
-  Json operator()(const AverageCell& average) const {
-    Json spread = Json::array();
-    for (const double each : average.spread) spread.push_back(json_number(each));
-    return {{"value", json_number(average.value)},
-            {"spread", std::move(spread)},
-            {"is_best", average.is_best},
-            {"differs", average.differs}};
-  }
 };
 
 }  // namespace

@@ -25,7 +25,6 @@
 #include "analysis/inference/study_facts.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/times.hpp"
-#include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/moving_arm.hpp"
@@ -71,17 +70,7 @@ std::vector<std::string> labels_of(const StudyEntry& entry) {
   return labels;
 }
 
-// Leaves a study only the chosen solvers, or all if none are chosen. Returns the labels of the others.
-std::vector<std::string> leave_out_others(StudyEntry& entry, const std::vector<std::string>& chosen) {
-  std::vector<std::string> others;
-  for (const Series& series : entry.series) {
-    if (!chosen.empty() && std::ranges::count(chosen, series.label) == 0) others.push_back(series.label);
-  }
-  std::erase_if(entry.series, [&](const Series& series) { return std::ranges::count(others, series.label) > 0; });
-  return others;
-}
-
-// The other studies of a user's collection, with the chosen solvers.
+// The other studies of a user's collection.
 std::vector<StudyEntry> together_with(const StudyEntry& entry, std::vector<StudyEntry> entries,
                                       const ReportRequest& request) {
   std::erase_if(entries, [&](const StudyEntry& other) {
@@ -90,39 +79,29 @@ std::vector<StudyEntry> together_with(const StudyEntry& entry, std::vector<Study
                     std::ranges::count(collection.studies, other.name, &CollectedStudy::name) > 0;
            });
   });
-  for (StudyEntry& other : entries) leave_out_others(other, request.solvers);
   return entries;
 }
 
-// Refuses labels that are no solvers of the study, and a choice without its control.
-void check_chosen(const StudyEntry& entry, const ReportRequest& request, const FigureStyle& style) {
+// Refuses labels that are no solvers of the study.
+void check_drawn(const StudyEntry& entry, const FigureStyle& style) {
   const std::vector<std::string> labels = labels_of(entry);
-  for (const std::vector<std::string>* chosen : {&request.solvers, &style.solvers}) {
-    for (const std::string& solver : *chosen) {
-      if (std::ranges::count(labels, solver) == 0)
-        throw std::invalid_argument(unknown_name("solver of the study", solver, labels));
-    }
-  }
-  const std::string& control = request.plan ? request.plan->control : plan_of(entry).control;
-  if (!control.empty() && !request.solvers.empty() && std::ranges::count(request.solvers, control) == 0) {
-    throw std::invalid_argument(
-        fmt::format("the plan compares with {}; expected it among the chosen solvers", control));
+  for (const std::string& solver : style.solvers) {
+    if (std::ranges::count(labels, solver) == 0)
+      throw std::invalid_argument(unknown_name("solver of the study", solver, labels));
   }
 }
 
 // Gives every solver of the store one look in all figures, the study's first, and adds its colours to the style.
 std::map<std::string, int> looks_of(const StudyEntry& entry, const std::vector<StudyEntry>& others,
-                                    const std::vector<std::string>& chosen, FigureStyle& style) {
-  const std::vector<std::string>& drawn = style.solvers.empty() ? chosen : style.solvers;
+                                    FigureStyle& style) {
   std::vector<NamedSolver> solvers;
   for (const Series& series : entry.series) solvers.push_back({series.label, series.algorithm});
   for (const StudyEntry& other : others) {
     for (const Series& series : other.series) solvers.push_back({series.label, series.algorithm});
   }
-  for (const std::string& label : drawn) {
+  for (const std::string& label : style.solvers) {
     const auto series = std::ranges::find(entry.series, label, &Series::label);
-    if (series == entry.series.end()) continue;
-    if (chosen.empty() || std::ranges::count(chosen, label) > 0) solvers.push_back({label, series->algorithm, true});
+    if (series != entry.series.end()) solvers.push_back({label, series->algorithm, true});
   }
   return line_styles(solvers, style);
 }
@@ -199,12 +178,11 @@ struct Others {
   Doubts plan_changes = {};  // of companions that one test judges with the study
 };
 
-Others others_of(CheckedStore& store, std::vector<StudyEntry> entries, const JudgedStudy& study,
-                 const Collection& collection, const std::vector<std::string>& chosen) {
+Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const JudgedStudy& study,
+                 const Collection& collection) {
   Others result{.same_targets_given = {study}, .same_limits_too = {study}};
   result.judged.reserve(entries.size());  // the lists refer to its elements
-  for (StudyEntry& entry : entries) {
-    leave_out_others(entry, chosen);
+  for (const StudyEntry& entry : entries) {
     if (entry.name == study.name || entry.series.empty()) continue;
     StudyResults other = store.study(entry);
     if (other.facts.perturbed > 0) {
@@ -350,21 +328,6 @@ Doubts missing_doubts(const StudyResults& study) {
   return doubts;
 }
 
-Doubts left_out_doubts(const std::vector<std::string>& left_out, const StudyEntry& whole) {
-  if (left_out.empty()) return {};
-  const auto all = static_cast<double>(whole.series.size());
-  return {{.kind = DoubtKind::solvers_left_out,
-           .who = left_out,
-           .count = all - static_cast<double>(left_out.size()),
-           .of = all}};
-}
-
-// Claims speak of the whole study: "the most accurate" says nothing of two of six solvers.
-Doubts claims_doubts(const Paper& paper, const std::vector<std::string>& left_out) {
-  if (!paper.claims || left_out.empty()) return {};
-  return {{.kind = DoubtKind::said_elsewhere, .what = std::string(words::claims_need_all)}};
-}
-
 // Adds the companions' doubts. A kind that exists already only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
@@ -379,13 +342,6 @@ Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   return doubts;
 }
 
-std::vector<ColouredSolver> coloured(const StudyResults& study, const FigureStyle& style) {
-  std::vector<ColouredSolver> solvers;
-  for (const std::string& solver : study.solvers)
-    solvers.push_back({solver, colour_of(style_of(study, solver), style)});
-  return solvers;
-}
-
 Doubts said(const std::vector<std::string>& sentences) {
   Doubts doubts;
   for (const std::string& sentence : sentences) doubts.push_back({.kind = DoubtKind::said_elsewhere, .what = sentence});
@@ -398,20 +354,6 @@ void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, Repo
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
     content.seen.emplace(fmt::format("{}{}-boxes", prefix, info_of(metric).slug),
                          words_of(leader_sentence(study, metric, average_estimand(metric))));
-  }
-}
-
-// The table for an article: of a user's collection that of all its studies, then one of each.
-void add_article_tables(std::vector<Table>& tables, const Reported& reported, bool is_together) {
-  JudgedStudies studies{reported.study};
-  if (is_together) std::ranges::copy(reported.companions, std::back_inserter(studies));
-  const bool has_joint = std::ranges::count(tables, "paper", &Table::name) > 0;
-  for (const JudgedStudy& study : studies) {
-    if (study.solves.empty()) continue;
-    Table& table = tables.emplace_back(article_table(study));
-    if (!is_together) continue;
-    if (has_joint) table.name += '-' + study.name;
-    table.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", table.caption));
   }
 }
 
@@ -445,21 +387,15 @@ StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
 }
 
 Report write_report(const Store& store, const ReportRequest& request) {
-  const StudyEntry whole = store.study(request.study);
+  const StudyEntry entry = store.study(request.study);
   const std::vector<StudyEntry> entries = store.studies();
   RenderOptions figure_options = request.figures;
-  FigureStyle& style = figure_options.style = request.style.value_or(figure_style_of(whole));
-  check_chosen(whole, request, style);
-  StudyEntry entry = whole;
-  const std::vector<std::string> left_out = leave_out_others(entry, request.solvers);
-  CheckedStore checked(
-      store, request,
-      looks_of(whole, entries, request.solvers.empty() ? std::vector<std::string>() : labels_of(entry), style),
-      style.solvers);
+  FigureStyle& style = figure_options.style = request.style.value_or(figure_style_of(entry));
+  check_drawn(entry, style);
+  CheckedStore checked(store, request, looks_of(entry, entries, style), style.solvers);
   const std::vector<Session>& sessions = checked.sessions();
   StudyResults stored = checked.reported(entry, together_with(entry, entries, request));
   if (request.plan) stored.plan = *request.plan;
-  if (!stored.facts.published.empty()) std::ranges::copy(left_out, std::back_inserter(stored.facts.missing_solvers));
   const AnalysisPlan planned = stored.plan;
   const std::vector<Look> looks = looks_at(entry.name, store.name());
   const int runs = store.runs_begun(entry);
@@ -467,7 +403,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
-  const Others others = others_of(checked, entries, study, collection, request.solvers);
+  const Others others = others_of(checked, entries, study, collection);
   const Reported reported{.study = study,
                           .companions = others.companions,
                           .repetitions = request.repetitions,
@@ -476,7 +412,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const PerturbedCopies copies = copies_of(study, reported);
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, planned, plan_notes(whole, sessions, solves_of_sessions(study))),
+                            plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
@@ -496,8 +432,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                                                              : study.facts.title,
                         .studied = studied(study, paper),
                         .set_up = set_up_sentences(study, paper, sessions),
-                        .solvers = coloured(study, style),
-                        .claims = paper.claims && left_out.empty() ? paper.claims(reported) : std::vector<Claim>(),
+                        .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
                         .audited = paper.audit ? audit_answer(paper.audit()) : "",
                         .summary = summary(reported, paper),
                         .command = command_of(study, sessions),
@@ -514,15 +449,14 @@ Report write_report(const Store& store, const ReportRequest& request) {
   content.warnings =
       said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-      missing_doubts(study) + left_out_doubts(left_out, whole) + claims_doubts(paper, left_out) +
+      missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(whole, sessions, solves_of_sessions(study)) + others.plan_changes + imported_doubts(entry, study) +
+      plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes + imported_doubts(entry, study) +
       tuning_doubts(study) + fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
   }
-  add_article_tables(tables, reported, collection.is_together);
   for (Figure& figure : convergence_figures(study)) {
     if (collection.is_together)
       figure.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", figure.caption));
@@ -535,7 +469,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
     content.summary.insert(content.summary.begin(), sentences.begin(), sentences.end());
   } else {
     content.answer = pieces.verdict;
-    if (!pieces.verdict.empty() && (left_out.empty() || !paper.claims)) {
+    if (!pieces.verdict.empty()) {
       content.answer.push_back({"", collection.is_together
                                         ? fmt::format(words::together_alone, fmt::arg("study", study.name))
                                         : fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});

@@ -33,8 +33,7 @@ struct ReportRequest {
   std::string study;
   std::filesystem::path folder;  // created if missing; files of the same names are replaced
   std::optional<results::AnalysisPlan> plan =
-      {};                                 // replaces the study's own plan, and its companions'; the report says so
-  std::vector<std::string> solvers = {};  // labels to report on alone; empty: all
+      {};  // replaces the study's own plan, and its companions'; the report says so
   std::optional<results::FigureStyle> style = {};   // replaces the look of the study's figures
   figures::RenderOptions figures = {};              // without a look
   std::span<const Collection> collections = {};     // the study's own collection, if among them, shapes the report

@@ -100,11 +100,6 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
        content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
-  fill({{"A table for your article",
-         "It fits a column of a two-column article, in the size of footnotes: \\input{tables/paper}.",
-         {},
-         {"paper", "paper-*"}}},
-       content.results);
   fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
         {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}},
        content.results);

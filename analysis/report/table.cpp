@@ -59,12 +59,7 @@ std::vector<double*> numbers_in(Cell& cell) {
   if (auto* value = std::get_if<double>(&cell)) return {value};
   if (auto* range = std::get_if<Range>(&cell)) return {&range->low, &range->high};
   if (std::holds_alternative<OursAndPrinted>(cell)) return {nullptr};
-  std::vector<double*> numbers;
-  if (auto* average = std::get_if<AverageCell>(&cell)) {
-    numbers.push_back(&average->value);
-    for (double& each : average->spread) numbers.push_back(&each);
-  }
-  return numbers;
+  return {};
 }
 
 // Turns seconds into milliseconds if all of them are short. Returns the unit.
@@ -76,21 +71,6 @@ std::string_view with_short_times(const std::vector<double*>& seconds) {
   if (!(longest > 0 && longest < longest_in_ms)) return "s";
   for (double* each : seconds) *each *= ms_per_second;
   return "ms";
-}
-
-// "1.46", "0.200", "10050", "2.24e-06"
-std::string three_digits(double value) {
-  if (!std::isfinite(value)) return "-";
-  if (value == 0 || std::abs(value) >= 99.95) return rounded_number(value, 3);
-  return fmt::format("{:#.3g}", value);
-}
-
-std::string cell_markdown(const Cell& cell) {
-  const auto* average = std::get_if<AverageCell>(&cell);
-  std::string text = markdown_text(readable(cell));
-  if (average == nullptr || !average->is_best) return text;
-  const std::string value = markdown_text(value_words(*average));
-  return fmt::format("**{}**{}", value, text.substr(value.size()));
 }
 
 template <class Kind>
@@ -130,21 +110,8 @@ std::string readable(const Cell& cell) {
             return fmt::format("{} (printed {}{}{})", own_digits(beside), beside.printed,
                                beside.words.empty() ? "" : ": ", beside.words);
           },
-          [](const Graded& graded) { return graded.words; }, [](const Id& id) { return text_of(named(id.id)); },
-          [](const AverageCell& average) {
-            const std::string spread = spread_words(average);
-            return fmt::format("{}{}{}{}", three_digits(average.value), spread.empty() ? "" : " ", spread,
-                               average.differs ? " *" : "");
-          }},
+          [](const Graded& graded) { return graded.words; }, [](const Id& id) { return text_of(named(id.id)); }},
       cell);
-}
-
-std::string value_words(const AverageCell& average) { return three_digits(average.value); }
-std::string spread_words(const AverageCell& average) {
-  const std::vector<double>& of = average.spread;
-  return of.empty()       ? ""
-         : of.size() == 1 ? "± " + three_digits(of.front())
-                          : fmt::format("[{}, {}]", three_digits(of.front()), three_digits(of.back()));
 }
 
 Range range_of(const statistics::Estimate& of) {
@@ -160,7 +127,7 @@ std::string readable_end(double of_range) { return rounded_number(of_range, 3); 
 bool is_number(const Cell& cell) {
   if (const auto* value = std::get_if<double>(&cell)) return std::isfinite(*value);
   if (const auto* p = std::get_if<PValue>(&cell)) return std::isfinite(p->value);
-  return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<AverageCell>(cell);
+  return std::holds_alternative<std::int64_t>(cell);
 }
 
 bool is_left(const Table& table, std::size_t column) {
@@ -179,7 +146,6 @@ std::string computable(const Cell& cell) {
     return text_of(range->low) + " to " + text_of(range->high);
   if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) return number(beside->ours);
   if (const auto* id = std::get_if<Id>(&cell)) return id->id;
-  if (const auto* average = std::get_if<AverageCell>(&cell)) return number(average->value);
   return readable(cell);
 }
 
@@ -255,37 +221,17 @@ std::string to_markdown(const Table& given) {
   text += '\n';
   for (const auto& row : table.rows) {
     text += '|';
-    for (const std::size_t c : used) text += fmt::format(" {} |", cell_markdown(row[c]));
+    for (const std::size_t c : used) text += fmt::format(" {} |", markdown_text(readable(row[c])));
     text += '\n';
   }
   for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
   return text;
 }
 
-namespace {
-
-// The heads of a column of averages, which all have a spread of the same kind; false if it is another column.
-bool add_heads_of_averages(const Table& table, std::size_t column, CsvTable& csv) {
-  if (!has_any<AverageCell>(table, column)) return false;
-  const std::size_t spread = std::get<AverageCell>(table.rows.front()[column]).spread.size();
-  const std::vector<std::string> heads = spread == 0   ? std::vector<std::string>{""}
-                                         : spread == 1 ? std::vector<std::string>{" mean", " sd"}
-                                                       : std::vector<std::string>{" geometric mean", " q1", " q3"};
-  for (const std::string& head : heads) csv.header.push_back(table.columns[column] + head);
-  csv.header.push_back(table.columns[column] + " differs");
-  return true;
-}
-
-}  // namespace
-
 std::string to_csv(const Table& table) {
   CsvTable csv;
   std::vector<bool> is_two;  // by column: it takes two in the file
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (add_heads_of_averages(table, c, csv)) {
-      is_two.push_back(false);
-      continue;
-    }
     const bool has_ranges = has_any<Range>(table, c);
     is_two.push_back(has_ranges || has_any<OursAndPrinted>(table, c));
     const std::string& name = table.columns[c];
@@ -295,12 +241,6 @@ std::string to_csv(const Table& table) {
   for (const auto& row : table.rows) {
     std::vector<std::string>& cells = csv.rows.emplace_back();
     for (std::size_t c = 0; c < row.size(); ++c) {
-      if (const auto* average = std::get_if<AverageCell>(&row[c])) {
-        cells.push_back(computable(*average));
-        for (const double each : average->spread) cells.push_back(computable(each));
-        cells.emplace_back(average->differs ? "yes" : "no");
-        continue;
-      }
       const Range* range = is_empty(row[c]) ? nullptr : std::get_if<Range>(&row[c]);
       const OursAndPrinted* beside = std::get_if<OursAndPrinted>(&row[c]);
       cells.push_back(range ? text_of(range->low) : computable(row[c]));

@@ -49,20 +49,9 @@ struct Id {
   std::string id;
 };
 
-// An average in a table for an article, with three digits: "1.46 ± 1.05" with the standard deviation, "1.46
-// [0.9, 2.1]", a geometric mean with quartiles, or alone. In CSV its column is several: "... mean" and "... sd", or
-// "... geometric mean", "... q1" and "... q3", and "... differs".
-struct AverageCell {
-  double value;
-  std::vector<double> spread = {};  // the standard deviation, both quartiles, or nothing
-  bool is_best = false;             // in bold
-  bool differs = false;             // has a star
-};
-
 // A double or p-value that is not finite shows as "not defined" (an empty field in CSV). std::monostate is an empty
 // cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded, Id,
-                          AverageCell>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded, Id>;
 
 // An empty cell if the number is not defined or infinite.
 Cell or_nothing(double value);
@@ -77,8 +66,6 @@ struct Table {
   std::string legend = {};                   // what the colours of a page mean, if not how our repetitions agree
   int number = 0;                            // number in its paper; 0: none
   std::vector<std::string> times = {};       // columns of times [s], besides those of a metric of times
-  bool is_narrow = false;                    // its LaTeX fits a column of an article, in the size of footnotes
-  double widest_name = 88;                   // of a narrow table [pt]; wider names break into lines
 };
 
 // "Table 3: errors"
@@ -97,26 +84,20 @@ std::string to_csv(const Table& table);
 std::string readable(const Cell& cell);
 std::string computable(const Cell& cell);
 std::string readable_end(double of_range);
-std::string value_words(const AverageCell& average);   // "1.46"
-std::string spread_words(const AverageCell& average);  // "± 1.05", "[0.9, 2.1]"
 bool is_empty(const Cell& cell);
 bool is_number(const Cell& cell);                      // true if it is shown as a number
 bool is_left(const Table& table, std::size_t column);  // true for a column of texts; numbers stand at the right
 // Indices of columns that are not empty in every row.
 std::vector<std::size_t> columns_in_use(const Table& table);
 
-// Leaves out the last columns of a narrow table until its LaTeX is as wide as a column of an article. Breaks names into
-// lines of ten letters if the first `needed` columns fit then.
-Table fitted(Table table, std::size_t needed = 0);
 // The table with these columns only, in this order; those that it lacks are left out.
 Table with_columns(const Table& table, std::span<const std::string_view> names);
 
 // Heads and cells as in Markdown, without its escapes; the first row is the head.
 std::vector<std::vector<std::string>> readable_cells(const Table& table);
 
-// LaTeX that fits its page: the package adjustbox scales it to the line. A wide table is turned on its side, and a long
-// one is split over pages. The first line lists the packages it needs. Columns that are empty in every row are left
-// out. A narrow table keeps its size, and has the spread of an average below it.
+// LaTeX with the rules of booktabs, scaled to its column by adjustbox where it is wider. The first line lists the
+// packages it needs. Columns that are empty in every row are left out.
 std::string to_latex(const Table& table);
 // Returns whether pdflatex lacks a letter of the text: it has those of Europe and general punctuation.
 bool needs_another_engine(std::string_view latex);

@@ -14,7 +14,6 @@
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/inference/together.hpp"
-#include "analysis/report/article_table.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/words.hpp"
 
@@ -58,20 +57,6 @@ std::string set_up_of(const JudgedStudy& study) {
 Evidence judged_over(const JudgedStudies& studies, const Judged& of, bool are_seeds) {
   const Observations observations = together(studies, of.metric, of.estimand, are_seeds);
   return evidence(observations, feasible(studies.front().get().plan, observations));
-}
-
-// The table for an article over all studies.
-Table article_together(const JudgedStudies& studies, const std::vector<Judged>& judged, bool are_seeds) {
-  std::map<std::pair<Metric, Estimand>, Evidence> known;
-  Table table = article_table(studies, [&](Metric metric, Estimand estimand) -> const Evidence* {
-    const auto is_it = [&](const Judged& of) { return of.metric == metric && of.estimand == estimand; };
-    const auto of = std::ranges::find_if(judged, is_it);
-    if (of == judged.end()) return nullptr;
-    return &known.emplace(std::pair(metric, estimand), judged_over(studies, *of, are_seeds)).first->second;
-  });
-  table.caption = fmt::format(words::article_together, "studies"_a = studies.size(), "noun"_a = noun_of(are_seeds),
-                              "what"_a = table.caption);
-  return table;
 }
 
 Table together_table(const JudgedStudies& studies, const std::vector<Judged>& errors, bool are_seeds) {
@@ -157,7 +142,6 @@ void add_together(StudyPieces& pieces, const Reported& reported) {
   pieces.results = table.name;
   pieces.sections.insert(pieces.sections.begin(), {std::string(words::all_studies), "", {table.name}});
   pieces.tables.push_back(std::move(table));
-  pieces.tables.push_back(article_together(studies, judged, reported.are_seeds));
   pieces.verdict.push_back(sentence);
 }
 

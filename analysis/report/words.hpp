@@ -119,18 +119,6 @@ inline constexpr Template pairs_with_best =
     "The table shows the pairs with {name}, the best; there are too many groups to show all pairs.";
 inline constexpr Template flawed = "Flawed: {why}";
 
-// The table for an article.
-inline constexpr Template article_means = "mean ± standard deviation";
-inline constexpr Template article_typical = "geometric mean [quartiles]";
-inline constexpr Template article_averages = "{averages} over {observations} (n = {n}).";
-inline constexpr Template article_tolerance = "An error below the tolerance counts as the tolerance.";
-inline constexpr Template article_marks =
-    "Bold: the best. Star: these averages are found to differ from {from} (level {level} for all pairs of a column).";
-inline constexpr Template article_together = "{studies} {noun} together: {what}";
-inline constexpr Template article_not_compared = "Not compared: {names}.";
-inline constexpr Template article_left_out = "Not compared in {name}: {who}.";
-inline constexpr Template article_no_room = "No room for: {names}.";
-
 // The table of joint limits.
 inline constexpr Template limits =
     "Both studies have the same targets. recorded: answers outside the joint limits are kept and counted. enforced: they "
@@ -258,7 +246,6 @@ inline constexpr Template of_study = "{study}: {what}";
 inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
 inline constexpr Template over_arms = "Most solved poses over {arms} arms";
 inline constexpr Template of_one_arm = "What follows is about {arm} alone.";
-inline constexpr std::string_view claims_need_all = "The claims need all solvers of the study.";
 inline constexpr Template over_arms_note =
     "An arm is one observation, so that poses of one arm do not count as many. interval: of the mean over arms. a new arm: where the "
     "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";

@@ -67,7 +67,7 @@ grep -q "\"name\": \"$author\"" "$source_folder/codemeta.json" || fail "codemeta
 # What the program writes says which program that was.
 succeeds report made/store.sqlite --out reported
 has "$(<reported/report.html)" "Made by $whole."
-for file in article.tex tables/paper.tex; do
+for file in article.tex tables/results.tex; do
   [ "$(tail -n 1 reported/$file)" = "% Made by $whole" ] || fail "$file does not say who made it"
 done
 if command -v gnuplot >/dev/null; then

