@@ -15,12 +15,6 @@ namespace ikbench::figures {
 
 constexpr double two_columns_cm = 17.0;  // of a journal
 
-// Texts for a reader who points at a curve, one per drawn marker. `series` is the title of the curve.
-struct HoverTexts {
-  std::string series;
-  std::vector<std::string> words = {};
-};
-
 struct Figure {
   std::string name;       // stable, the files' name: "path"
   std::string caption;    // plain text
@@ -29,8 +23,7 @@ struct Figure {
   std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_string
   std::string plot =
       {};  // the one plot or splot command, or those from "set multiplot" on; reads the file `data`, which is NAME.dat
-  std::string data = {};  // the numbers as drawn; comment lines start with '#'
-  std::vector<HoverTexts> hover_texts = {};
+  std::string data = {};   // the numbers as drawn; comment lines start with '#'
   std::size_t legend = 0;  // its entries; style.gp adds the room for them
   double legend_cm = 0;    // the width of one
 };

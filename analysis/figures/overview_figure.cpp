@@ -285,12 +285,6 @@ Figure overview_figure(const StudyResults& all, const std::vector<OverviewMark>&
                         y(spot_of(discs[i]).y), x(place.line_x), y(place.line_y));
       }
     }
-    if (!std::isfinite(ours[i].error_cm) || !std::isfinite(ours[i].variation_deg)) continue;
-    figure.hover_texts.push_back({.series = labels[i],
-                                  .words = {fmt::format("error {}, variation {}, time {}",
-                                                        value_words(Metric::position_error_cm, ours[i].error_cm),
-                                                        value_words(Metric::variation_deg, ours[i].variation_deg),
-                                                        value_words(Metric::seconds, ours[i].seconds))}});
   }
   if (has_labels) {
     figure.width_cm = axes_width_cm + left_cm + right_cm;

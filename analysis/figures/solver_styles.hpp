@@ -25,7 +25,5 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
 
 // The palette, then a shade of each of its colours, both as "#RRGGBB": what style.gp calls `colours`.
 std::vector<std::string> colours_and_shades(const results::FigureStyle& style);
-// The colour of a line style.
-std::string colour_of(int line_style, const results::FigureStyle& style);
 
 }  // namespace ikbench::figures

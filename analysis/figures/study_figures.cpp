@@ -110,7 +110,7 @@ Figure curves_figure(const StudyResults& measured, Metric metric, const std::str
   for (const std::string& solver : study.solvers) {
     Curve curve;
     if (has_bands) curve.band = 0;
-    HoverTexts texts{.series = shortened(solver, longest_label)};
+    bool has_any = false;
     for (const std::vector<double>& values : values_by_point(study, solver, metric)) {
       const std::vector<double> ranked = ranked_values(values);
       const auto quartile = [&](double p) { return quantile(ranked, p, QuantileType{study.plan.quartiles}); };
@@ -118,11 +118,9 @@ Figure curves_figure(const StudyResults& measured, Metric metric, const std::str
       curve.add(static_cast<double>(curve.count + 1), average);
       all.push_back(average.value);
       if (has_bands) all.insert(all.end(), {average.low, average.high});
-      if (!std::isfinite(average.value)) continue;
-      texts.words.push_back(fmt::format("point {}: {}", curve.count, value_words(metric, average.value)));
+      has_any = has_any || std::isfinite(average.value);
     }
-    curves.push_back(texts.words.empty() ? Curve() : curve);
-    figure.hover_texts.push_back(std::move(texts));
+    curves.push_back(has_any ? curve : Curve());
   }
   std::vector<std::string> clauses;
   if (!printed.empty()) {

@@ -50,10 +50,6 @@ struct ReportPlan {
   std::vector<SectionPlan> further = {};
 };
 
-struct ColouredSolver {
-  std::string label, colour;  // "#1E8CF8"
-};
-
 struct ReportContent {
   std::string study;
   std::string kind = "Report of the study";  // the words before its name
@@ -61,7 +57,6 @@ struct ReportContent {
   std::vector<Sentence> answer = {};      // its first sentences; may be empty
   std::vector<std::string> studied = {};  // sentences: whose paper, what was run, what was not
   std::vector<std::string> set_up = {};   // sentences of an article's section; none: it gets no article
-  std::vector<ColouredSolver> solvers = {};
   std::vector<Claim> claims;
   std::string audited = {};  // a sentence on what is wrong with the paper's printed numbers; may be empty
   std::vector<std::string> summary;
@@ -95,8 +90,6 @@ void arrange(std::vector<Piece> pieces, ReportContent& content);
 // files beside it, and its pictures are in figures/ of the folder.
 std::string to_html(const ReportContent& content, const std::filesystem::path& folder);
 std::string to_markdown(const ReportContent& content);
-std::string verdict_markdown(const ReportContent& content);  // what the page shows first
-std::string index_markdown(const ReportContent& content);    // all tables and figures, with their files
 std::string to_article(const ReportContent& content);        // the skeleton of an article in LaTeX
 
 }  // namespace ikbench::report

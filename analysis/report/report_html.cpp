@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/figures/dark.hpp"
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "analysis/report/moving_arm.hpp"
@@ -81,10 +80,8 @@ Json cell_json(const Cell& cell, bool is_left) {
   const std::string text = readable(cell);
   const auto* graded = std::get_if<Graded>(&cell);
   const bool is_words = graded || std::holds_alternative<std::string>(cell) || is_empty(cell);
-  const auto* average = std::get_if<AverageCell>(&cell);
   return {{"text", text},
           {"right", !is_left},
-          {"best", average != nullptr && average->is_best},
           {"short", is_left && character_count(text) <= short_text},
           {"verdict", graded && graded->nearness != Nearness::unknown ? Json(colour_of(graded->nearness)) : Json()},
           {"number", is_words ? Json() : Json(computable(cell))}};
@@ -180,19 +177,17 @@ class Pieces {
             {"title", title_of(name_of(piece))},
             {"seen", seen_at(piece, content_)}};
   }
-  // The figure's SVG in base64, with colours for a dark background too; null if it is not drawn, or too large. As an
-  // image source it runs no script, and its ids cannot clash.
+  // The figure's SVG in base64; null if it is not drawn, or too large. As an image source it runs no script, and its
+  // ids cannot clash.
   Json picture(const ReportFigure& piece) {
     const auto file =
         has(piece, "svg") ? read_file(figures_ / (piece.figure.name + ".svg")) : std::optional<std::string>();
     if (!file || file->size() > largest_svg) return {};
-    std::string svg = base64(with_dark_colours(*file));
+    std::string svg = base64(*file);
     if (sum_ + svg.size() > largest_sum) return {};
     sum_ += svg.size();
     return svg;
   }
-  // Tooltips of the series, by figure id.
-  const Json& told() const { return told_; }
   int left_out() const { return left_out_; }  // pictures beyond the limit so far
 
  private:
@@ -205,10 +200,6 @@ class Pieces {
     const Json svg = picture(piece);
     const bool is_left_out = has(piece, "svg") && svg.is_null();
     left_out_ += is_left_out ? 1 : 0;
-    Json series = Json::array();
-    for (const HoverTexts& of : figure.hover_texts)
-      series.push_back({{"series", one_line(of.series)}, {"words", of.words}});
-    if (!svg.is_null() && !series.empty()) told_[id] = series;
     return {{"id", id},
             {"name", figure.name},
             {"caption", figure.caption},
@@ -223,7 +214,6 @@ class Pieces {
   std::filesystem::path figures_;
   std::size_t sum_ = 0;  // bytes of all pictures so far
   int left_out_ = 0;
-  Json told_ = Json::object();
 };
 
 // "2 tables, 1 figure"
@@ -284,26 +274,6 @@ Json sections_json(const ReportContent& content, Pieces& pieces) {
   return sections;
 }
 
-Json solvers_json(const std::vector<ColouredSolver>& solvers) {
-  Json list = Json::array();
-  for (const ColouredSolver& solver : solvers) {  // those of one colour have one class
-    const auto first = std::ranges::find(solvers, solver.colour, &ColouredSolver::colour);
-    list.push_back({{"name", solver.label}, {"colour", fmt::format("s{}", first - solvers.begin())}});
-  }
-  return list;
-}
-
-// The figures' colours of the solvers.
-std::string series_css(const std::vector<ColouredSolver>& solvers) {
-  std::string css, dark;
-  for (std::size_t i = 0; i < solvers.size(); ++i) {
-    const std::string on_dark = dark_colour(solvers[i].colour);
-    css += fmt::format(".s{} {{ --series: {}; }}\n", i, solvers[i].colour);
-    dark += fmt::format(".s{} {{ --series: {}; }}\n", i, on_dark.empty() ? solvers[i].colour : on_dark);
-  }
-  return css + "@media screen and (prefers-color-scheme: dark) {\n" + dark + "}\n";
-}
-
 // "5 warnings: Times are not comparable"
 std::string warnings_line(const Doubts& warnings) {
   return fmt::format("{}: {}", warnings.size() == 1 ? "Warning" : fmt::format("{} warnings", warnings.size()),
@@ -328,14 +298,13 @@ Json header_json(const ReportContent& content, Pieces& pieces) {
           {"several", content.warnings.empty() ? "" : warnings_line(content.warnings)},
           {"warnings", list_of(content.warnings)},
           {"command", content.command},
-          {"program", content.program.empty() ? "ikbench" : content.program},
-          {"solvers", content.solvers.size() > 1 ? solvers_json(content.solvers) : Json()}};
+          {"program", content.program.empty() ? "ikbench" : content.program}};
 }
 
 // Files of the report's folder that the page offers for download.
 std::vector<std::string> downloads_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;
-  for (const char* name : {"index.md", "report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
+  for (const char* name : {"report.md", "store.sqlite", "solves.csv", "statistics.json"}) {
     if (std::filesystem::is_regular_file(folder / name)) files.emplace_back(name);
   }
   return files;
@@ -366,14 +335,12 @@ std::string to_html(const ReportContent& content, const std::filesystem::path& f
     page.set("view", kainjow::mustache::data(std::string(moving_arm_js)));
     scripts += ' ' + source(*library) + ' ' + source(moving_arm_js);
   }
-  page.set("told", kainjow::mustache::data(json_in_page(pieces.told())));
-  const std::string style = series_css(content.solvers) + std::string(report_css);
-  page.set("style", kainjow::mustache::data(style));
+  page.set("style", kainjow::mustache::data(std::string(report_css)));
   page.set("script", kainjow::mustache::data(std::string(report_js)));
   page.set("policy", kainjow::mustache::data(
                          fmt::format("default-src 'none'; img-src data:; script-src {}; style-src {}; base-uri 'none'; "
                                      "form-action 'none'",
-                                     scripts, source(style))));
+                                     scripts, source(report_css))));
   kainjow::mustache::mustache page_template{std::string(report_html)};
   return page_template.render(page);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The report in a browser: opened from disk, its names are text, it is short, its tables sort, its solvers appear and
-# disappear, its arm is drawn, and nothing fails silently. Skipped without chromium (./setup --with-browser dev installs
+# The report in a browser: opened from disk, its names are text, it is short, its tables sort, its arm is
+# drawn, and nothing fails silently. Skipped without chromium (./setup --with-browser dev installs
 # it). With IKBENCH_REPRODUCTION, the folder of a reproduction, it checks that page instead of a small one.
 source "$(dirname "$0")/common.sh"
 
@@ -237,36 +237,13 @@ const judge = (colour, element, what) => {
 for (const element of document.querySelectorAll('body *')) {
   const own = [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim() !== '');
   if (own && element.checkVisibility()) judge(getComputedStyle(element).color, element, element.tagName + '.' + element.className);
-  if (element.className === 'swatch') judge(getComputedStyle(element).backgroundColor, element.parentElement, element.parentElement.textContent);
 }
 return [Math.floor(least * 100), count > 1000, luminance(rgba(getComputedStyle(document.body).backgroundColor)) > 0.5, worst.trim()].join(' ');
 E2
 
-# Solvers go everywhere at once, a figure tells its values to the keyboard, and the address keeps what was chosen.
-cat >choose.js <<'E2'
-const rows = () => [...document.querySelectorAll('#table-3 tbody tr')].filter(row => !row.hidden).length;
-const image = document.querySelector('#figure-6 img'), before = image.src;
-const words = [rows()];
-document.querySelector('#solvers input[value="PSO"]').click();
-words.push(rows(), image.src !== before, location.hash);
-const frame = document.querySelector('#figure-6 .frame');
-frame.focus();
-frame.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
-words.push(frame.querySelector('.tip').textContent.replace(/[\d.e-]+ cm/, 'N cm').replaceAll(' ', '_'));
-const spots = new Set();
-for (let i = 0; i < 200; ++i) {
-  frame.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
-  spots.add(frame.querySelector('.tip').textContent);
-}
-words.push(spots.size);
-document.querySelector('#solvers input[value="PSO"]').click();
-words.push(rows(), image.src === before, location.hash);
-return words.join(' ');
-E2
-cat >kept.js <<'E2'
-const cells = [...document.querySelectorAll('#table-3 tbody tr')].filter(row => !row.hidden).map(row => Number(row.cells[2].dataset.value));
-return [cells.length, cells.every((x, i) => i === 0 || x <= cells[i - 1]), document.querySelector('#solvers input[value="DE"]').checked,
-  document.querySelector('#audit').closest('details').open].join(' ');
+# What the address names is unfolded.
+cat >unfolded.js <<'E2'
+return document.querySelector('#options').closest('details').open;
 E2
 
 # The keyboard comes to everything, and shows where it is; nothing is wider than a phone but what scrolls.
@@ -284,9 +261,7 @@ return [wanted.length > 100, missed.length, wide.length, wide.slice(0, 3).map(el
 E2
 
 # On a light screen, from its first lines on.
-choosing=()
-! command -v gnuplot >/dev/null || choosing=(choose)
-probe whole/report.html length accurate "${choosing[@]}" sort contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
+probe whole/report.html length accurate sort contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
 echo "words, screens, words of the first lines, claims, height of a claim, end of the claims, texts cut in them: $(found length)"
 read -r words screens first claims height end cut <<<"$(found length)"
 [ "$words" -le 3000 ] || fail "$words words are shown"
@@ -298,8 +273,6 @@ read -r words screens first claims height end cut <<<"$(found length)"
 [ "$cut" -le 5 ] || fail "$cut texts of the claims are cut"
 [ -z "${IKBENCH_REPRODUCTION:-}" ] || expect accurate "IK-BA is the most accurate|depends on who obeys limits etc.|holds|holds in N %, fails in N %" "the first claim"
 expect sort "18 false ascending true descending true" "sorting"
-[ ${#choosing[@]} = 0 ] ||
-  expect choose "18 15 true #&amp;off=PSO IK-BA,_point_1:_N_cm 100 18 true " "choosing"
 readable() {
   read -r least many light worst <<<"$(found contrast)"
   [ "$many $light" = "true $1" ] || fail "contrast: $(found contrast)"
@@ -308,9 +281,9 @@ readable() {
 readable true
 
 # On a dark and narrow one, at an address.
-fragment='#audit&off=DE&sort=table-3.2.-1' probe whole/report.html kept links contrast keys -- \
+fragment="#options" probe whole/report.html unfolded links contrast keys -- \
   --blink-settings=preferredColorScheme=0 --window-size=500,900
-expect kept "15 true false true" "what the address keeps"
+expect unfolded true "what the address names"
 expect links " 0 0 true true" "ids twice, links to nowhere, images that are broken or have no words, downloads, fits"
 readable false
 [[ $(found keys) == "true 0 0 "* ]] || fail "many, not reached, too wide: $(found keys)"

@@ -1,6 +1,9 @@
 // The colours of solvers: the same in every report, and no two looks alike.
 #include "analysis/figures/solver_styles.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,9 +18,46 @@ using namespace ikbench::results;
 
 namespace {
 
+// The colour of a line style, as style.gp finds it.
+std::string colour_of(int line_style, const FigureStyle& style) {
+  const std::size_t all = style.palette.size(), i = static_cast<std::size_t>(line_style - 1);
+  return colours_and_shades(style)[i % all + i / all % 2 * all];
+}
+
 std::string colour_in(const std::vector<NamedSolver>& solvers, const std::string& label, FigureStyle style = {}) {
   const auto styles = line_styles(solvers, style);
   return colour_of(styles.at(label), style);
+}
+
+// WCAG 2.1, "relative luminance" and "contrast ratio".
+double linear(std::string_view colour, std::size_t i) {
+  const double c = std::stoi(std::string(colour.substr(1 + 2 * i, 2)), nullptr, 16) / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+double luminance(std::string_view colour) {
+  return 0.2126 * linear(colour, 0) + 0.7152 * linear(colour, 1) + 0.0722 * linear(colour, 2);
+}
+
+double contrast(std::string_view a, std::string_view b) {
+  const double one = luminance(a), other = luminance(b);
+  return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+// CIE 1976 L*a*b* of an sRGB colour, white D65.
+std::array<double, 3> lab(std::string_view colour) {
+  std::array<double, 3> rgb{};
+  for (std::size_t i = 0; i < 3; ++i) rgb[i] = linear(colour, i);
+  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+  const double x = f((0.4124564 * rgb[0] + 0.3575761 * rgb[1] + 0.1804375 * rgb[2]) / 0.95047),
+               y = f(0.2126729 * rgb[0] + 0.7151522 * rgb[1] + 0.0721750 * rgb[2]),
+               z = f((0.0193339 * rgb[0] + 0.1191920 * rgb[1] + 0.9503041 * rgb[2]) / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+double distance(std::string_view a, std::string_view b) {
+  const auto one = lab(a), other = lab(b);
+  return std::hypot(one[0] - other[0], one[1] - other[1], one[2] - other[2]);
 }
 
 }  // namespace
@@ -104,4 +144,31 @@ TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
   for (const auto& [label, look] : line_styles({{"a", "ik_bat"}, {"b", "particle_swarm"}, {"c", "bat"}}, three))
     colours.insert(colour_of(look, three));
   CHECK(colours.size() == 3);
+}
+
+TEST_CASE("every series has a contrast of at least 3 on paper", "[figure]") {
+  CHECK(contrast("#FFFFFF", "#000000") == Approx(21));
+  CHECK(contrast("#777777", "#FFFFFF") == Approx(4.48).margin(0.005));  // WebAIM's contrast checker
+  CHECK(contrast("#E69F00", "#FFFFFF") < 3);                            // what was too pale
+  const std::vector<std::string> colours = colours_and_shades({});
+  const std::size_t all = colours.size() / 2;
+  for (std::size_t i = 0; i < all; ++i) {
+    CAPTURE(colours[i]);
+    CHECK(contrast(colours[i], "#FFFFFF") >= 3);
+    CHECK(contrast(colours[all + i], "#FFFFFF") >= 3);
+    CHECK(distance(colours[i], colours[all + i]) > 18);
+  }
+}
+
+TEST_CASE("any two series are farther apart than two blues were that readers took for one", "[figure]") {
+  CHECK(lab("#FF0000")[0] == Approx(53.24).margin(0.01));  // Lindbloom's calculator: 53.24, 80.09, 67.20
+  CHECK(lab("#FF0000")[1] == Approx(80.09).margin(0.01));
+  CHECK(lab("#FF0000")[2] == Approx(67.20).margin(0.01));
+  CHECK(distance("#0E65B8", "#3793CD") == Approx(25.8).margin(0.01));
+  for (std::size_t i = 0; i < named_colours.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      CAPTURE(named_colours[i].first, named_colours[j].first);
+      CHECK(distance(named_colours[i].second, named_colours[j].second) > 35);
+    }
+  }
 }
