@@ -47,34 +47,18 @@ std::string markdown(const ReportFigure& piece) {
 
 std::string markdown(const Table& table) { return to_markdown(table) + '\n'; }
 
-std::string index_row(const Piece& piece) {
-  constexpr std::size_t longest_title = 120;
-  const auto* table = std::get_if<Table>(&piece);
-  const auto* figure = std::get_if<ReportFigure>(&piece);
-  const std::string& name = name_of(piece);
-  std::vector<std::string_view> types{"md", "csv", "tex"};
-  if (figure) {
-    types.assign(figure->types.begin(), figure->types.end());
-    types.insert(types.end(), {"gp", "dat"});
-  }
-  std::string files;
-  for (const std::string_view type : types)
-    files += fmt::format("{0}[{1}]({2}/{3}.{1})", files.empty() ? "" : " ", type, table ? "tables" : "figures", name);
-  const std::string title = table ? numbered_caption(*table) : figure->figure.caption;
-  return fmt::format("| {} | {} | {} |\n", markdown_text(name), markdown_text(shortened(title, longest_title)), files);
-}
-
-std::string verdict(const ReportContent& content, EvidenceShown evidence) {
+std::string verdict(const ReportContent& content) {
   std::string text;
   const std::vector<Claim> papers = claims_by(Claimant::paper, content.claims),
                            ours = claims_by(Claimant::us, content.claims);
   if (!papers.empty()) {
     text += "## Verdict\n\n" +
-            markdown(claims_table(papers, "claims", fmt::format("{}", fmt::join(answers_of(content), " ")), evidence));
+            markdown(claims_table(papers, "claims", fmt::format("{}", fmt::join(answers_of(content), " ")),
+                                  EvidenceShown::whole));
   }
   if (!ours.empty()) {
-    text +=
-        "## Our own questions\n\n" + markdown(claims_table(ours, "questions", "Not claims of the paper.", evidence));
+    text += "## Our own questions\n\n" +
+            markdown(claims_table(ours, "questions", "Not claims of the paper.", EvidenceShown::whole));
   }
   return text;
 }
@@ -100,57 +84,15 @@ std::string to_markdown(const ReportContent& content) {
   for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
   if (!content.answer.empty()) text += markdown_text(paragraph_of(content.answer)) + "\n\n";
   if (!content.warnings.empty()) text += "## Warnings\n\n" + bullets(list_of(content.warnings));
-  text += verdict(content, EvidenceShown::whole) + "## Summary\n\n";
+  text += verdict(content) + "## Summary\n\n";
   text += bullets(content.summary);
   if (!content.command.empty()) {
     text += fmt::format("To repeat this:\n\n    {}\n\n", one_line(content.command));
   }
   text +=
-      "[index.md](index.md) lists all tables and figures. `tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has the script and the data of every "
+      "`tables/` has every table as Markdown, CSV (all digits) and LaTeX. `figures/` has the script and the data of every "
       "figure, and where gnuplot drew it SVG, PDF and PNG.\n\n";
   return text + markdown(content.circumstances) + markdown(content.results);
-}
-
-std::string index_markdown(const ReportContent& content) {
-  std::string text = fmt::format("# Tables and figures: {}\n\n", markdown_text(content.title));
-  for (const std::vector<Section>* part : {&content.results, &content.circumstances}) {
-    for (const Section& section : *part) {
-      if (section.pieces.empty() && section.folded.empty()) continue;
-      text += fmt::format("## {}\n\n| name | what it shows | files |\n| :--- | :--- | :--- |\n",
-                          markdown_text(section.heading));
-      for (const std::vector<Piece>* pieces : {&section.pieces, &section.folded}) {
-        for (const Piece& piece : *pieces) text += index_row(piece);
-      }
-      text += '\n';
-    }
-  }
-  return text;
-}
-
-std::string verdict_markdown(const ReportContent& content) {
-  std::string text = fmt::format("# {}\n\n", markdown_text(content.title));
-  for (const std::string& sentence : content.studied) text += markdown_text(sentence) + "\n\n";
-  text += verdict(content, EvidenceShown::first_sentence);
-  for (const Section& section : content.results) {
-    if (section.pieces.empty()) continue;
-    text += fmt::format("## {}\n\n", markdown_text(section.heading));
-    if (!section.paragraph.empty()) text += markdown_text(section.paragraph) + "\n\n";
-    for (const Piece& piece : section.pieces) {
-      if (const std::string seen = seen_at(piece, content); !seen.empty()) text += markdown_text(seen) + "\n\n";
-      if (auto table = std::get_if<Table>(&piece)) {
-        Table without_notes = *table;
-        without_notes.notes.clear();
-        text += markdown(without_notes);
-        continue;
-      }
-      const auto& drawn = std::get<ReportFigure>(piece);
-      if (drawn.types.empty()) continue;
-      const std::string title = markdown_text(title_of(drawn.figure.name));
-      text += fmt::format("![{0}](figures/{1})\n\n**{0}.** {2}\n\n", title, shown_picture(drawn, "svg"),
-                          markdown_text(drawn.figure.caption));
-    }
-  }
-  return text;
 }
 
 }  // namespace ikbench::report

@@ -41,10 +41,10 @@ for label in IK-BA BA DE PSO K-ABC MO-PSO; do
   has "$(<paper/tables/table-3.md)" "$label"
 done
 # A report from the store alone has neither repetitions nor interpretations, so it does not replace theirs.
-cp paper/verdict.md before.md
+cp paper/report.md before.md
 refused "choose another folder (--out), or run ikbench reproduce again" report paper/store.sqlite --no-figures
 refused "choose another folder (--out), or run ikbench reproduce again" run slim2023 --no-figures --out paper
-cmp paper/verdict.md before.md || fail "a report that is refused changed the verdict"
+cmp paper/report.md before.md || fail "a report that is refused changed the one that is there"
 succeeds report paper/store.sqlite --study slim2023-context --no-figures --out context
 has "$(<context/tables/results.md)" "DLS"
 
@@ -54,7 +54,7 @@ has "$out" "(240 were already stored)"
 
 # --quick: neither repetitions nor interpretations, and the same numbers of the paper's studies.
 succeeds reproduce --runs 2 --jobs 2 --quick --no-figures --out quick
-has "$(<quick/verdict.md)" "ikbench reproduce, without --quick, shows what depends on chance and on the interpretation."
-has_no "$(<paper/verdict.md)" "without --quick"
+has "$(<quick/report.md)" "ikbench reproduce, without --quick, shows what depends on chance and on the interpretation."
+has_no "$(<paper/report.md)" "without --quick"
 [ ! -e quick/tables/multiverse.md ] || fail "--quick solved more than the studies"
 [ "$(numbers quick/store.sqlite)" = "$(numbers paper/store.sqlite)" ] || fail "--quick gives other numbers"

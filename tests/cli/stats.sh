@@ -297,7 +297,7 @@ mkdir -p deep/here
   quiet
   ! LC_ALL=C.UTF-8 grep -q $'\u202e' "$work/.out" || fail "a name turned the direction of writing"
   [ "$(ls -A)" = report ] || fail "something beside --out was written: $(ls -A)"
-  [ "$(ls report | tr '\n' ' ')" = "figures index.md report.html report.md statistics.json tables " ] ||
+  [ "$(ls report | tr '\n' ' ')" = "figures report.html report.md statistics.json tables " ] ||
     fail "the folder has: $(ls report)"
   name=err-b-or-b-x-touch-pwned
   [ -z "$(find report/tables report/figures -type f ! -name "statistics-$name-*" ! -name style.gp)" ] ||
