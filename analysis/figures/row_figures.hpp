@@ -21,7 +21,7 @@ struct DifferencesWords {
   std::string name;
   inference::NameWithUnit quantity;  // "difference: position error" in "cm"
   double level = 0.95;               // of all intervals together
-  std::string method;                // "Games-Howell"
+  std::string method;                // "Tamhane"
   bool are_ratios = false;
   bool larger_is_better = false;
 };

@@ -119,8 +119,7 @@ constexpr std::array all_words{
     Words{
         K::looked_before, "The study was looked at before",
         "This is look {count} at this study: earlier ones were after {who} runs, and now there are {of}. So a difference counts "
-        "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies. "
-        "In a new study ikbench compare --sequential plans the looks."},
+        "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies."},
     Words{
         K::no_tolerance, "The study has no tolerance",
         "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
