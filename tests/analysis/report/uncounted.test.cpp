@@ -47,10 +47,6 @@ StudyResults study_without_counts(double transport = 0.6, double waited = 0) {
   return study;
 }
 
-bool has_row(const Table& table, const std::string& solver) {
-  return std::ranges::any_of(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) == solver; });
-}
-
 bool has(const std::vector<std::string>& notes, const std::string& note) {
   return std::ranges::find(notes, note) != notes.end();
 }
