@@ -26,7 +26,6 @@ int main(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
-      "  ikbench new my.toml                      a study to edit: add a solver, change an option\n"
       "  ikbench run my.toml                      run it and write a report\n"
       "  ikbench stats my.csv --value error --group solver\n"
       "                                           the same statistics on your own data\n"
@@ -37,7 +36,7 @@ int main(int argc, char** argv) {
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
       "5 solves are missing (merge, status),\n"
-      "6 the status of the answer is not ok (solve), 128 + number of the signal (130: Ctrl-C).");
+      "128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {

@@ -349,7 +349,7 @@ SolveCheck check_of(const Store& store, const StudyEntry& entry) {
           .unknown = [=] { return *unknown; }};
 }
 
-std::vector<std::string> damages_of(const Store& store, const std::string& study, std::string* unknown) {
+std::vector<std::string> damages_of(const Store& store, const std::string& study) {
   const StudyEntry entry = store.study(study);
   const SolveCheck check = check_of(store, entry);
   {
@@ -362,10 +362,7 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
     });
   }
   std::vector<std::string> damages = check.damages();
-  if (unknown)
-    *unknown = check.unknown();
-  else if (!check.unknown().empty())
-    warn(check.unknown());
+  if (!check.unknown().empty()) warn(check.unknown());
   return damages;
 }
 
@@ -493,10 +490,5 @@ Tone tone_of(Relation relation) {
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
-
-std::string store_name(const std::filesystem::path& store) {
-  return (store.filename() == "store.sqlite" && store.has_parent_path() ? store.parent_path().filename() : store.stem())
-      .string();
-}
 
 }  // namespace ikbench::cli

@@ -70,7 +70,7 @@ struct WrittenReport {
 // A user's collection as a report takes it. Throws std::invalid_argument if points are to be observations.
 report::Collection reported_collection(const experiments::StudyCollection& collection,
                                        const ReportArguments& arguments);
-// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench tune".
+// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench submit".
 void refuse_collection(const std::string& file, std::string_view command);
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
@@ -98,9 +98,8 @@ void draw(const std::vector<figures::Figure>& figures, const std::filesystem::pa
 report::SolveCheck check_of(const results::Store& store, const results::StudyEntry& entry);
 
 // The damages of a stored study, in sentences, after a pass over its solves.
-// Warns where digests were removed, so that changes may not show, or puts that sentence into `unknown`.
-std::vector<std::string> damages_of(const results::Store& store, const std::string& study,
-                                    std::string* unknown = nullptr);
+// Warns where digests were removed, so that changes may not show.
+std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
@@ -147,7 +146,5 @@ Tone tone_of(report::Verdict verdict);
 Tone tone_of(inference::Relation relation);  // of the first
 
 std::filesystem::path store_in(const std::filesystem::path& folder);
-// The name of a store among others: its file's, or its folder's where the file is store.sqlite.
-std::string store_name(const std::filesystem::path& store);
 
 }  // namespace ikbench::cli

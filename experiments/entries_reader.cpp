@@ -258,13 +258,6 @@ std::vector<SolverEntry> read_solver(TomlReader reader, std::vector<SweptKey>& s
       key.is_used = true;
     }
   }
-  if (const toml::table* tuned = reader.subtable("tuned")) {
-    TomlReader tuned_reader = reader.nested(*tuned, entry.label + ".tuned.");
-    TableReader fields(tuned_reader);
-    entry.tuned.emplace();
-    list_fields(fields, *entry.tuned);
-    tuned_reader.refuse_unknown_keys();
-  }
   reader.refuse_unknown_keys();
   return combinations(reader, entry, axes);
 }

@@ -52,18 +52,6 @@ struct Program;  // foreign/program.hpp
 // say so.
 enum class IfMissing { refuse, leave_out };
 
-// Records how `ikbench tune` chose the settings of an entry, and what that cost.
-struct Tuning {
-  std::string by;  // the quantity that candidates were compared by
-  int candidates = 1;
-  int rounds = 1;
-  int runs = 1;  // of the last two candidates
-  std::uint64_t seed = 1;
-  std::int64_t solves = 0;
-  std::int64_t evaluations = 0;
-  double cpu_seconds = 0;
-};
-
 struct SolverEntry {
   std::string label;                            // unique in the study; the name in tables and figures
   std::string solver;                           // registered name, or a program's own name
@@ -78,7 +66,6 @@ struct SolverEntry {
   // One of the entries that a sweep made of an entry: that one's label, and the swept settings with their values here.
   std::string family = {};
   solvers::Settings swept = {};
-  std::optional<Tuning> tuned = {};
 };
 
 // The solver of an entry that is no program.

@@ -42,17 +42,6 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
             "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it", InKey::in_text);
 }
 
-inline void list_fields(Fields& io, Tuning& tuning) {
-  io.text("by", tuning.by, "what the candidates were compared by", InKey::no);
-  io.whole("candidates", tuning.candidates, {1, 1000}, "combinations of settings that were tried", InKey::no);
-  io.whole("rounds", tuning.rounds, {1, 100}, "each halved the candidates", InKey::no);
-  io.whole("runs", tuning.runs, {1, 1'000'000}, "of each candidate of the last round", InKey::no);
-  io.whole("seed", tuning.seed, {0, no_limit}, "of the training", InKey::no);
-  io.whole("solves", tuning.solves, {0, no_limit}, "of the training, by all candidates", InKey::no);
-  io.whole("evaluations", tuning.evaluations, {0, no_limit}, "of these solves", InKey::no);
-  io.number("cpu_seconds", tuning.cpu_seconds, 1, {0, 1e12}, "of these solves", InKey::no);
-}
-
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
 
 inline void list_fields(Fields& io, Study& study) {

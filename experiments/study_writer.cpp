@@ -275,16 +275,11 @@ SweptValues swept_values(EntryPlace first, EntryPlace end) {
   return axes;
 }
 
-// Adds where the settings of solvers come from: a sweep, or tuning.
+// Adds which settings of solvers come from a sweep.
 void add_origins(nlohmann::ordered_json& json, const Study& study) {
   for (const SolverEntry& entry : study.solvers) {
     if (!entry.family.empty())
       json["swept"][entry.label] = {{"family", entry.family}, {"settings", nlohmann::ordered_json(entry.swept)}};
-    if (!entry.tuned) continue;
-    JsonWriter writer;
-    Tuning tuning = *entry.tuned;
-    list_fields(writer, tuning);
-    json["tuned"][entry.label] = std::move(writer.out);
   }
 }
 
@@ -353,11 +348,6 @@ std::string to_toml(const Study& study) {
     std::vector<std::string> options;
     for (const auto& [name, text] : entry.options) options.push_back(name + " = " + value(name, text));
     if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
-    if (entry.tuned) {
-      Tuning tuning = *entry.tuned;
-      writer.out += "[solvers.tuned]  # how ikbench tune chose its settings; it does not affect the solves\n";
-      list_fields(writer, tuning);
-    }
   }
   return writer.out;
 }

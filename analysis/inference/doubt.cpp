@@ -76,18 +76,6 @@ constexpr std::array all_words{
         "may solve the same targets with far fewer evaluations: add solver = \"damped_least_squares\"."},
     Words{K::single_target, "There is one target",
           "All solves have the same target, so nothing is known of others: another solver may be better there."},
-    Words{
-        K::tuned, "Settings were tuned",
-        "{who} has the best of {count} settings by {what}, found by ikbench tune. The search cost {of:.6g} solves, {other:.6g} "
-        "evaluations and {value:.3g} seconds of CPU time, which no number here contains. It had the seed {limit:.15g}."},
-    Words{
-        K::tuned_on_seed, "Tuning saw these solves",
-        "The settings of {who} were chosen with the seed of this study, so its solves are no test of them: run it with "
-        "another seed."},
-    Words{
-        K::tuned_on_targets, "Tuning saw these targets",
-        "The path fixes the targets. If {who} was tuned on this path, tuning saw them, and only the random numbers are new "
-        "here: nothing is known of other targets."},
     Words{K::points_as_observations, "Points are no replicates",
           "Points of one run depend on each other; used as observations because --force was given."},
     Words{K::rows_share_a_run, "Rows are no replicates",

@@ -33,9 +33,6 @@ enum class DoubtKind {
   unequal_evaluations,
   populations_only,
   single_target,
-  tuned,
-  tuned_on_seed,
-  tuned_on_targets,
   // observations
   points_as_observations,
   rows_share_a_run,

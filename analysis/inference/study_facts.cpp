@@ -40,22 +40,6 @@ Json members_at(const Json& all, const std::string& path) {
   return value.is_object() ? value : Json::object();
 }
 
-std::map<std::string, TunedEntry> tuned_in(const Json& all) {
-  std::map<std::string, TunedEntry> tuned;
-  const Json entries = members_at(all, "/tuned");
-  for (const auto& [label, entry] : entries.items()) {
-    tuned[label] = {
-        .by = text_at(entry, "/by"),
-        .candidates = number_at(entry, "/candidates"),
-        .seed = number_at(entry, "/seed"),
-        .is_on_seed = value_at(entry, "/seed").is_number() && value_at(entry, "/seed") == value_at(all, "/seed"),
-        .solves = number_at(entry, "/solves"),
-        .evaluations = number_at(entry, "/evaluations"),
-        .cpu_seconds = number_at(entry, "/cpu_seconds")};
-  }
-  return tuned;
-}
-
 std::set<std::size_t> slides_of(const Json& links) {
   std::set<std::size_t> slides;
   for (std::size_t joint = 0; links.is_array() && joint < links.size(); ++joint) {
@@ -99,7 +83,6 @@ StudyFacts facts_of(const Json& all, std::string definition) {
                            .farthest_point = number_at(all, "/out_of_reach/farthest_point"),
                            .farthest_cm = number_at(all, "/out_of_reach/farthest_cm"),
                            .reach_cm = number_at(all, "/out_of_reach/reach_cm")},
-          .tuned = tuned_in(all),
           .arm = value_at(all, "/arm")};
 }
 

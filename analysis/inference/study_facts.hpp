@@ -16,14 +16,6 @@ namespace ikbench::inference {
 
 using statistics::not_defined;
 
-// Describes how `ikbench tune` chose the settings of an entry.
-struct TunedEntry {
-  std::string by;  // the quantity
-  double candidates = not_defined, seed = not_defined;
-  bool is_on_seed = false;  // of the study itself: not from the number, because large seeds may be one double
-  double solves = not_defined, evaluations = not_defined, cpu_seconds = not_defined;
-};
-
 struct StudyFacts {
   struct Stop {
     double tolerance_cm = not_defined;
@@ -59,8 +51,7 @@ struct StudyFacts {
   Stop stop = {};
   std::string path = {};  // kind of path, or empty
   OutOfReach out_of_reach = {};
-  std::map<std::string, TunedEntry> tuned = {};  // by label
-  nlohmann::json arm = {};                       // null if there is none
+  nlohmann::json arm = {};  // null if there is none
 
   // Returns whether each solve has its own start, the same for all solvers, rather than the previous answer.
   bool starts_anew() const { return !start.empty() && start != "previous"; }

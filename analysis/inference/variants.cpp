@@ -190,8 +190,8 @@ Doubts why_times_differ(const std::vector<Session>& a, const std::vector<Session
 
 // "B differs from A in stop.iterations (200, 100), commit (1a2b3c, 4d5e6f)." or a sentence that the stores show no
 // difference. The sessions are those that solved the study.
-std::string differences(const Variant& a, const std::vector<Session>& of_a, const std::string& called_a,
-                        const Variant& b, const std::vector<Session>& of_b, const std::string& called_b) {
+std::string differences(const Variant& a, const std::vector<Session>& of_a, const Variant& b,
+                        const std::vector<Session>& of_b) {
   const Facts facts_of_a = known_of(a, of_a), facts_of_b = known_of(b, of_b);
   std::set<std::string> keys;
   for (const Facts* facts : {&facts_of_a, &facts_of_b}) {
@@ -207,12 +207,10 @@ std::string differences(const Variant& a, const std::vector<Session>& of_a, cons
     const std::string one = value_in(facts_of_a, key), other = value_in(facts_of_b, key);
     if (one != other) found.push_back(fmt::format("{} ({}, {})", key, one, other));
   }
-  if (found.empty())
-    return fmt::format("The stores show no difference between {} and {} except their sessions.", called_a, called_b);
+  if (found.empty()) return "The stores show no difference between A and B except their sessions.";
   const std::size_t named = std::min(found.size(), most_named);
   const std::string more = found.size() == named ? "" : fmt::format(" and {} more", found.size() - named);
-  return fmt::format("{} differs from {} in {}{}.", called_b, called_a,
-                     fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "), more);
+  return fmt::format("B differs from A in {}{}.", fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "), more);
 }
 
 }  // namespace
@@ -233,8 +231,7 @@ std::vector<Variant> variants(const Store& store, const StudyEntry& study) {
   return result;
 }
 
-VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPlan& plan, const std::string& called_a,
-                           const std::string& called_b) {
+VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPlan& plan) {
   refuse_other_arm(a, b);
   StudyEntry entry = a.study;
   entry.series = {a.series, b.series};
@@ -248,7 +245,7 @@ VariantStudy study_of_both(const Variant& a, const Variant& b, const AnalysisPla
                       .is_of_two = a.series.label != b.series.label,
                       .study = both.maker.finish(both.sessions),
                       .times_differ = why_times_differ(of_a, of_b),
-                      .differences = differences(a, of_a, called_a, b, of_b, called_b)};
+                      .differences = differences(a, of_a, b, of_b)};
   AnalysisPlan& judged = result.study.plan;
   judged.control.clear();
   judged.margin = plan.margin;

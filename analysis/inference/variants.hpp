@@ -34,9 +34,7 @@ struct VariantStudy {
 };
 
 // Takes the definition and plan of A, but margins, significance and estimands from `plan`. Throws
-// std::invalid_argument if one side has no complete run, or if robot, targets or start configurations differ. The
-// differences call them by their names.
-VariantStudy study_of_both(const Variant& a, const Variant& b, const results::AnalysisPlan& plan,
-                           const std::string& called_a = "A", const std::string& called_b = "B");
+// std::invalid_argument if one side has no complete run, or if robot, targets or start configurations differ.
+VariantStudy study_of_both(const Variant& a, const Variant& b, const results::AnalysisPlan& plan);
 
 }  // namespace ikbench::inference

@@ -287,26 +287,6 @@ Doubts out_of_reach_doubts(const StudyResults& study) {
            .what = study.facts.wrist ? "the wrist's centre would be" : "it is"}};
 }
 
-Doubts tuning_doubts(const StudyResults& study) {
-  Doubts doubts, on_seed, on_targets;
-  for (const auto& [label, tuned] : study.facts.tuned) {
-    if (std::ranges::find(study.solvers, label) == study.solvers.end()) continue;
-    doubts.push_back({.kind = DoubtKind::tuned,
-                      .who = {label},
-                      .count = tuned.candidates,
-                      .of = tuned.solves,
-                      .other = tuned.evaluations,
-                      .value = tuned.cpu_seconds,
-                      .limit = tuned.seed,
-                      .what = one_line(tuned.by)});
-    if (tuned.is_on_seed)
-      on_seed.push_back({.kind = DoubtKind::tuned_on_seed, .who = {label}});
-    else if (!study.facts.draws_targets)
-      on_targets.push_back({.kind = DoubtKind::tuned_on_targets, .who = {label}});
-  }
-  return doubts + on_seed + on_targets;
-}
-
 Doubts paper_doubts(const StudyResults& study, std::span<const Collection> collections) {
   if (study.facts.published.empty() || !collection_of(study, collections).name.empty()) return {};
   Doubt doubt{.kind = DoubtKind::unknown_paper, .what = study.facts.published};
@@ -452,7 +432,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
       missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes + imported_doubts(entry, study) +
-      tuning_doubts(study) + fairness_doubts(study, reported.companions);
+      fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
     content.seen.emplace("Verdict", paragraph_of(pieces.verdict));

@@ -12,9 +12,6 @@ block toml 2 >my_arm.toml
 [ -s my_study.toml ] && [ -s my_arm.toml ] || fail "the page has no example"
 
 succeeds robot my_arm.toml
-succeeds $(block console 1 | sed -n 's/^$ ikbench solve /solve /p')
-has "$out" "ok"
-has "$out" "joint 3"
 succeeds $(block console 1 | sed -n 's/^$ ikbench run /run /p') "${small[@]}" --no-figures --out made
 [ "$(solves made/store.sqlite)" = 6 ] || fail "two runs of three points are 6 solves"
 grep -q ",my_arm," <<<"$("$program" export made/store.sqlite)" || fail "the solves do not name their arm"
@@ -33,10 +30,9 @@ has_no "$out" "were already stored"
 
 # Mistakes.
 refused 'there is no file none.toml' list robots none.toml
-refused 'there is no file none.toml' solve --position-cm 30 20 25 --robot none.toml
 refused '--set robot: there is no file none.toml' run my_study.toml --set robot=none.toml
 sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
-for command in "list robots my_arm.toml" "run my_study.toml" "solve --position-cm 30 20 25 --robot my_arm.toml"; do
+for command in "list robots my_arm.toml" "run my_study.toml"; do
   refused 'my_arm.toml:4:11: links.d_m is 400; expected a number from -100 to 100' $command
 done
 
@@ -73,8 +69,6 @@ refused '--at-rad has 1 values; expected 6' robot ur5e --at-rad 1
 sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
 succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
 grep -q ",fetch," <<<"$("$program" export described/store.sqlite)" || fail "the solves do not name their arm"
-succeeds solve --robot ur5e.urdf --position-cm 30 20 25
-has "$out" "ok"
 refused 'tip is "griper_link", which is no link; did you mean "gripper_link"?' robot fetch.urdf --tip griper_link
 refused 'urdf.limits is "both"; expected one of "hard", "soft"' run urdf_study.toml --set urdf.limits=both
 refused '[urdf] is about a URDF file, but robot is "planar_2"' run urdf_study.toml --set robot=planar_2 --set urdf.tip=x

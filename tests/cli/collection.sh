@@ -65,8 +65,6 @@ succeeds cite both.toml
 [ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
 succeeds cite out/both/store.sqlite
 [ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
-refused 'both.toml is a collection, and ikbench tune takes a single study; give it one of its studies: helix, arm' \
-  tune both.toml --solver random_search --sweep population=10,20 --budget 100
 refused 'ikbench submit takes a single study' submit both.toml --tasks 2 --dry-run
 
 # Where all studies have problems that the solvers share, these are the blocks: 12 of each.

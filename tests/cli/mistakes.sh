@@ -7,8 +7,6 @@ refused 'did you mean "run"?' rnu
 refused 'unknown command "frobnicate"' frobnicate
 refused 'unknown built-in study "slim2032"; did you mean "slim2023"?' run slim2032
 refused 'unknown solver "ik_bta"; did you mean "ik_bat"?' list solvers ik_bta
-refused 'unknown solver "ik_bta"' solve --position-cm 60 20 10 --solver ik_bta
-refused 'unknown robot "kuka"' solve --position-cm 60 20 10 --robot kuka
 refused 'unknown robot "planar_4"; did you mean' list robots planar_4
 refused 'unknown column "tmie"' list columns tmie
 refused 'unknown built-in study "x"' list studies x
@@ -32,22 +30,11 @@ refused '--quartiles' report store.sqlite --quartiles 10
 refused '--unit is point; expected run: points of one run depend on each other' run slim2023 --unit point
 refused 'to insist: --force' reproduce --unit point
 refused '--format' export store.sqlite --format xml
-refused '--position-cm' solve
-refused '--position-cm has 2 numbers; expected 3: x y z [cm]' solve --position-cm 60 20
-refused '--position-cm has 4 numbers; expected 3: x y z [cm]' solve --position-cm 60,20,10,1
-refused '--rpy-deg has 1 number; expected 3: roll, pitch and yaw [deg]' solve --position-cm 60 20 10 --rpy-deg 90
-refused '--position-cm' solve --position-cm a b c
-refused '--position-cm has nan; expected numbers within +-1e6' solve --position-cm nan 0 0
-refused '--rpy-deg has inf; expected numbers within +-1e6' solve --position-cm 60 20 10 --rpy-deg inf 0 0
-refused '--tolerance-cm is nan; ' solve --position-cm 60 20 10 --tolerance-cm nan
 refused '--snap-deg: nan is not a number from 0 to 1' robot ur5e --snap-deg nan
 refused '--base is about a URDF file, but the arm is ur5e' robot ur5e --base x
 refused 'list lacks its KIND; expected one of: solvers, ' list
 refused 'did you mean "franka_panda"' robot panda
 refused '--runs is not an option of beeson2015' reproduce beeson2015 --runs 3
-refused '--start-deg has 2 angles; expected 7' solve --position-cm 60 20 10 --start-deg 1,2
-refused '--start-deg has nan' solve --position-cm 60 20 10 --start-deg nan,0,0,0,0,0,0
-refused '--set' solve --position-cm 60 20 10 --set dampnig=1
 
 # --set.
 refused '--set runs: runs is 0; expected a whole number from 1' run slim2023 --set runs=0

@@ -450,7 +450,7 @@ TEST_CASE("an unknown key is named with its place and the nearest known, at ever
          {solver_entry + "labell = \"x\"\n",
           "my.toml:3:1: ",
           {"did you mean \"label\"?",
-           "(there are: solver, process, shared_object, label, if_missing, colour, population, options, tuned)"}},
+           "(there are: solver, process, shared_object, label, if_missing, colour, population, options)"}},
          {solver_entry + "options = { alhpa = 0.5 }\n",
           "my.toml:3:",
           {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},

@@ -97,18 +97,6 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
         numerics::parsed_json(R"({"family":"BA","settings":{"population":"10"}})"));
 }
 
-TEST_CASE("how an entry was tuned is written and read, and decides no solve", "[sweep]") {
-  Study study = swept(two_bats);
-  const std::string key = series_key(study, study.solvers[0]);
-  study.solvers[0].tuned = Tuning{.by = "position error [cm]", .candidates = 9, .solves = 1260, .cpu_seconds = 4.5};
-  const Study again = swept(to_toml(study));
-  CHECK(to_json(again) == to_json(study));
-  REQUIRE(again.solvers[0].tuned);
-  CHECK(again.solvers[0].tuned->solves == 1260);
-  CHECK(again.solvers[0].tuned->by == "position error [cm]");
-  CHECK(series_key(again, again.solvers[0]) == key);
-}
-
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
   CHECK(complaint_about("[[solvers]]\nsolver = \"ik_bat\"\npopulation = [20, 0]\n") ==
         "my.toml:3:19: ik_bat.population is 0; expected a whole number from 1 to 100000");
