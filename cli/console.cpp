@@ -175,19 +175,6 @@ std::string printable(std::string_view text) {
 
 void say(std::string_view text) { write_lines(wrapped(text, columns_of(STDERR_FILENO))); }
 
-void say_command(std::string_view command) {
-  const bool has_quotes =
-      command.find('\'') != std::string_view::npos;  // a line that breaks in them is another command
-  constexpr std::string_view goes_on = " \\";
-  const std::size_t width = columns_of(STDERR_FILENO) - goes_on.size();
-  std::string text = has_quotes ? printable(command) : wrapped(command, width);
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + goes_on.size() + 1))
-    text.insert(at, goes_on);
-  write_lines(text);
-}
-
-void leave_room_for(std::string_view text) { said_lines += line_count(wrapped(text, columns_of(STDERR_FILENO))); }
-
 std::size_t take_said_lines() { return said_lines.exchange(0); }
 
 void warn(std::string_view text) {

@@ -22,7 +22,6 @@ std::string printable(std::string_view text);
 // break between words.
 void say(std::string_view text);
 void warn(std::string_view text);            // says "warning: " and the text
-void say_command(std::string_view command);  // breaks lines so that a shell takes them together
 std::size_t take_said_lines();               // how many lines these printed since the last call
 void leave_room_for(std::string_view text);  // counts text that is said later
 

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
       "  ikbench help COMMAND                     more examples, as ikbench COMMAND --help\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
       "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
-      "5 solves are missing (merge, status),\n"
+      "5 solves are missing (merge),\n"
       "128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);

@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "cli/screen.hpp"
-#include "cli/shards.hpp"
+#include "experiments/shard.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
@@ -22,6 +24,24 @@ using namespace report;
 namespace {
 
 namespace fs = std::filesystem;
+
+// The stores that a place means: a file itself; a folder's store.sqlite; or, if it has none, those of the folders in
+// it, by name. Throws std::invalid_argument if there is none, or if a folder cannot be read.
+std::vector<fs::path> stores_in(const fs::path& place) {
+  std::error_code error;
+  if (!fs::is_directory(place, error)) return {place};  // opening it says what is wrong
+  if (fs::exists(store_in(place), error)) return {store_in(place)};
+  std::vector<fs::path> stores;
+  for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code unknown;  // of a store that cannot be looked at, opening it says why
+    if (fs::exists(store_in(entry->path()), unknown) || unknown) stores.push_back(store_in(entry->path()));
+  }
+  if (error) throw std::invalid_argument(fmt::format("cannot read '{}': {}", place.string(), error.message()));
+  if (stores.empty())
+    throw std::invalid_argument(fmt::format("'{}' has no store.sqlite, and no folder in it has one", place.string()));
+  std::ranges::sort(stores);
+  return stores;
+}
 
 // The stores without `out` itself, each once.
 std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std::string>& places) {
@@ -78,7 +98,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
       "A solve that two stores have must have the same bits in both. Solves are copied as they are: `ikbench\n"
       "report` and `compare` find what is damaged. A store whose sessions or studies were changed is refused. A store that a kill left half-written is left out, and named.\n"
-      "What is missing is named, with the command that solves it where that is known; the exit code is then 5. A\n"
+      "What is missing is counted; the exit code is then 5. A\n"
       "merge that was killed has added nothing, or all: give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
@@ -101,10 +121,12 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const Store store(out, Store::Mode::read);
     report::Json missing = report::Json::object();
     for (const StudyEntry& study : store.studies()) {
-      const std::vector<std::string> lines = missing_parts(store, study);
-      for (const std::string& line : lines) (line.starts_with(' ') ? say_command : say)(line);
-      if (!lines.empty()) invocation.exit_code = 5;
-      if (const std::int64_t lacks = solves_missing(store, study); lacks > 0) missing[study.name] = lacks;
+      const std::int64_t all = experiments::solves_of({}, experiments::size_of(study));
+      const std::int64_t lacks = all - experiments::solves_within(study, store);
+      if (lacks == 0) continue;
+      say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study.name, lacks, all));
+      invocation.exit_code = 5;
+      missing[study.name] = lacks;
     }
     if (!arguments->output.is_json) return;
     show_json({{"store", out.string()},

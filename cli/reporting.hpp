@@ -70,7 +70,7 @@ struct WrittenReport {
 // A user's collection as a report takes it. Throws std::invalid_argument if points are to be observations.
 report::Collection reported_collection(const experiments::StudyCollection& collection,
                                        const ReportArguments& arguments);
-// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench submit".
+// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench compare --run".
 void refuse_collection(const std::string& file, std::string_view command);
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the

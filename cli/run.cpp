@@ -12,8 +12,8 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "cli/shards.hpp"
 #include "experiments/collection.hpp"
+#include "experiments/shard.hpp"
 #include "experiments/study_reader.hpp"
 
 namespace ikbench::cli {
@@ -41,6 +41,14 @@ void warn_of_too_few(const Study& study) {
   if (planned.blocks < 2 || planned.blocks >= fewest) return;
   warn(fmt::format("with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",
                    planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
+}
+
+void refuse_empty_shard(const Study& study, Shard shard) {
+  const std::int64_t parts = parts_of(size_of(study));
+  if (shard.count <= parts) return;
+  throw std::invalid_argument(fmt::format("--shard {}: {} has only {} {}{} to share out, so give at most that many shards",
+                                          shard.text(), study.name, parts, size_of(study).is_chained ? "run" : "target",
+                                          parts == 1 ? "" : "s"));
 }
 
 struct StudyToRun {
@@ -125,9 +133,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();
-    refuse_empty_shards(study, "--shard " + shard.text(), shard.count);
+    refuse_empty_shard(study, shard);
     std::filesystem::path folder = arguments->run.out;
-    if (folder.empty()) folder = is_part ? shard_folder(default_folder(study.name), shard) : default_folder(study.name);
+    if (folder.empty()) folder = default_folder(study.name);
+    if (arguments->run.out.empty() && is_part)
+      folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
     RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
     const bool has_report = !arguments->without_report && !is_part;

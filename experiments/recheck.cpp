@@ -71,7 +71,6 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
   const bool is_course = std::ranges::all_of(at, [](double count) { return count >= 1 && std::isfinite(count); }) &&
                          std::ranges::is_sorted(at) && at.size() == solve.improved_to_cm.size();
   if (!is_course) found.add("improved_at", solve, "not growing numbers of evaluations, each with an error");
-  if (solve.timing == Timing::imported) return;  // an imported file may lack the rest
   found.expect_at_least("seconds", solve, solve.seconds, 0);
   found.expect_at_least("cpu_seconds", solve, solve.cpu_seconds, 0);
   found.expect_at_least("repeats", solve, static_cast<double>(solve.repeats), 1);
@@ -88,7 +87,6 @@ void look_at_counts(const SolveRecord& solve, Findings& found) {
 }
 
 void look_at_status(const SolveRecord& solve, const Verification& computed, Requirement requirement, Findings& found) {
-  if (solve.timing == Timing::imported) requirement.orientation_is_exact = false;  // no wrist of ours completed it
   const bool is_silent = solve.counted_by != CountedBy::suite && std::isnan(solve.claimed_error_cm);
   requirement.claimed_error = is_silent ? computed.position_error : solve.claimed_error_cm * centimetre;
   const bool stayed =
@@ -117,7 +115,6 @@ namespace {
 void look_at_answer(const Checked& checked, const SolveRecord& solve, Findings& found) {
   const Robot& arm = checked.arm;
   const auto joints = static_cast<std::size_t>(arm.joints());
-  if (solve.status == Status::not_verified && solve.timing == Timing::imported) return;
   if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
       solve.answer_rad.size() != joints) {
     found.add("answer_rad", solve, fmt::format("not the sizes of an arm with {} joints", joints));

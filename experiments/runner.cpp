@@ -199,14 +199,6 @@ StudyEntry entry_of(const Plan& plan) {
   return entry;
 }
 
-// Keeps imported series in a study that asks the same (import.hpp).
-void keep_imported(StudyEntry& entry, const Store& store) {
-  for (const StudyEntry& earlier : store.studies()) {
-    if (earlier.name != entry.name || !difference_in_solves(earlier.definition, entry.definition).empty()) continue;
-    std::ranges::copy_if(earlier.series, std::back_inserter(entry.series), is_imported);
-  }
-}
-
 // Describes the programs' behaviour, in the session and as sentences.
 std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
@@ -284,9 +276,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
   Plan plan(study, times_count ? study.repeats : 1, request.shard);
-  StudyEntry entry = entry_of(plan);
-  keep_imported(entry, store);
-  store.save_study(entry);
+  store.save_study(entry_of(plan));
   Progress progress{.total = solves_of(request.shard, plan.size)};
   progress.done = progress.reused = move_past_stored(plan, store);
   if (request.progress) request.progress(progress);
@@ -308,8 +298,7 @@ LeftAside left_aside(const Study& study, const Store& store) {
 }
 
 void check_is_stored(const Study& study, const Store& store) {
-  StudyEntry stored = store.study(study.name);
-  std::erase_if(stored.series, is_imported);
+  const StudyEntry stored = store.study(study.name);
   const bool same_series = std::ranges::equal(stored.series, study.solvers, {}, &Series::key,
                                               [&](const SolverEntry& entry) { return series_key(study, entry); });
   if (stored.definition == to_json(study) && same_series) return;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
 #include <stdexcept>
 
 #include "numerics/json.hpp"
@@ -14,6 +13,8 @@ namespace ikbench::experiments {
 using namespace results;
 
 namespace {
+
+constexpr int most_shards = 100'000;
 
 // The part of a point, from 0; all points of a chain are one part.
 std::int64_t part(const StudySize& size, int run, int point) {
@@ -33,7 +34,7 @@ StudySize size_of(const StudyEntry& study) {
   const auto definition = numerics::parsed_json(study.definition);  // the store has checked it
   return {.runs = definition.at("runs").get<int>(),
           .points = definition.value("points", 1),
-          .solvers = static_cast<int>(std::ranges::count_if(study.series, std::not_fn(is_imported))),
+          .solvers = static_cast<int>(study.series.size()),
           .is_chained = definition.value("start", nlohmann::json("previous")) == "previous"};
 }
 
@@ -73,14 +74,12 @@ std::int64_t solves_of(Shard shard, const StudySize& size) {
   return mine * (size.is_chained ? size.points : 1) * size.solvers;
 }
 
-std::vector<std::int64_t> stored_by_shard(int count, const StudyEntry& study, const Store& store) {
+std::int64_t solves_within(const StudyEntry& study, const Store& store) {
   const StudySize size = size_of(study);
-  std::vector<std::int64_t> stored(static_cast<std::size_t>(count));
+  std::int64_t stored = 0;
   for (const Series& series : study.series) {
-    if (is_imported(series)) continue;
     store.each_place(series.key, [&](int run, int point) {
-      if (run < 1 || run > size.runs || point < 1 || point > size.points) return;
-      ++stored[static_cast<std::size_t>(part(size, run, point) % count)];
+      if (run >= 1 && run <= size.runs && point >= 1 && point <= size.points) ++stored;
     });
   }
   return stored;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "experiments/study.hpp"
 #include "results/store.hpp"
@@ -21,7 +20,7 @@ struct StudySize {
 };
 
 StudySize size_of(const Study& study);
-StudySize size_of(const results::StudyEntry& study);  // of a stored study, without imported series
+StudySize size_of(const results::StudyEntry& study);
 
 // Shard I of N has the parts I, I + N, I + 2N, ...: more runs leave each part where it is.
 struct Shard {
@@ -31,8 +30,6 @@ struct Shard {
   std::string text() const;  // "I/N"
 };
 
-constexpr int most_shards = 100'000;
-
 // Reads "I/N"; throws std::invalid_argument for anything else.
 Shard shard_from(std::string_view text);
 
@@ -40,7 +37,7 @@ bool contains(Shard shard, const StudySize& size, int run, int point);
 bool has_any(Shard shard, const StudySize& size, int run);  // true if the shard has a point of the run
 std::int64_t parts_of(const StudySize& size);
 std::int64_t solves_of(Shard shard, const StudySize& size);  // by all solvers
-// The number of stored solves of each of N shards, without imported ones.
-std::vector<std::int64_t> stored_by_shard(int count, const results::StudyEntry& study, const results::Store& store);
+// The number of stored solves within the study's runs and points.
+std::int64_t solves_within(const results::StudyEntry& study, const results::Store& store);
 
 }  // namespace ikbench::experiments

@@ -182,13 +182,10 @@ class MergedStore {
           fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again "
                       "as the other is, or leave one store out",
                       study.name, known.place, place, why));
-    const std::string before = known.study.definition;
-    const std::size_t series = known.study.series.size();
-    known.study = joined(known.study, study);
-    const bool is_larger = known.study.definition != before;
-    if (is_larger) known.place = place;
-    const bool is_changed = is_larger || known.study.series.size() > series;
-    if (is_new || is_changed) write_study(file_.sqlite(), known.study);
+    const auto runs_of = [](const StudyEntry& of) { return parsed_json(of.definition).at("runs").get<int>(); };
+    const bool is_larger = runs_of(study) > runs_of(known.study);
+    if (is_larger) known = {study, place};
+    if (is_new || is_larger) write_study(file_.sqlite(), known.study);
   }
 
   // Takes sessions. Of several with the same facts the first is our first, and so on.

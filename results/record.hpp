@@ -29,23 +29,22 @@ enum class Status : std::uint8_t {
   timed_out,       // it did not answer within its patience
   broke_protocol,  // its message made no sense
   declined,        // it says that it cannot solve this
-  not_verified,    // an imported solve with an error but no answer
   over_budget      // a program's answer is fine, but took far more time or evaluations than the study gives
 };
 
 // The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
-// which include its transport. imported: taken elsewhere, from a file (`ikbench import`).
-enum class Timing : std::uint8_t { clean, parallel, debug_build, process, imported };
+// which include its transport.
+enum class Timing : std::uint8_t { clean, parallel, debug_build, process };
 
 // Tells who counted the evaluations.
 enum class CountedBy : std::uint8_t { suite, solver, nobody };
 
 constexpr std::array<std::string_view, 7> stop_reason_names{"iterations", "tolerance", "evaluations", "time",
                                                             "not_finite", "finished",  "gave_up"};
-constexpr std::array<std::string_view, 12> status_names{
+constexpr std::array<std::string_view, 11> status_names{
     "ok",      "tolerance_missed", "limit_violated", "refused",  "claimed_but_wrong", "not_finite",
-    "crashed", "timed_out",        "broke_protocol", "declined", "not_verified",      "over_budget"};
-constexpr std::array<std::string_view, 5> timing_names{"clean", "parallel", "debug_build", "process", "imported"};
+    "crashed", "timed_out",        "broke_protocol", "declined", "over_budget"};
+constexpr std::array<std::string_view, 4> timing_names{"clean", "parallel", "debug_build", "process"};
 constexpr std::array<std::string_view, 3> counted_by_names{"suite", "solver", "nobody"};
 
 constexpr const auto& names_of(StopReason) { return stop_reason_names; }

@@ -11,22 +11,17 @@ namespace ikbench::results {
 
 namespace {
 
-// Keys of the series that ikbench solved.
-std::vector<std::string> own_keys(const StudyEntry& study) {
+std::vector<std::string> keys_of(const StudyEntry& study) {
   std::vector<std::string> keys;
-  for (const Series& series : study.series) {
-    if (!is_imported(series)) keys.push_back(series.key);
-  }
+  for (const Series& series : study.series) keys.push_back(series.key);
   return keys;
 }
 
-std::vector<std::string> own_configurations(const StudyEntry& study) {
-  std::vector<std::string> keys = own_keys(study);
+std::vector<std::string> configurations_of(const StudyEntry& study) {
+  std::vector<std::string> keys = keys_of(study);
   for (std::string& key : keys) key = configuration_of(key);
   return keys;
 }
-
-int runs_of(const StudyEntry& study) { return numerics::parsed_json(study.definition).at("runs").get<int>(); }
 
 }  // namespace
 
@@ -55,30 +50,16 @@ std::string difference_in_solves(const std::string& definition, const std::strin
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   const std::string difference = difference_in_solves(study.definition, other.definition);
   if (!difference.empty()) return difference;
-  if (own_configurations(study) != own_configurations(other)) return "its solvers or their options are others";
-  if (own_keys(study) != own_keys(other))
+  if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
+  if (keys_of(study) != keys_of(other))
     return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
   for (const Series& series : study.series) {
     const auto other_label = std::ranges::find(other.series, series.key, &Series::key);
     if (other_label != other.series.end() && other_label->label != series.label)
       return fmt::format("one solver has the label '{}' in the first and '{}' in the second", series.label,
                          other_label->label);
-    const auto same = std::ranges::find(other.series, series.label, &Series::label);
-    if (same != other.series.end() && same->key != series.key)
-      return fmt::format("they are two imports of the label '{}', so import one of them with another --label",
-                         series.label);
   }
   return "";
-}
-
-StudyEntry joined(const StudyEntry& study, const StudyEntry& other) {
-  const bool is_larger = runs_of(other) > runs_of(study);
-  StudyEntry both = is_larger ? other : study;
-  for (const Series& series : (is_larger ? study : other).series) {
-    const bool is_there = std::ranges::find(both.series, series.key, &Series::key) != both.series.end();
-    if (is_imported(series) && !is_there) both.series.push_back(series);
-  }
-  return both;
 }
 
 }  // namespace ikbench::results

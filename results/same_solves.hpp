@@ -22,7 +22,4 @@ std::string difference_in_solves(const std::string& definition, const std::strin
 // counts.
 std::string why_not_one(const StudyEntry& study, const StudyEntry& other);
 
-// The study with more runs, with the imported series of both.
-StudyEntry joined(const StudyEntry& study, const StudyEntry& other);
-
 }  // namespace ikbench::results

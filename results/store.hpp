@@ -29,10 +29,6 @@ struct Series {
   std::string options;    // JSON object with every option value
 };
 
-// The algorithm of solves from a file, which nothing here makes.
-constexpr std::string_view imported_algorithm = "imported";
-inline bool is_imported(const Series& series) { return series.algorithm == imported_algorithm; }
-
 // A study as defined at its last run.
 struct StudyEntry {
   std::string name;

@@ -223,7 +223,7 @@ kill_report() {
   done
 }
 
-# Files that are exported, imported from or submitted: whole or not there, and the same command again succeeds and cleans.
+# Files that are exported: whole or not there, and the same command again succeeds and cleans.
 kill_files() {
   local format k signal
   look() { echo 0; }
@@ -242,30 +242,6 @@ kill_files() {
     done
     told "export --format $format, SIGKILL" "$rounds"
   done
-  "$program" export whole/store.sqlite | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; print "run,point,position_error_cm" }
-    NR > 1 && $at["solver"] == "BA" { print $at["run"] "," $at["point"] "," $at["position_error_cm"] }' >mine.csv
-  cp -r whole imported
-  lasts import mine.csv --out imported --no-report
-  for ((k = 0; k < rounds; ++k)); do
-    rm -rf imported && cp -r whole imported
-    signalled $moment KILL import mine.csv --out imported --no-report
-    [ "$code" = 0 ] || succeeds import mine.csv --out imported --no-report
-    [ "$(rows_of imported/store.sqlite)" = $(($(rows_of whole/store.sqlite) + $(wc -l <mine.csv) - 1)) ] ||
-      fail "$(rows_of imported/store.sqlite) solves after a killed import"
-  done
-  told "import, SIGKILL" "$rounds"
-  mkdir bin
-  printf '#!/bin/sh\necho 7\n' >bin/sbatch # a Slurm that takes every job
-  chmod +x bin/sbatch
-  local PATH=$work/bin:$PATH
-  lasts submit slim2023 "${small[@]}" --tasks 2 --out submitted
-  for ((k = 0; k < rounds; ++k)); do
-    rm -rf submitted
-    signalled $moment KILL submit slim2023 "${small[@]}" --tasks 2 --out submitted
-    succeeds submit slim2023 "${small[@]}" --tasks 2 --out submitted
-    [ "$(ls -A submitted | xargs)" = "log merge.sbatch solve.sbatch" ] || fail "a killed submit leaves $(ls -A submitted)"
-  done
-  told "submit, SIGKILL" "$rounds"
 }
 
 # Takes away what is in a place on the small disk, and leaves room for half of it.

@@ -110,7 +110,7 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
   std::map<std::string, std::size_t> places_of;  // of algorithms that are not built in
   for (const NamedSolver& solver : in_order) {
     if (places.contains(solver.label)) continue;
-    const bool has_family = !is_short && solver.algorithm != imported_algorithm;
+    const bool has_family = !is_short;
     if (const auto known = places_of.find(solver.algorithm); has_family && known != places_of.end()) {
       places.emplace(solver.label, known->second);
       continue;

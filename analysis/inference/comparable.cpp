@@ -33,7 +33,6 @@ Doubts doubts_of(DoubtKind kind, SolverLabels labels) {
 }
 
 std::ptrdiff_t timed(SolvesOfOne solves, Timing how) { return std::ranges::count(solves, how, &Solve::timing); }
-bool are_imported(SolvesOfOne solves) { return timed(solves, Timing::imported) > 0; }
 bool are_of_program(SolvesOfOne solves) { return timed(solves, Timing::process) > 0; }
 bool are_counted(SolvesOfOne solves, CountedBy by) {
   return std::ranges::find(solves, by, &Solve::counted_by) != solves.end();
@@ -61,17 +60,11 @@ Doubt disturbed_doubt(const StudyResults& study, const SolverLabels& labels) {
 
 Doubts times_left_out(const StudyResults& study) {
   Doubts doubts;
-  if (const SolverLabels imported = those(study, are_imported); !imported.empty()) {
-    doubts.push_back({.kind = DoubtKind::times_imported,
-                      .who = imported,
-                      .count = static_cast<double>(timed(study.solves, Timing::imported)),
-                      .of = static_cast<double>(study.solves.size())});
-  }
   if (const SolverLabels disturbed = those(study, are_disturbed); !disturbed.empty()) {
     doubts.push_back(disturbed_doubt(study, disturbed));
   }
   const auto are_of_this_program = [](SolvesOfOne solves) {
-    return !solves.empty() && !are_imported(solves) && !are_of_program(solves);
+    return !solves.empty() && !are_of_program(solves);
   };
   if (those(study, are_of_this_program).empty() || study.plan.program_times == ProgramTimes::compared) return doubts;
   const auto are_undisturbed = [](SolvesOfOne solves) { return are_of_program(solves) && !are_disturbed(solves); };
@@ -87,15 +80,6 @@ Doubts evaluations_left_out(const StudyResults& study) {
   const Doubts uncounted = doubts_of(DoubtKind::evaluations_uncounted, by(CountedBy::nobody));
   if (by(CountedBy::suite).empty()) return uncounted;
   return uncounted + doubts_of(DoubtKind::evaluations_claimed, by(CountedBy::solver));
-}
-
-// An import without a column has no values of its metric, which does not mean that its solver failed.
-Doubts imports_left_out(const StudyResults& study, Metric metric) {
-  if (metric == Metric::position_error_cm || is_of_run(metric)) return {};
-  const auto has_value = [&](const Solve& solve) { return std::isfinite(value_of(study, solve, metric)); };
-  return doubts_of(DoubtKind::imported_without, those(study, [&](SolvesOfOne solves) {
-                     return are_imported(solves) && std::ranges::none_of(solves, has_value);
-                   }));
 }
 
 // Doubts of the whole study's times, for all solvers.
@@ -117,7 +101,7 @@ Doubts machine_doubts(const StudyResults& study) {
 
 Doubts left_out(const StudyResults& study, Metric metric) {
   if (metric == Metric::evaluations) return evaluations_left_out(study);
-  return info_of(metric).kind == Kind::time ? times_left_out(study) : imports_left_out(study, metric);
+  return info_of(metric).kind == Kind::time ? times_left_out(study) : Doubts();
 }
 
 std::set<std::string, std::less<>> solvers_left_out(const StudyResults& study, Metric metric) {

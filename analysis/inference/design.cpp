@@ -38,7 +38,7 @@ std::vector<int> common_runs(const StudyResults& study) {
 }
 
 // Returns whether the solvers had the same targets and, unless a run is a block, the same starts. A foreign store may
-// be wrong. Imports of errors alone have no starts.
+// be wrong.
 bool were_given_the_same(const StudyResults& study, Blocks blocks) {
   const std::vector<const Solve*> places = places_of(study);
   return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
@@ -46,8 +46,7 @@ bool were_given_the_same(const StudyResults& study, Blocks blocks) {
     return std::ranges::all_of(solves_of(study, solver), [&](const Solve& solve) {
       while ((*first)->run != solve.run || (*first)->point != solve.point) ++first;
       const Problem asked = problem_of(study, solve), other = problem_of(study, **first);
-      const bool knows_starts = !asked.start_rad.empty() && !other.start_rad.empty();
-      return same_target(asked, other) && (blocks == Blocks::runs || !knows_starts || same_start(asked, other));
+      return same_target(asked, other) && (blocks == Blocks::runs || same_start(asked, other));
     });
   });
 }
@@ -198,30 +197,10 @@ void fill_samples(Observations& result, const StudyResults& study, const Quantit
   std::ranges::move(incomplete, std::back_inserter(result.notes));
 }
 
-StudyResults without_solvers(const StudyResults& study, const std::set<std::string_view>& without) {
-  return of_solvers(study, [&](std::string_view solver) { return !without.contains(solver); });
-}
-
-// Finds imports that lack a run which the other solvers share: blocks of all solvers would lose that run.
-std::set<std::string_view> partial_imports(const StudyResults& study) {
-  std::set<std::string_view> imported, found;
-  for (const std::string& solver : study.solvers) {
-    if (is_imported(study, solver)) imported.insert(solver);
-  }
-  if (imported.empty() || imported.size() + 2 > study.solvers.size()) return found;
-  const std::vector<int> runs = common_runs(without_solvers(study, imported));
-  for (const std::string_view solver : imported) {
-    const auto is_this = [&](std::string_view name) { return name == solver; };
-    if (!std::ranges::includes(common_runs(of_solvers(study, is_this)), runs)) found.insert(solver);
-  }
-  return found;
-}
 
 }  // namespace
 
 Doubts why_not_blocked(const StudyResults& study) {
-  if (const std::set<std::string_view> partial = partial_imports(study); !partial.empty())
-    return why_not_blocked(without_solvers(study, partial));
   const Blocks blocks = blocks_of(study);
   if (blocks == Blocks::none) {
     return {{study.facts.path.empty() ? DoubtKind::no_path_for_blocks : DoubtKind::chained_solves}};
@@ -266,14 +245,6 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   }
   const bool are_runs = study.plan.unit == Unit::run;
   const Doubts unblocked = why_not_blocked(study);
-  if (const auto partial = partial_imports(study); are_runs && unblocked.empty() && !partial.empty()) {
-    Observations result = observations(without_solvers(study, partial), metric, estimand);
-    result.notes.push_back(fmt::format(
-        "Left out: {}, imported without runs that the others have. ikbench compare compares two solvers over the runs "
-        "that both have.",
-        one_line(fmt::format("{}", fmt::join(partial, ", ")))));
-    return result;
-  }
   return made(study, metric, estimand, are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none, unblocked);
 }
 

@@ -25,8 +25,7 @@ const Solve* solve_at(std::span<const Solve> solves, const Place& place);
 // - targets drawn in every run, chained: a block is a run, a value its mean;
 // - targets drawn in every run, each from its own start: a block is a target, a value its only solve;
 // - targets on a path, each from its own start: a block is a target, a value the mean over the runs.
-// An import that would cost several other solvers runs is left out, and a note says so. Else, and for points, each
-// solver is an independent group (samples()), and a note says why there are no blocks.
+// Else, and for points, each solver is an independent group (samples()), and a note says why there are no blocks.
 Observations observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 Observations observations(const StudyResults& study, Metric metric);  // by its average (average_estimand)
 // The same without blocks, of a study whose unit is the run: each solver is an independent group of runs.

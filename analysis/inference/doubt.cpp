@@ -35,8 +35,6 @@ constexpr std::array all_words{
         "A and B were solved in separate sessions, and a machine that is slower in one of them slows all its runs. Run "
         "both as labels of one study.",
         "separate sessions"},
-    Words{K::times_imported, times, "{count} of {of} solves were imported, so their times were taken elsewhere.",
-          "imported"},
     Words{K::times_disturbed, times,
           "{count} of {of} solves took more than 1.1 times their CPU time{waited}, so other programs were running.",
           "other programs ran"},
@@ -51,9 +49,6 @@ constexpr std::array all_words{
         K::evaluations_claimed, "Evaluations are claimed",
         "Evaluations of {who} are not compared: these were counted by the solver itself, those of the others by ikbench.",
         "counted by itself"},
-    Words{K::imported_without, "Imports lack a quantity",
-          "The imports of {who} have no values of this quantity, so they are not compared in it.",
-          "imported without values"},
     Words{
         K::machine_loaded, "The machine was loaded",
         "The machine was loaded: {count} of {of} solves took more than {other} times as long in one repeat as in another. "
@@ -120,12 +115,6 @@ constexpr std::array all_words{
         "solvers."},
     Words{K::unknown_paper, "The paper is not known", "no published tables of '{what}'; known papers: {who}"},
     Words{K::solves_missing, "Solves are missing", "{who}: only {count} of {of} solves are stored"},
-    Words{K::imported_verified, "Solves were imported",
-          "{who} was imported from {what}: its answers are verified, its counts and times are not."},
-    Words{
-        K::imported_unverified, "Solves were imported",
-        "{who} was imported from {what}: its errors are not verified, because the file has no answers; none of its solves "
-        "counts as solved."},
     Words{K::figures_edited, "Scripts of figures were edited",
           "edited scripts of figures stay and are drawn with: {who}; delete one to have it written anew"},
     Words{K::figure_not_drawn, "Figures were not drawn", "{who} not drawn: {what}"},
@@ -143,7 +132,7 @@ bool is_of_times(DoubtKind kind) { return kind <= K::times_of_programs; }
 std::string_view title_of(DoubtKind kind) { return words_for(kind).title; }
 
 std::string title_of(const Doubt& doubt) {
-  const bool names_solvers = doubt.kind >= K::times_imported && doubt.kind <= K::times_of_programs;
+  const bool names_solvers = doubt.kind >= K::times_disturbed && doubt.kind <= K::times_of_programs;
   if (!names_solvers || doubt.who.empty()) return std::string(title_of(doubt.kind));
   return one_line(fmt::format("Times of {} are not comparable", fmt::join(doubt.who, ", ")));
 }

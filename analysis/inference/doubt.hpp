@@ -17,13 +17,11 @@ enum class DoubtKind {
   several_machines,
   unknown_machine,
   separate_sessions,
-  times_imported,
   times_disturbed,
   times_of_programs,
   // evaluations of `who` are not compared with others
   evaluations_uncounted,
   evaluations_claimed,
-  imported_without,
   // disturbances of times
   machine_loaded,
   slow_solves,
@@ -56,8 +54,6 @@ enum class DoubtKind {
   out_of_reach,
   unknown_paper,
   solves_missing,
-  imported_verified,
-  imported_unverified,
   figures_edited,
   figure_not_drawn,
   said_elsewhere,  // `what` holds the words of the reader of the store or file

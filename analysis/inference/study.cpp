@@ -33,9 +33,8 @@ bool complete(std::span<const Solve> run, const StudyResults& study) {
 
 bool are_copies(std::span<const Solve> run, std::span<const Solve> other) {
   return std::ranges::equal(run, other, [](const Solve& a, const Solve& b) {
-    const bool has_no_answer = is_without_answer(a.status) || a.status == Status::not_verified;
     return a.problem == b.problem && a.status == b.status &&
-           (has_same_answer(a, b) || (has_no_answer && a.position_error_cm == b.position_error_cm));
+           (has_same_answer(a, b) || (is_without_answer(a.status) && a.position_error_cm == b.position_error_cm));
   });
 }
 
@@ -72,11 +71,6 @@ std::span<const Solve> solves_of(const StudyResults& study, std::string_view sol
   // Not equal_range, which clang++ 14 cannot compile with this library.
   return {std::ranges::lower_bound(study.solves, number, {}, &Solve::solver),
           std::ranges::upper_bound(study.solves, number, {}, &Solve::solver)};
-}
-
-bool is_imported(const StudyResults& study, std::string_view solver) {
-  const std::span<const Solve> solves = solves_of(study, solver);
-  return !solves.empty() && solves.front().timing == Timing::imported;
 }
 
 const SolverFacts& solver_facts(const StudyResults& study, std::string_view solver) {

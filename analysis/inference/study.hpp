@@ -48,8 +48,6 @@ std::size_t place_of(const StudyResults& study, std::string_view solver);
 int style_of(const StudyResults& study, std::string_view solver);
 // The solves of one solver.
 std::span<const Solve> solves_of(const StudyResults& study, std::string_view solver);
-// Returns whether the solver's solves were imported from a file.
-bool is_imported(const StudyResults& study, std::string_view solver);
 const SolverFacts& solver_facts(const StudyResults& study, std::string_view solver);
 Problem problem_of(const StudyResults& study, const Solve& solve);
 // The first solve of each place (run and point), ordered by place.

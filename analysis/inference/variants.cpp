@@ -66,8 +66,7 @@ void refuse_other_tasks(const StudyResults& study, const Variant& a, const Varia
       throw refused(fmt::format("different targets (run {}, point {}: {} and {})", one.run, one.point,
                                 place_of(asked.target_position_m), place_of(asked_other.target_position_m)));
     }
-    const bool are_known = !asked.start_rad.empty() && !asked_other.start_rad.empty();  // imports may lack them
-    if (are_known && (one.point == 1 || study.facts.starts_anew()) && !same_start(asked, asked_other)) {
+    if ((one.point == 1 || study.facts.starts_anew()) && !same_start(asked, asked_other)) {
       throw refused(fmt::format("different start configurations (run {}, point {})", one.run, one.point));
     }
   }

@@ -258,20 +258,6 @@ std::vector<Assessment> assessments_of(const JudgedStudy& study, const Paper& pa
   return result;
 }
 
-// Doubts of solvers whose solves come from a file.
-Doubts imported_doubts(const StudyEntry& entry, const StudyResults& study) {
-  Doubts doubts;
-  for (const Series& series : entry.series) {
-    if (!is_imported(series)) continue;
-    const auto solves = solves_of(study, series.label);
-    const bool is_verified = std::ranges::find(solves, Status::not_verified, &Solve::status) == solves.end();
-    doubts.push_back({.kind = is_verified ? DoubtKind::imported_verified : DoubtKind::imported_unverified,
-                      .who = {series.label},
-                      .what = text_option(series.options, "file")});
-  }
-  return doubts;
-}
-
 // Doubts of targets out of reach, as found before the study was solved.
 Doubts out_of_reach_doubts(const StudyResults& study) {
   const StudyFacts::OutOfReach& of = study.facts.out_of_reach;
@@ -431,7 +417,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
       look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
       missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes + imported_doubts(entry, study) +
+      plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes +
       fairness_doubts(study, reported.companions);
   if (!pieces.verdict.empty()) {
     std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));

@@ -100,22 +100,6 @@ Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estim
           words + '.' + (without.empty() ? "" : ' ' + fmt::format(words::left_out, "who"_a = left_out_words(without)))};
 }
 
-namespace {
-
-// Warns of imports that lack solves.
-Sentence partial_imports_sentence(const JudgedStudy& study) {
-  std::string list;
-  for (const SolverCounts& count : counts(study)) {
-    if (count.solves == count.expected || !is_imported(study, count.solver)) continue;
-    list += (list.empty() ? "" : ", ") + fmt::format(words::partial_import, "solver"_a = count.solver,
-                                                     "has"_a = count.solves, "expected"_a = count.expected);
-  }
-  if (list.empty()) return {};
-  return {"Not comparable", fmt::format(words::partial_imports, "list"_a = list)};
-}
-
-}  // namespace
-
 std::vector<std::string> no_answer_sentences(const StudyResults& study) {
   std::vector<std::string> sentences;
   for (const SolverCounts& of : counts(study)) {
@@ -171,7 +155,6 @@ std::vector<Sentence> own_verdict(const JudgedStudy& study, bool has_claims) {
   const Evidence& judged = study.evidence(Metric::position_error_cm, primary_estimand(study));
   const bool has_several = study.solvers.size() > 1;
   std::vector<Sentence> sentences;
-  add(sentences, partial_imports_sentence(study));
   if (has_several) add(sentences, too_few(judged));
   add(sentences, leader_sentence(study, Metric::position_error_cm, primary_estimand(study)));
   for (const std::string& sentence : no_answer_sentences(study)) add(sentences, {"", sentence});

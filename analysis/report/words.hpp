@@ -286,9 +286,6 @@ inline constexpr Template comparison_columns =
     "the share in which B is better, otherwise the probability that an observation of B is better than one of A.";
 
 // The first lines of a report.
-inline constexpr Template partial_imports =
-    "imported, {list}; its values are of these alone. ikbench compare takes what two solvers both have.";
-inline constexpr Template partial_import = "{solver} has {has} of {expected} solves";
 inline constexpr Template no_budget =
     "The study gives no limit of evaluations (stop.evaluations): {least} used {smallest} at the median of a "
     "solve, {most} {largest}.";

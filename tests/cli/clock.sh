@@ -36,7 +36,6 @@ done
 for i in 1 2; do succeeds run "${study[@]}" --shard $i/2 --out merged/shards/$i-of-2; done
 for _ in 1 2; do succeeds merge merged merged/shards; done
 same_fingerprint merged/store.sqlite straight/store.sqlite
-succeeds status merged
 [ "$(sqlite3 merged/store.sqlite "SELECT count(*) FROM sessions")" = 2 ] || fail "merging again doubled sessions"
 succeeds report jobs-2/store.sqlite --no-figures --out report
 has_no "$(<report/report.md)" " -[0-9]* s"
@@ -59,17 +58,4 @@ sound limit/store.sqlite
 short=$(sqlite3 limit/store.sqlite "SELECT solver, stop_reason, seconds FROM solves WHERE stop_reason NOT IN ('time', 'finished') OR seconds < 0.05")
 [ -z "$short" ] || fail "0.05 s are over too soon: $short"
 
-# The rate and the time left of a running shard are those of the work.
-many=(slim2023 --set runs=30 --set path.points=20 --set stop.iterations=400)
-"$program" run "${many[@]}" --shard 1/1 --out many/shards/1-of-1 >/dev/null 2>&1 &
-process=$!
-trap 'kill -9 $process 2>/dev/null; rm -rf "$work"' EXIT
-for command in "$straight" "$program"; do
-  until [[ $("$command" status many 2>/dev/null) == *" per second"* ]]; do
-    kill -0 $process || fail "it ended before its rate was told"
-    sleep 0.1
-  done
-  said=$("$command" status many)
-  [[ $said =~ ,\ [0-9]+\.[0-9]\ per\ second,\ 0:[0-5][0-9]:[0-5][0-9]\ left ]] || fail "no time left that could be: $said"
-done
 exit 0

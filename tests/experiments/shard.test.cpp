@@ -46,10 +46,11 @@ TEST_CASE("what shards solve is what one machine solves, where points are divide
     study.start = start;
     const ScratchFolder folder;
     Store store(folder.path / "store", Store::Mode::write);
+    std::int64_t solved = 0;
     for (const int index : {3, 1, 2}) {
       const Progress progress = run(study, store, {.shard = {index, 3}});
       CHECK(progress.done == progress.total);
-      CHECK(progress.total == stored_by_shard(3, store.study(study.name), store)[static_cast<std::size_t>(index - 1)]);
+      CHECK(solves_within(store.study(study.name), store) == (solved += progress.total));
     }
     CHECK(run(study, store, {}).reused == 24);
     CHECK(same_numbers(store.solves(study.name), solves_of(study)));

@@ -196,26 +196,6 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   }
 }
 
-TEST_CASE("what was imported into one store hinders no merge, and stays", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1});
-  make_store(folder.path / "b", "two", {30});
-  StudyEntry with_import = sample_study();
-  with_import.series.push_back(
-      {.key = "imported-key", .label = "theirs", .algorithm = std::string(imported_algorithm), .options = "{}"});
-  Store(folder.path / "a", Store::Mode::write).save_study(with_import);
-  StudyEntry larger = sample_study();
-  larger.definition = R"({"robot":"iiwa14","runs":30,"points":20})";
-  Store(folder.path / "b", Store::Mode::write).save_study(larger);
-  for (const auto& order : {std::vector{"a", "b"}, std::vector{"b", "a"}}) {
-    const fs::path out = folder.path / "out" / order.front();
-    merge(out, {folder.path / order[0], folder.path / order[1]});
-    const Store store(out, Store::Mode::read);
-    CHECK(store.study("table-3").definition == larger.definition);
-    CHECK(store.study("table-3").series.size() == with_import.series.size());
-  }
-}
-
 TEST_CASE("a solve of a session that its store does not have is damage, named with that store", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1});
@@ -428,20 +408,4 @@ TEST_CASE("more stores than SQLite attaches at once, into a store that is there"
   CHECK(merge(folder.path / "out", stores).added == 30);
   CHECK(merge(folder.path / "out", stores).known == 30);
   CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 31);
-}
-
-TEST_CASE("two imports of one label are refused", "[merge]") {
-  const ScratchFolder folder;
-  for (const char* name : {"a", "b"}) {
-    StudyEntry study = sample_study();
-    study.series.push_back({.key = std::string("imported-") + name,
-                            .label = "theirs",
-                            .algorithm = std::string(imported_algorithm),
-                            .options = "{}"});
-    Store(folder.path / name, Store::Mode::write).save_study(study);
-  }
-  CHECK_THAT(complaint<std::invalid_argument>([&] {
-               merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
-             }),
-             ContainsSubstring("they are two imports of the label 'theirs'"));
 }

@@ -103,14 +103,11 @@ TEST_CASE("variants of a solver have its colour, its shade and other line types"
   CHECK(colour_of(8, style) == colours_and_shades(style).at(7));
 }
 
-TEST_CASE("entries of one program have one colour, and imports have colours of their own", "[figure]") {
+TEST_CASE("entries of one program have one colour", "[figure]") {
   FigureStyle style;
   const auto styles = line_styles({{"mine w=1", "mine"}, {"other", "other"}, {"mine w=2", "mine"}}, style);
   CHECK(styles.at("mine w=2") == styles.at("mine w=1") + 7);
   CHECK(styles.at("other") % 7 != styles.at("mine w=1") % 7);
-  const std::string imported(imported_algorithm);
-  const auto of_imports = line_styles({{"a", imported}, {"b", imported}}, style);
-  CHECK(of_imports.at("a") % 7 != of_imports.at("b") % 7);
 }
 
 TEST_CASE("chosen solvers have the colours of a short palette in their order", "[figure]") {

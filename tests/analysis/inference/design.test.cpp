@@ -187,27 +187,6 @@ TEST_CASE("a run that is not complete for all solvers is in no block, and that i
   CHECK(independent.notes.back() == "B: 1 of its runs lack points and give no observation.");
 }
 
-TEST_CASE("an import takes no run from several other solvers, whichever it lacks", "[design]") {
-  const Shape shape{.start = "initial", .runs = 3};
-  for (const int lacking : {1, 2, 3}) {
-    std::vector<SolveRecord> solves = solves_of(shape);
-    for (SolveRecord solve : solves_of(shape)) {
-      if (solve.solver == "B" || solve.run == lacking) continue;
-      solve.solver = "C";
-      solve.timing = Timing::imported;
-      solves.push_back(solve);
-    }
-    const Observations found = observations(study_of(shape, solves), metric_of_errors, Estimand::mean);
-    REQUIRE(found.groups.size() == 2);
-    CHECK(found.groups[0].values == Values{201, 202, 203});  // the means over three runs
-    REQUIRE(found.notes.size() == 1);
-    CHECK(found.notes.front().starts_with("Left out: C, imported without runs that the others have."));
-    std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "B"; });
-    CHECK(observations(study_of(shape, solves), metric_of_errors, Estimand::mean).notes ==
-          Names{"Left out: 1 of 3 runs, because they are not complete for all solvers."});
-  }
-}
-
 TEST_CASE("with fewer than two blocks there is no blocked design, and why is said", "[design]") {
   CHECK(words_of(why_not_blocked(study_of({.path = "random", .runs = 1}))) ==
         "There are no blocks to compare, because there is only one.");
@@ -233,8 +212,6 @@ TEST_CASE("a store that claims the same targets for all, and has others, has no 
   solves = solves_of({.start = "initial"});
   solves.back().start_rad = {0.1};
   CHECK(observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean).blocks.empty());
-  solves.back().start_rad = {};  // imported without answers
-  CHECK(!observations(study_of({.start = "initial"}, solves), metric_of_errors, Estimand::mean).blocks.empty());
 }
 
 TEST_CASE("what is not finite stays in its place and is counted, and times that are not clean are said", "[design]") {

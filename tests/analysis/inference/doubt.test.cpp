@@ -22,17 +22,17 @@ TEST_CASE("every kind of doubt has a title, and words that its fields fill", "[d
 }
 
 TEST_CASE("times that are not compared say whose, and other studies in which it is so", "[doubt]") {
-  Doubt doubt{.kind = DoubtKind::times_imported, .who = {"A"}, .count = 3, .of = 20};
+  Doubt doubt{.kind = DoubtKind::times_disturbed, .who = {"A"}, .count = 3, .of = 20};
   CHECK(title_of(doubt) == "Times of A are not comparable");
   CHECK(title_of(Doubt{.kind = DoubtKind::several_machines, .who = {"here"}}) == "Times are not comparable");
   CHECK(left_out_words({doubt, {.kind = DoubtKind::evaluations_uncounted, .who = {"B", "C"}}}) ==
-        "A (imported), B, C (nobody counted)");
+        "A (other programs ran), B, C (nobody counted)");
   CHECK(words_of(doubt) ==
-        "Times of A are not compared, because 3 of 20 solves were imported, so their times were taken elsewhere.");
+        "Times of A are not compared, because 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running.");
   doubt.is_of_all = true;
   doubt.studies = {"s", "t"};
   CHECK(
       words_of(Doubts{doubt, {.kind = DoubtKind::no_plan}}) ==
-      "Times are not comparable: 3 of 20 solves were imported, so their times were taken elsewhere. The same holds for s, t. The "
+      "Times are not comparable: 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running. The same holds for s, t. The "
       "study has no analysis plan; this is the default plan.");
 }

@@ -218,44 +218,6 @@ TEST_CASE("of two solvers the disturbed one is named, and where all are none is"
   CHECK(words_of(of_all).starts_with("Times are not comparable: 48 of 48 solves took"));
 }
 
-TEST_CASE("a second reason why times are not comparable begins with a capital", "[uncounted]") {
-  StudyResults study = study_without_counts(0.05);
-  study.plan.program_times = ProgramTimes::apart;
-  for (Solve& solve : study.solves.to_change()) {
-    if (study.solve_data->labels[solve.solver] == "BA") solve.timing = Timing::imported;
-  }
-  const std::string note = words_of(timing_doubts(study));
-  CAPTURE(note);
-  CHECK(note.find(
-            "taken elsewhere. Times are not comparable: those of program have messages and another process in them.") !=
-        std::string::npos);
-}
-
-TEST_CASE("imported solves take no times from several others", "[uncounted]") {
-  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "theirs"}, .runs = 12, .points = 2});
-  for (SolveRecord& solve : solves) {
-    if (solve.solver == "theirs") solve.timing = Timing::imported;
-  }
-  const StudyResults study = make_study("synthetic", std::move(solves));
-  CHECK(times_are_comparable(study));
-  CHECK(
-      words_of(times_doubts(study)) ==
-      "Times of theirs are not compared, because 24 of 72 solves were imported, so their times were taken elsewhere.");
-}
-
-TEST_CASE("times of imported solves are judged with no others, also where the file says none", "[uncounted]") {
-  std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "theirs"}, .runs = 12, .points = 2});
-  for (SolveRecord& solve : solves) {
-    if (solve.solver != "theirs") continue;
-    solve.timing = Timing::imported;
-    solve.seconds = statistics::not_defined;
-  }
-  const JudgedStudy study(make_study("synthetic", std::move(solves)));
-  CHECK(words_of(timing_doubts(study)) ==
-        "Times are not comparable: 24 of 48 solves were imported, so their times were taken elsewhere.");
-  CHECK_FALSE(is_comparable(study, Metric::seconds));
-}
-
 TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
   const StudyResults study = study_without_counts();
   CHECK(words_of(program_doubts(study)) ==
