@@ -1,5 +1,5 @@
 // The collections of studies by name: the folders here that have a collection.toml, which the build carries in the
-// program with the claims and the audit beside it. What a paper has of its own in C++ is a line in papers.inc; the
+// program with the claims beside it. What a paper has of its own in C++ is a line in papers.inc; the
 // folder of that name defines its complete(). They stand first.
 #pragma once
 

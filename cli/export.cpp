@@ -19,6 +19,7 @@
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
+#include "results/fingerprint.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::cli {
@@ -28,6 +29,9 @@ using namespace experiments;
 using namespace report;
 
 namespace {
+
+// One hash of a study's results, to check that two stores agree bit for bit.
+constexpr std::string_view fingerprint_format = "fingerprint";
 
 void refuse_store(const std::string& file, const std::string& store) {
   for (const char* part : {"", "-wal", "-shm", "-journal"}) {
@@ -53,6 +57,10 @@ void add_export(CLI::App& app, Invocation&) {
     names.emplace_back(format.name);
     meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
   }
+  names.emplace_back(fingerprint_format);
+  meanings.push_back(
+      fmt::format("{}: a hash of every bit of the results, but times and sessions, the number of solves and the study",
+                  fingerprint_format));
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -63,11 +71,18 @@ void add_export(CLI::App& app, Invocation&) {
       "  ikbench export out/slim2023/store.sqlite > solves.csv\n"
       "  ikbench export out/slim2023/store.sqlite --format json -o solves.json\n"
       "  ikbench export out/slim2023/store.sqlite --format iohprofiler -o ioh\n"
+      "  ikbench export out/slim2023/store.sqlite --format fingerprint\n"
       "Columns: ikbench list columns");
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
+    if (arguments->format == fingerprint_format) {
+      const auto [text, solves] = fingerprint(store, study);
+      const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));
+      if (arguments->file == "-") return fmt::print("{}", line);
+      return write_through(arguments->file, line);
+    }
     const ExportFormat& format = export_format(arguments->format);
     if (format.write_folder && arguments->file == "-")
       throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));

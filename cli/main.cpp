@@ -29,7 +29,6 @@ int main(int argc, char** argv) {
       "  ikbench run my.toml                      run it and write a report\n"
       "  ikbench stats my.csv --value error --group solver\n"
       "                                           the same statistics on your own data\n"
-      "  ikbench audit slim2023                   whether the paper's printed numbers agree with each other\n"
       "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench help COMMAND                     more examples, as ikbench COMMAND --help\n\n"

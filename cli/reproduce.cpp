@@ -1,4 +1,4 @@
-// ikbench reproduce: every study of a paper in one store, the interpretations and the audit, with one report.
+// ikbench reproduce: every study of a paper in one store, the interpretations, with one report.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -317,7 +317,6 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     }
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    if (paper.audit) wanted.tables.push_back(audit_table(paper.audit()));
     const Store store(store_in(folder), Store::Mode::read);
     std::vector<Fingerprints> fingerprints;
     for (const auto& [name, overrides] : studies) {

@@ -299,7 +299,7 @@ class MergedStore {
     const auto origin = origins_.find(query.getColumn("our_session").getInt64());
     throw std::invalid_argument(fmt::format(
         "the solve of run {}, point {} by {} has other bits in {} than in {} ({}); nothing was merged; find out "
-        "which machine, compiler or edit changed them (ikbench fingerprint)",
+        "which machine, compiler or edit changed them (ikbench export --format fingerprint)",
         excerpt(query.getColumn("run")), excerpt(query.getColumn("point")), excerpt(query.getColumn("label")),
         source.of_session(query.getColumn("their_session").getInt64()),
         origin == origins_.end() ? Source::quoted(file_.name()) : origin->second, fmt::join(columns, ", ")));

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "analysis/claims/audit.hpp"
 #include "analysis/claims/multiverse.hpp"
 #include "analysis/claims/row_agreement.hpp"
 #include "analysis/claims/rules.hpp"
@@ -94,14 +93,6 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
     ClaimsFile file = read_claims(of.name, claims->text, claims->name);
     file.rates = of.rates;
     add_claims(paper, std::move(file));
-  }
-  if (const EmbeddedFile* const audit = find_embedded(files, of.name + "/audit")) {
-    paper.audit = [name = of.name, audit, general = find_embedded(files, "claims/audit")] {
-      std::vector<AuditItem> items = audited(name, audit->text, audit->name);
-      if (general == nullptr) return items;
-      std::ranges::move(audited(name, general->text, general->name), std::back_inserter(items));
-      return items;
-    };
   }
   return paper;
 }

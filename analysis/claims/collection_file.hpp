@@ -1,4 +1,4 @@
-// Collections of studies by their files: NAME/collection.toml and, for a paper, claims.toml and audit.toml beside it.
+// Collections of studies by their files: NAME/collection.toml and, for a paper, claims.toml beside it.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace ikbench::claims {
 
 // Reads all collections, by name. Throws std::invalid_argument with the file and the line for anything missing, unknown
-// or repeated; the items of an audit are checked only when it is asked for.
+// or repeated.
 std::vector<report::Collection> read_collections(std::span<const numerics::EmbeddedFile> files);
 
 }  // namespace ikbench::claims

@@ -1,4 +1,4 @@
-// The printed tables of a paper (results/published), for claims, audit and a paper's own tables.
+// The printed tables of a paper (results/published), for claims and a paper's own tables.
 #pragma once
 
 #include <array>

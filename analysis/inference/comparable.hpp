@@ -15,7 +15,7 @@
 namespace ikbench::inference {
 
 // Solvers whose values of a metric are not compared with others, and why. Evaluations: solvers that nobody counted, and
-// programs' claims beside counts of the suite. Times: imported solves, solvers that other programs disturbed often,
+// programs' claims beside counts of the suite. Times: solvers that other programs disturbed often,
 // and, unless the plan says otherwise, programs beside solvers that run here.
 Doubts left_out(const StudyResults& study, Metric metric);
 std::set<std::string, std::less<>> solvers_left_out(const StudyResults& study, Metric metric);

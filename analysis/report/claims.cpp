@@ -140,44 +140,4 @@ void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares) {
   }
 }
 
-std::string_view words_of(const AuditItem& item) {
-  const bool fails = item.verdict == Verdict::fails;
-  return audit_verdicts[item.verdict == Verdict::holds     ? 0U
-                        : item.verdict == Verdict::in_part ? 1U
-                        : !fails                           ? 3U
-                        : item.is_misprint                 ? 2U
-                                                           : 4U];
-}
-
-Table audit_table(const std::vector<AuditItem>& items) {
-  Table table{.name = "audit",
-              .caption = "Audit: whether the printed numbers agree with each other",
-              .columns = {"id", "where", "printed", "follows", "verdict", "why"}};
-  for (const AuditItem& item : items) {
-    table.rows.push_back({item.id, item.where, item.printed, item.follows, std::string(words_of(item)), item.why});
-  }
-  table.notes = {audit_sentence(items) + '.', std::string(words::audit)};
-  return table;
-}
-
-std::string audit_answer(const std::vector<AuditItem>& items) {
-  if (items.empty()) return "";
-  const auto number_of = [&](std::string_view verdict) {
-    const auto is_it = [verdict](const AuditItem& item) { return words_of(item) == verdict; };
-    const auto count = std::ranges::count_if(items, is_it);
-    return fmt::format("{} {}{}", count == 0 ? "no" : fmt::to_string(count), verdict, count > 1 ? "s" : "");
-  };
-  return fmt::format(words::audit_answer, "contradictions"_a = number_of("contradiction"),
-                     "misprints"_a = number_of("misprint"));
-}
-
-std::string audit_sentence(const std::vector<AuditItem>& items) {
-  std::vector<std::string> parts;
-  for (const std::string_view verdict : audit_verdicts) {
-    const auto is_it = [&](const AuditItem& item) { return words_of(item) == verdict; };
-    parts.push_back(fmt::format("{} {}", std::ranges::count_if(items, is_it), verdict));
-  }
-  return fmt::format("{} checks: {}", items.size(), fmt::join(parts, ", "));
-}
-
 }  // namespace ikbench::report

@@ -1,5 +1,4 @@
-// A paper's claims one by one: whether each holds here, and by which numbers. And its audit, which checks its printed
-// numbers against each other, without solving anything.
+// A paper's claims one by one: whether each holds here, and by which numbers.
 #pragma once
 
 #include <array>
@@ -69,30 +68,5 @@ std::string share_words(double share);
 // Joins shares to claims by id. A claim keeps its verdict if that has a clear share; else it depends. Each states its
 // shares.
 void join(std::vector<Claim>& claims, std::span<const ClaimShares> shares);
-
-// A printed statement, judged by other printed ones. It holds if they give the same to the last digit (consistent), and
-// in part within the rounding of the printed digits. It fails if two printed statements cannot both be true
-// (contradiction), or others show what should have been printed (misprint). It is undecided if the numbers do not show
-// it, or only with something unprinted (not supported); it may still be true.
-struct AuditItem {
-  std::string id;  // of the item in the paper's notes, with a letter: "3.1a"
-  std::string where;
-  std::string printed;
-  std::string follows;
-  Verdict verdict;
-  bool is_misprint = false;  // one that fails is a misprint, not a contradiction
-  std::string why = {};
-};
-
-constexpr std::array<std::string_view, 5> audit_verdicts{"consistent", "rounding", "misprint", "not supported",
-                                                         "contradiction"};
-std::string_view words_of(const AuditItem& item);  // one of these
-
-// Named "audit".
-Table audit_table(const std::vector<AuditItem>& items);
-// Says how many of the printed numbers are wrong; empty without items.
-std::string audit_answer(const std::vector<AuditItem>& items);
-// Counts the verdicts: "40 checks: 28 consistent, 2 rounding, ...", which is the first note of audit_table() too.
-std::string audit_sentence(const std::vector<AuditItem>& items);
 
 }  // namespace ikbench::report

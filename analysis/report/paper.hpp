@@ -59,7 +59,6 @@ struct Paper {
   std::optional<Lock> lock = {};
   // Returns the printed summaries that the same methods can assess.
   std::function<std::vector<inference::Observations>(const inference::StudyResults&)> printed = {};
-  std::function<std::vector<AuditItem>()> audit = {};
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
   // Makes the table of the universes with at most one choice that is not the default.
   std::function<Table(const inference::Multiverse&, const results::AnalysisPlan&)> one_at_a_time = {};

@@ -83,7 +83,6 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<Fig
   const std::vector<std::string> answer = words_of(content.answer);
   report.summary.insert(report.summary.begin(), answer.begin(), answer.end());
   write_file(report.file, to_markdown(content));
-  if (!content.set_up.empty()) write_file(folder / "article.tex", to_article(content) + latex_comment(content.program));
   write_file(report.page, to_html(content, folder));
   return report;
 }

@@ -325,8 +325,6 @@ void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, Repo
 
 void add_seen(const std::vector<Table>& tables, std::span<const ClaimShares> shares, ReportContent& content) {
   if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
-  const auto audit = std::ranges::find(tables, "audit", &Table::name);
-  if (audit != tables.end()) content.seen.emplace("audit", audit->notes.front());
 }
 
 }  // namespace
@@ -397,9 +395,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
                                  : study.facts.title.empty() ? study.name
                                                              : study.facts.title,
                         .studied = studied(study, paper),
-                        .set_up = set_up_sentences(study, paper, sessions),
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
-                        .audited = paper.audit ? audit_answer(paper.audit()) : "",
                         .summary = summary(reported, paper),
                         .command = command_of(study, sessions),
                         .plan = std::move(plan),

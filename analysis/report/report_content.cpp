@@ -71,8 +71,6 @@ std::vector<std::string> answers_of(const ReportContent& content) {
   if (content.claims.empty()) return words_of(content.answer);
   std::vector<std::string> answers{tally(content.claims)};
   if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
-  answers.push_back(content.audited);
-  std::erase(answers, "");
   return answers;
 }
 
@@ -100,8 +98,7 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
        content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
-  fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}},
-        {"Audit of the printed numbers", "Whether the paper's printed numbers agree with each other.", {}, {"audit*"}}},
+  fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}}},
        content.results);
   const bool are_all = content.results.empty();  // a report of data only shows them
   for (const Assessment& assessment : content.assessments) {

@@ -56,9 +56,7 @@ struct ReportContent {
   std::string title;
   std::vector<Sentence> answer = {};      // its first sentences; may be empty
   std::vector<std::string> studied = {};  // sentences: whose paper, what was run, what was not
-  std::vector<std::string> set_up = {};   // sentences of an article's section; none: it gets no article
   std::vector<Claim> claims;
-  std::string audited = {};  // a sentence on what is wrong with the paper's printed numbers; may be empty
   std::vector<std::string> summary;
   inference::Doubts warnings = {};
   std::string program = {};            // that writes the report, with its version; may be empty
@@ -79,7 +77,7 @@ const Piece* piece_named(const ReportContent& content, std::string_view name);
 // The sentence of `seen` for a piece; of pieces with one name only the first has it. May be empty.
 std::string seen_at(const Piece& piece, const ReportContent& content);
 
-// The verdict's first sentences: for claims, how many hold, the sentence of `seen` and the audit's; else the answer.
+// The verdict's first sentences: for claims, how many hold, and the sentence of `seen`; else the answer.
 std::vector<std::string> answers_of(const ReportContent& content);
 
 // Puts every piece into the section that names it. Leaves out sections without pieces; collects unnamed pieces in a
@@ -90,6 +88,5 @@ void arrange(std::vector<Piece> pieces, ReportContent& content);
 // files beside it, and its pictures are in figures/ of the folder.
 std::string to_html(const ReportContent& content, const std::filesystem::path& folder);
 std::string to_markdown(const ReportContent& content);
-std::string to_article(const ReportContent& content);        // the skeleton of an article in LaTeX
 
 }  // namespace ikbench::report

@@ -202,61 +202,6 @@ std::string_view searched_for(const StudyFacts& facts) {
 }
 
 // "1000 iterations or 10000 evaluations or 0.005 s"
-std::string limits_of(const StudyFacts::Stop& stop) {
-  std::vector<std::string> limits;
-  if (stop.iterations > 0) limits.push_back(fmt::format("{} iterations", stop.iterations));
-  if (stop.evaluations > 0) limits.push_back(fmt::format("{} evaluations", stop.evaluations));
-  if (stop.seconds > 0) limits.push_back(fmt::format("{} s", stop.seconds));
-  return fmt::format("{}", fmt::join(limits, " or "));
-}
-
-std::string tolerance_of(const StudyFacts::Stop& stop) {
-  std::vector<std::string> tolerances;
-  if (stop.tolerance_cm > 0) tolerances.push_back(fmt::format("{} cm", short_number(stop.tolerance_cm)));
-  if (stop.tolerance_deg > 0) tolerances.push_back(fmt::format("{} deg", short_number(stop.tolerance_deg)));
-  return fmt::format("{}", fmt::join(tolerances, " and "));
-}
-
-std::string_view start_words(std::string_view start) {
-  constexpr std::pair<std::string_view, std::string_view> words[]{{"previous", "where the previous one left the arm"},
-                                                                  {"initial", "at one configuration"},
-                                                                  {"middle", "in the middle of the joint limits"},
-                                                                  {"random", "at a random configuration"},
-                                                                  {"near", "near a solution"}};
-  const auto* const found = std::ranges::find(words, start, &std::pair<std::string_view, std::string_view>::first);
-  return found == std::end(words) ? start : found->second;
-}
-
-// "McNemar's exact test (shares of solves); studentized bootstrap (position error and computing time)": what decided
-// which.
-std::string tests_and_quantities(const JudgedStudy& study) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> tests;
-  for (const Metric metric : shown_metrics(study)) {
-    for (const Estimand estimand : estimands_of(study, metric)) {
-      const Evidence& evidence = study.evidence(metric, estimand);
-      if (evidence.contrasts.empty() || !has_judged(evidence)) continue;
-      const std::string test = decided_by(evidence);
-      const std::string of = estimand == Estimand::reliability ? "shares of solves" : std::string(info_of(metric).name);
-      auto known = std::ranges::find(tests, test, &decltype(tests)::value_type::first);
-      if (known == tests.end()) known = tests.insert(known, {test, {}});
-      if (std::ranges::count(known->second, of) == 0) known->second.push_back(of);
-    }
-  }
-  std::vector<std::string> parts;
-  for (const auto& [test, quantities] : tests) parts.push_back(fmt::format("{} ({})", test, listed(quantities)));
-  return fmt::format("{}", fmt::join(parts, "; "));
-}
-
-// The different values of a fact in the sessions.
-std::string values_of(const std::vector<Session>& sessions, const std::string& fact) {
-  std::set<std::string> values;
-  for (const Session& session : sessions) {
-    const auto found = session.environment.find(fact);
-    if (found != session.environment.end() && !found->second.empty()) values.insert(found->second);
-  }
-  return fmt::format("{}", fmt::join(values, " and "));
-}
-
 }  // namespace
 
 Doubts wrong_claims(const StudyResults& study) {
@@ -315,35 +260,6 @@ std::vector<std::string> studied(const StudyResults& study, const Paper& paper) 
   if (std::isfinite(study.facts.seed)) run += fmt::format(", seed {}", study.facts.seed);
   std::vector<std::string> sentences = of_paper(study, paper);
   sentences.push_back(run + '.');
-  return sentences;
-}
-
-std::vector<std::string> set_up_sentences(const JudgedStudy& study, const Paper& paper,
-                                          const std::vector<Session>& sessions) {
-  const StudyFacts& facts = study.facts;
-  std::vector<std::string> sentences = of_paper(study, paper);
-  if (facts.robot.empty()) return sentences;
-  sentences.push_back(fmt::format(words::set_up_solvers, "count"_a = study.solvers.size(),
-                                  "solvers"_a = listed(study.solvers), "goal"_a = searched_for(facts),
-                                  "arm"_a = facts.robot));
-  sentences.push_back(fmt::format(fmt::runtime(facts.draws_targets ? words::set_up_drawn : words::set_up_path),
-                                  "points"_a = study.points, "path"_a = facts.path, "runs"_a = study.runs,
-                                  "start"_a = start_words(facts.start), "seed"_a = facts.seed));
-  if (const std::string limits = limits_of(facts.stop); !limits.empty()) {
-    sentences.push_back(fmt::format(words::set_up_limits, "limits"_a = limits));
-  }
-  if (const std::string tolerance = tolerance_of(facts.stop); !tolerance.empty()) {
-    sentences.push_back(fmt::format(words::set_up_tolerance, "tolerance"_a = tolerance));
-  }
-  sentences.emplace_back(facts.enforces_limits ? words::set_up_enforced : words::set_up_recorded);
-  if (const std::string tests = tests_and_quantities(study); !tests.empty())
-    sentences.push_back(fmt::format(words::set_up_test, "tests"_a = tests, "significance"_a = study.plan.significance));
-  const std::string cpu = values_of(sessions, "cpu"), compiler = values_of(sessions, "compiler"),
-                    version = values_of(sessions, "version");
-  if (!cpu.empty()) {
-    sentences.push_back(
-        fmt::format(words::set_up_machine, "version"_a = version, "compiler"_a = compiler, "cpu"_a = cpu));
-  }
   return sentences;
 }
 

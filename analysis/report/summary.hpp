@@ -23,10 +23,6 @@ std::vector<Sentence> own_verdict(const inference::JudgedStudy& study, bool has_
 std::vector<std::string> summary(const Reported& reported, const Paper& paper);
 // One sentence each: whose paper, what of the paper was not reproduced, and what was run.
 std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
-// The paragraph "Experimental set-up" of an article: the paper, solvers and arm, targets and starts, limits of a solve,
-// how the study is judged, and the machine.
-std::vector<std::string> set_up_sentences(const inference::JudgedStudy& study, const Paper& paper,
-                                          const std::vector<results::Session>& sessions);
 
 // Doubts of solvers that claimed an error which the verifier does not confirm, and how often.
 inference::Doubts wrong_claims(const inference::StudyResults& study);

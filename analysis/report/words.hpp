@@ -185,7 +185,7 @@ inline constexpr Template statuses =
     "there. observations: what the tests of the position error use, of complete runs or targets. outside limits counts all "
     "answers with a joint outside its limits, whatever their status; worst outside is the largest such violation.";
 
-// Summary, claims, audit.
+// Summary, claims.
 inline constexpr Template another_task =
     "This study names the paper {paper}, but has another arm or task ({list}): it is not held against the paper.";
 inline constexpr Template departs = "This study departs from the built-in study of the paper in: {list}.{judged}";
@@ -219,22 +219,6 @@ inline constexpr Template lock_caption = "Which set-up of {study} is nearest to 
 inline constexpr Template lock_note =
     "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because "
     "a mean can agree by chance. The range of chance is Wilson's 95 % interval of our share.";
-inline constexpr Template set_up_solvers =
-    "We compare {count} solvers ({solvers}), which search for {goal} with the arm {arm}.";
-inline constexpr Template set_up_path =
-    "The targets are {points} points of the path {path}, the same in each of {runs} runs. A solve starts {start}. Random numbers "
-    "follow from the seed {seed}.";
-inline constexpr Template set_up_drawn =
-    "The targets are drawn anew in each of {runs} runs, {points} a run, the same for all solvers. A solve starts {start}. Random "
-    "numbers follow from the seed {seed}.";
-inline constexpr Template set_up_limits = "A solve ends after at most {limits}.";
-inline constexpr Template set_up_tolerance =
-    "It counts as solved if the verifier finds its error to be at most {tolerance} and its joints inside their limits.";
-inline constexpr Template set_up_enforced = "Answers outside the joint limits are refused.";
-inline constexpr Template set_up_recorded = "Answers outside the joint limits are kept and reported.";
-inline constexpr Template set_up_test =
-    "Pairs are compared at the level {significance} for all pairs together: {tests}.";
-inline constexpr Template set_up_machine = "We ran ikbench {version}, built by {compiler}, on {cpu}.";
 inline constexpr Template together_caption = "{studies} {noun} together: the position error of each solver";
 inline constexpr Template together = "Over {studies} {noun} together, by {quantity}";
 inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
@@ -267,14 +251,6 @@ inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for can be judged.";
 inline constexpr Template over_interpretations = "Over all interpretations it {answers}, is undecided in {undecided}.";
 inline constexpr Template by_default = "By our default: {verdict}. {evidence}";
-inline constexpr Template audit_answer = "The paper has {contradictions} and {misprints}.";
-inline constexpr Template audit =
-    "This table uses no solves. Its numbers follow from what the paper prints and, where the paper is silent, "
-    "from statements that results/published marks as not printed. consistent: the numbers agree to the last "
-    "printed digit. rounding: they agree within the rounding of the printed digits. misprint: a number is wrong, "
-    "and other numbers of the paper show the right one. not supported: the paper's numbers do not show a claim or"
-    " an assumption, or only with something that it does not print; it may still be true. contradiction: two "
-    "printed things cannot both be true.";
 inline constexpr Template plan_changed =
     "Set on the command line after the data were collected, not by the study: {changes}.";
 

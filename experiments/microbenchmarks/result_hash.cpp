@@ -1,4 +1,4 @@
-// Prints the fingerprints of the built-in studies without a time budget, as `ikbench fingerprint` makes them, in the
+// Prints the fingerprints of the built-in studies without a time budget, as `ikbench export --format fingerprint` makes them, in the
 // form of a benchmark's result: result_hash THREADS RUNS.
 #include <cstdlib>
 #include <iostream>

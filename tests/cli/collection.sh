@@ -61,11 +61,6 @@ refused '--unit is point' report out/both/store.sqlite --study both.toml --unit 
 succeeds list studies both.toml
 has "$out" "helix"
 has "$out" "arm"
-succeeds cite both.toml
-[ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
-succeeds cite out/both/store.sqlite
-[ "$(grep -c Kennedy <<<"$out")" != 0 ] || fail "the swarm of the second study is not cited: $out"
-refused 'ikbench submit takes a single study' submit both.toml --tasks 2 --dry-run
 
 # Where all studies have problems that the solvers share, these are the blocks: 12 of each.
 study_of second 'robot = "franka_panda"' 'start = "middle"' 'path = { kind = "random", points = 2 }'
@@ -80,9 +75,6 @@ has "$(<arms/report.md)" "Two arms"
  36 helix
  1 study" ] || fail "the solves of both studies: $(cut -d, -f1 out/both/solves.csv | sort | uniq -c)"
 cmp again/solves.csv out/both/solves.csv || fail "a collection has other solves when it is reported again"
-# The article names the test that decides the shares, and what is solved.
-has "$(<arms/article.tex)" "McNemar's exact test, corrected for 3 pairs (shares of solves)"
-has "$(<arms/article.tex)" "and its joints inside their limits"
 
 # One study with several seeds: each seed is a block, whose value is the mean over its runs.
 printf 'studies = ["helix.toml"]\nseeds = [1, 2, 3, 4, 5, 6]\n' >seeds.toml

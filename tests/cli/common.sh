@@ -86,7 +86,7 @@ solves() {
 # same_fingerprint STORE STORE: and both have one.
 same_fingerprint() {
   local first second
-  first=$("$program" fingerprint "$1") && second=$("$program" fingerprint "$2") || fail "no fingerprint of $1 or $2"
+  first=$("$program" export "$1" --format fingerprint) && second=$("$program" export "$2" --format fingerprint) || fail "no fingerprint of $1 or $2"
   [ -n "$first" ] && [ "$first" = "$second" ] || fail "another fingerprint: $1 has '$first', $2 has '$second'"
 }
 

@@ -15,6 +15,15 @@ succeeds export made/store.sqlite -o file.csv
 [ -z "$out" ] || fail "export -o wrote to the standard output too"
 cmp file.csv first.csv || fail "-o writes something else"
 
+# A fingerprint is a line, the same with several jobs, and another with another seed.
+succeeds export made/store.sqlite --study slim2023-context --format fingerprint
+[[ $out =~ ^[0-9a-f]{32}\ \ 12\ \ slim2023-context$ ]] || fail "it said: $out"
+succeeds run slim2023 "${small[@]}" --set trace=best_error --jobs 3 --no-report --out many
+same_fingerprint many/store.sqlite made/store.sqlite
+succeeds run slim2023 "${small[@]}" --set trace=best_error --set seed=2 --no-report --out seed-2
+succeeds export seed-2/store.sqlite --format fingerprint
+[ "$out" != "$("$program" export made/store.sqlite --format fingerprint)" ] || fail "the same fingerprint with another seed"
+
 # -o follows links, keeps permissions, and writes into what is no regular file.
 echo old >private.csv
 chmod 600 private.csv

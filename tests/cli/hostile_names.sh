@@ -30,7 +30,7 @@ mkdir here
   [ -s "$folder/report.md" ] || fail "no report"
   # What people read has no letter that turns the direction of writing or ends a line.
   turning=$'[\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]'
-  found=$(grep -l "$turning" "$work/.out" "$work/.err" "$folder"/report.{md,html} "$folder"/tables/*.{md,tex} "$folder"/article.tex)
+  found=$(grep -l "$turning" "$work/.out" "$work/.err" "$folder"/report.{md,html} "$folder"/tables/*.{md,tex})
   [ -z "$found" ] || fail "letters that turn the direction of writing in: $found"
   # The page has scripts of its own, on lines that begin with them, and its figures.
   ! sed 's/^<script>//; s/<img class="picture[^"<>]*" alt="[^"<>]*" src="data:image\/svg+xml;base64,[A-Za-z0-9+/=]*">//' \

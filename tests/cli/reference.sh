@@ -29,7 +29,7 @@ unset IKBENCH_INSTRUCTION_SET
 
 # Whole poses of another paper, too.
 succeeds run beeson2015 --jobs 4 --no-report --out poses
-has "$("$program" fingerprint poses/store.sqlite)" "$(grep '"beeson2015"' "$references" | cut -d'"' -f4)"
+has "$("$program" export poses/store.sqlite --format fingerprint)" "$(grep '"beeson2015"' "$references" | cut -d'"' -f4)"
 
 # Another seed has no reference.
 succeeds reproduce --verbose --seed 2 --runs 1 --quick --no-figures --out seed-2

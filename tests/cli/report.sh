@@ -24,7 +24,7 @@ succeeds report --verbose copy/theirs.sqlite --no-figures
 cmp copy/tables/table-3.csv made/tables/table-3.csv || fail "the copy gives another Table 3"
 succeeds report --verbose copy/theirs.sqlite --no-figures --out elsewhere/deep
 [ -s elsewhere/deep/report.md ] || fail "no report in --out"
-[ "$(ls copy | sort | tr '\n' ' ')" = "article.tex figures report.html report.md solves.csv statistics.json tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
+[ "$(ls copy | sort | tr '\n' ' ')" = "figures report.html report.md solves.csv statistics.json tables theirs.sqlite " ] || fail "copy/ has: $(ls copy)"
 
 # Opens a store by its bare name in its own folder.
 (cd copy && "$program" report theirs.sqlite --no-figures >/dev/null 2>&1) || fail "cannot report on a store in ."
@@ -86,10 +86,6 @@ succeeds report --verbose made/store.sqlite --no-figures --study slim2023-contex
 has "$(<second/report.md)" "slim2023-context"
 has "$(<second/tables/results.csv)" "DLS" # it has no paper, and so no Table 3
 [ ! -e second/tables/table-3.csv ] || fail "a study without a paper has a Table 3"
-
-# Without LaTeX it is said what to install.
-PATH=/nowhere "$program" article made >.out 2>.err && fail "made an article without pdflatex"
-[ "$(<.err)" = "ikbench: pdflatex is not installed; to install it: apt-get install texlive-latex-extra" ] || fail "$(<.err)"
 
 # Targets that no configuration reaches are told at the top of the report, of a store made elsewhere too.
 succeeds run --verbose slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-report --out far

@@ -132,6 +132,6 @@ submit
 wait_for_all
 has "$(<merge.txt)" "Report: "
 succeeds run "${study[@]}" --out one --no-report
-[ "$("$program" fingerprint "two words/store.sqlite")" = "$("$program" fingerprint one/store.sqlite)" ] || fail "another fingerprint than one machine"
+[ "$("$program" export "two words/store.sqlite" --format fingerprint)" = "$("$program" export one/store.sqlite --format fingerprint)" ] || fail "another fingerprint than one machine"
 [ "$(solves "two words/store.sqlite")" = 864 ] || fail "864 solves expected" # 6 solvers x 24 runs x 6 points
 exit 0
