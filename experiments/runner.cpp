@@ -236,7 +236,6 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = plan.study.name;
-  session["runs"] = std::to_string(plan.study.runs);
   session["solvers"] = labels_of(plan.study);
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = processor_seconds().stolen;

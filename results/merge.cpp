@@ -23,6 +23,7 @@
 #include <system_error>
 #include <utility>
 
+#include "numerics/json.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/looks.hpp"
@@ -182,7 +183,7 @@ class MergedStore {
           fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again "
                       "as the other is, or leave one store out",
                       study.name, known.place, place, why));
-    const auto runs_of = [](const StudyEntry& of) { return parsed_json(of.definition).at("runs").get<int>(); };
+    const auto runs_of = [](const StudyEntry& of) { return numerics::parsed_json(of.definition).at("runs").get<int>(); };
     const bool is_larger = runs_of(study) > runs_of(known.study);
     if (is_larger) known = {study, place};
     if (is_new || is_larger) write_study(file_.sqlite(), known.study);

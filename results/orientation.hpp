@@ -14,9 +14,4 @@ inline double orientation_angle_deg(double orientation_error) {
   return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
 }
 
-// For an angle from 0 to 180 deg.
-inline double orientation_error_of(double angle_deg) {
-  return std::sqrt(8.0 / 3) * std::sin(angle_deg * numerics::degree / 2);
-}
-
 }  // namespace ikbench::results

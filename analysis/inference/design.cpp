@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <set>
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"

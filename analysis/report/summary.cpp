@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <utility>
 
 #include "analysis/figures/figure_parts.hpp"
@@ -197,11 +196,6 @@ std::vector<std::string> of_paper(const StudyResults& study, const Paper& paper)
   return sentences;
 }
 
-std::string_view searched_for(const StudyFacts& facts) {
-  return facts.pose ? "a pose" : facts.wrist ? "a position of the wrist" : "a position";
-}
-
-// "1000 iterations or 10000 evaluations or 0.005 s"
 }  // namespace
 
 Doubts wrong_claims(const StudyResults& study) {

@@ -108,26 +108,4 @@ AnovaTable anova_from_summaries(std::span<const GroupSummary> groups) {
   return from_moments(moments);
 }
 
-double level_of_anova(std::span<const GroupSummary> groups, double significance) {
-  const auto k = static_cast<double>(groups.size());
-  double N = 0;
-  for (const GroupSummary& group : groups) N += group.n;
-  double between = 0, within = 0, weighted = 0, fourth_between = 0, fourth_within = 0;
-  for (const GroupSummary& group : groups) {
-    const double n = group.n, variance = group.std * group.std;
-    between += (N - n) * variance;
-    within += (n - 1) * variance;
-    weighted += n * variance;
-    fourth_between += (N - 2 * n) * variance * variance;
-    fourth_within += (n - 1) * variance * variance;
-  }
-  if (!(k >= 2 && within > 0)) return not_defined;
-  const double bias = (N - k) * between / (N * (k - 1) * within);
-  const double df_between = between * between / (weighted * weighted + N * fourth_between);
-  const double df_within = within * within / fourth_within;
-  const double critical =
-      boost::math::quantile(boost::math::complement(boost::math::fisher_f(k - 1, N - k), significance));
-  return f_upper_tail(critical / bias, df_between, df_within);
-}
-
 }  // namespace ikbench::statistics

@@ -22,10 +22,4 @@ AnovaTable anova_from_summaries(std::span<const GroupSummary> groups);
 // Upper tail of the F distribution; NaN if F is not a number or a degree of freedom is missing.
 double f_upper_tail(double F, double df_between, double df_within);
 
-// The approximate share in which one-way ANOVA at that significance finds a difference if all means are equal and
-// normal groups spread as these: with F's degrees of freedom lessened for variances that differ (Box, Annals of
-// Mathematical Statistics 25 (1954) 290). NaN for fewer than two groups, or if one has no standard deviation or all
-// have none.
-double level_of_anova(std::span<const GroupSummary> groups, double significance);
-
 }  // namespace ikbench::statistics

@@ -94,12 +94,6 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 
 }  // namespace
 
-std::string digest_of_text(std::string_view text) {
-  Sha256 digest;
-  digest.add(text);
-  return digest.text();
-}
-
 void list_fields(Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");

@@ -30,7 +30,6 @@ void list_fields(Fields& io, ProgramChoice& choice);
 
 // SHA-256 in hexadecimal digits; std::invalid_argument if the file cannot be read.
 std::string digest_of_file(const std::filesystem::path& file);
-std::string digest_of_text(std::string_view text);
 
 struct Program {
   ProgramChoice choice;
