@@ -85,8 +85,8 @@ std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry,
 }
 
 // The verdict, the claims or the results, what else is to be said, and where the report is.
-std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& answers,
-                            const std::vector<std::string>& remarks, const OutputArguments& output) {
+std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& remarks,
+                            const OutputArguments& output) {
   std::vector<std::string> said = report.verdict.empty() ? report.summary : report.verdict;
   const std::string first = said.empty() ? "" : said.front();
   if (!said.empty()) said.erase(said.begin());
@@ -95,10 +95,10 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
       return std::ranges::find(report.verdict, sentence) == report.verdict.end();
     });
   }
-  std::erase_if(said, [&](const std::string& sentence) { return std::ranges::count(answers, sentence) > 0; });
+  std::erase_if(said, [&](const std::string& sentence) { return std::ranges::count(report.answers, sentence) > 0; });
   std::vector<Part> parts;
   Part asked;
-  for (const std::string& answer : answers) asked.items.push_back(wrapped(answer));
+  for (const std::string& answer : report.answers) asked.items.push_back(wrapped(answer));
   if (report.is_damaged || report.claims.empty()) {
     constexpr std::size_t of_table = 13, of_sentences = 6;
     if (!first.empty()) {
@@ -324,8 +324,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
     for (const std::string& warning : report.warnings) warn(warning);
     show_json(json_of(report, std::move(wanted)));
   } else {
-    std::ranges::copy(report.answers, std::back_inserter(wanted.answers));
-    show_screen(screen_of(report, wanted.answers, wanted.remarks, output), output,
+    show_screen(screen_of(report, wanted.remarks, output), output,
                 fmt::format(", and {} has it", report.file.string()));
   }
   if (!report.is_damaged) return;

@@ -56,7 +56,6 @@ struct WrittenReport {
   std::string study;
   std::filesystem::path folder;
   ReportArguments arguments = {};
-  std::vector<std::string> answers = {};       // printed after the verdict, before the results
   std::vector<std::string> remarks = {};       // printed after the results
   report::Json data = report::Json::object();  // printed with the verdict as JSON
   std::vector<report::Table> tables = {};

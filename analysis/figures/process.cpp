@@ -87,7 +87,6 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
 
   ProcessResult result;
   if (error != 0) {
-    result.is_missing = error == ENOENT;
     result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(error));
   } else {
     std::optional<std::string> output = read_all(pipe[0]);

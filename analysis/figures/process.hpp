@@ -10,7 +10,6 @@ namespace ikbench::figures {
 struct ProcessResult {
   bool succeeded = false;
   std::string output = {};  // its output, both streams; or why it could not start
-  bool is_missing = false;  // there is no such program
 };
 
 // words[0] is the program, sought on the PATH; it works in `folder`, reads nothing, and its clock shows UTC.

@@ -323,10 +323,6 @@ void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, Repo
   }
 }
 
-void add_seen(const std::vector<Table>& tables, std::span<const ClaimShares> shares, ReportContent& content) {
-  if (!shares.empty()) content.seen.emplace("multiverse", shares.front().sentence);
-}
-
 }  // namespace
 
 PerturbedCopies copies_of(const StudyResults& study, const Reported& reported) {
@@ -443,7 +439,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (collection.is_together) {
     for (const JudgedStudy& companion : others.companions) add_seen_in_boxes(companion, prefix_of(companion), content);
   }
-  add_seen(tables, request.shares, content);
+  if (!request.shares.empty()) content.seen.emplace("multiverse", request.shares.front().sentence);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
   if (collection.is_together) content.assessments = together_assessments(reported);
   for (Assessment& assessment : assessments_of(study, paper, request)) {
