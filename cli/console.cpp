@@ -175,6 +175,8 @@ std::string printable(std::string_view text) {
 
 void say(std::string_view text) { write_lines(wrapped(text, columns_of(STDERR_FILENO))); }
 
+void leave_room_for(std::string_view text) { said_lines += line_count(wrapped(text, columns_of(STDERR_FILENO))); }
+
 std::size_t take_said_lines() { return said_lines.exchange(0); }
 
 void warn(std::string_view text) {
