@@ -170,9 +170,8 @@ Figure box_figure(const StudyResults& all, Metric metric, const std::string& nam
     observations.groups.push_back(
         {.name = sample.solver, .values = sample.values, .style = style_of(study, sample.solver)});
   }
-  observations.replicate = study.plan.unit == Unit::point ? "a point"
-                           : is_of_run(metric)            ? "that of a run"
-                                                          : fmt::format("the {} of a run", average_name(metric));
+  observations.replicate =
+      study.plan.unit == Unit::point ? "a point" : fmt::format("the {} of a run", average_name(metric));
   if (info_of(metric).kind == Kind::time) observations.flaws = times_doubts(study);
   return box_figure(observations, QuantileType{study.plan.quartiles}, name, marks);
 }

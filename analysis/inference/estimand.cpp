@@ -84,15 +84,6 @@ ValueOf penalise(Observations& result, const StudyResults& study, Metric metric,
   };
 }
 
-// The value of a whole run.
-OfRun run_value(const StudyResults& study, Metric metric) {
-  return [&study, metric, least = least_of(study, metric), only_solved = is_penalised(study, metric)](Run run) {
-    if (only_solved && std::ranges::none_of(run, [](const Solve* solve) { return is_ok(*solve); })) return not_defined;
-    const double value = value_of(study, run, metric);
-    return value < least ? least : value;
-  };
-}
-
 // Says which small values count as the tolerance, or as rounding.
 void add_note_on_small_values(Observations& result, const StudyResults& study, Metric metric) {
   const MetricInfo& info = info_of(metric);
@@ -123,10 +114,7 @@ Quantity average_quantity(const StudyResults& study, Metric metric, Estimand est
                                                       : std::string(average_name(metric))};
   Observations& described = result.described;
   if (is_of_run(metric)) {
-    result.value = run_value(study, metric);
-    if (is_penalised(study, metric)) {
-      described.counting.emplace_back("A run counts if at least one of its solves has status ok.");
-    }
+    result.value = [&study, metric](Run run) { return value_of(study, run, metric); };
   } else {
     ValueOf counted = counted_value(study, metric);
     if (is_penalised(study, metric)) {

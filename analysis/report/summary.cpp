@@ -35,32 +35,28 @@ std::string first_by_words(const StudyResults& study, Metric metric, Estimand es
   const MetricInfo& info = info_of(metric);
   std::vector<std::string> remarks;
   if (estimand == Estimand::typical) remarks.emplace_back("geometric mean");
-  if (is_penalised(study, metric) && !is_of_run(metric)) remarks.push_back(penalty_words(study, metric));
-  if (const double least = tolerance_of(study, metric); std::isfinite(least) && !is_of_run(metric))
+  if (is_penalised(study, metric)) remarks.push_back(penalty_words(study, metric));
+  if (const double least = tolerance_of(study, metric); std::isfinite(least))
     remarks.push_back(fmt::format(words::counts_as, "least"_a = figures::value_words(metric, least)));
   if (metric == Metric::position_error_cm && estimand == Estimand::mean) remarks.emplace_back("large errors dominate");
   const std::string remark = remarks.empty() ? "" : fmt::format(" ({})", fmt::join(remarks, "; "));
-  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", is_of_run(metric) ? info.name : info.slug, remark);
-  if (is_of_run(metric)) return fmt::format("Smallest {}", info.name);
+  if (info.kind == Kind::count) return fmt::format("Fewest {}{}", info.slug, remark);
   return fmt::format("{} {} {}{}", info.kind == Kind::time ? "Shortest" : "Smallest", name_of(estimand), info.slug,
                      remark);
 }
 
-// Lists what a cost achieved, by solver: the mean error or, with a tolerance, the share of solves with status ok. Empty
-// if the metric is no cost, or if it counts unsolved ones already.
+// The mean error that a cost bought, by solver. Empty if the metric is no cost, or if it counts unsolved solves
+// already.
 std::vector<Sample> achieved(const StudyResults& study, Metric metric) {
-  const bool has_tolerance = std::isfinite(tolerance_cm(study));
-  if (!is_cost(metric) || (has_tolerance && !is_of_run(metric))) return {};
-  return samples(study, has_tolerance ? Metric::solved : Metric::position_error_cm);
+  if (!is_cost(metric) || std::isfinite(tolerance_cm(study))) return {};
+  return samples(study, Metric::position_error_cm);
 }
 
-// " with error 87 cm", " with 30 % solved"
-std::string achieved_words(const StudyResults& study, const std::vector<Sample>& achieved, const std::string& solver) {
+// " with error 87 cm"
+std::string achieved_words(const std::vector<Sample>& achieved, const std::string& solver) {
   const auto own = std::ranges::find(achieved, solver, &Sample::solver);
   if (own == achieved.end()) return "";
-  const double mean = statistics::mean(own->values);
-  return std::isfinite(tolerance_cm(study)) ? fmt::format(" with {} solved", percent(mean))
-                                            : " with error " + figures::value_words(Metric::position_error_cm, mean);
+  return " with error " + figures::value_words(Metric::position_error_cm, statistics::mean(own->values));
 }
 
 // "0.0017 cm"; with the tolerance's error "at most 0.01 cm".
@@ -80,7 +76,7 @@ Sentence leader_sentence(const JudgedStudy& study, Metric metric, Estimand estim
     const std::string name = (of.name == evidence.plan.control ? "control " : "") + name_words(evidence, group);
     if (!std::isfinite(of.described.mean)) return name;
     return fmt::format("{} ({}{})", name, value_words(study, metric, estimand, of.described.mean),
-                       achieved_words(study, by_cost, of.name));
+                       achieved_words(by_cost, of.name));
   };
   std::vector<std::size_t> order;  // of the groups with a mean, the best first
   for (std::size_t i = 0; i < evidence.groups.size(); ++i) {
@@ -137,9 +133,8 @@ std::string budgets_sentence(const StudyResults& study) {
 // Leaders by every quantity except the primary one.
 std::vector<Sentence> exploratory_sentences(const JudgedStudy& study) {
   std::vector<Sentence> sentences;
-  for (const Metric metric : shown_metrics(study)) {
-    const bool is_reported = info_of(metric).shown == ShownIn::everywhere;
-    if (!is_comparable(study, metric) || !(is_reported || is_of_run(metric))) continue;
+  for (const Metric metric : reported_metrics()) {
+    if (!is_comparable(study, metric)) continue;
     for (const Estimand estimand : estimands_of(study, metric)) {
       if (metric == Metric::position_error_cm && estimand == primary_estimand(study)) continue;
       add(sentences, leader_sentence(study, metric, estimand));

@@ -45,8 +45,7 @@ std::vector<Figure> boxes_figures(const StudyResults& study, const std::vector<M
 std::vector<Figure> curves_figures(const StudyResults& study, const std::vector<Metric>& metrics) {
   std::vector<Figure> figures;
   for (const Metric metric : metrics) {
-    if (study.points > 1 && !is_of_run(metric))
-      figures.push_back(curves_figure(study, metric, std::string(info_of(metric).slug)));
+    if (study.points > 1) figures.push_back(curves_figure(study, metric, std::string(info_of(metric).slug)));
   }
   return figures;
 }
