@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/statistics/anova.hpp"
 #include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/welch.hpp"
 #include "tests/analysis/statistics/samples.hpp"
