@@ -55,7 +55,7 @@ void list_fields(Io& io, FigureStyle& style) {
   io.texts("solvers", style.solvers, meaning_of_shown);
   io.chosen("formats", style.formats,
             numerics::Choices<Picture>{{"svg", Picture::svg}, {"pdf", Picture::pdf}, {"png", Picture::png}},
-            "pictures of each figure; the page shows svg, the article pdf");
+            "pictures of each figure; the page shows svg");
 }
 
 constexpr std::string_view name_of(Picture picture) {

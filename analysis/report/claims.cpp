@@ -72,17 +72,14 @@ std::string verdict_words(const Claim& claim) {
 
 std::string evidence_text(const Claim& claim) { return fmt::format("{}", fmt::join(claim.evidence, " ")); }
 
-Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption, EvidenceShown evidence) {
+Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption) {
   Table table{.name = std::move(name),
               .caption = std::move(caption),
               .columns = {"claim", "here", "printed", "number", "stated in", "evidence"}};
   for (const Claim& claim : claims) {
     table.rows.push_back({claim.statement, verdict_words(claim),
                           claim.printed ? Cell(std::string(name_of(*claim.printed))) : Cell(), claim.number,
-                          claim.section.empty() ? Cell() : Cell(claim.section),
-                          evidence == EvidenceShown::whole ? evidence_text(claim)
-                          : claim.evidence.empty()         ? ""
-                                                           : claim.evidence.front()});
+                          claim.section.empty() ? Cell() : Cell(claim.section), evidence_text(claim)});
   }
   return table;
 }

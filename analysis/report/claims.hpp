@@ -39,8 +39,7 @@ std::string verdict_words(const Claim& claim);
 std::string evidence_text(const Claim& claim);  // all of it
 
 // One row per claim; leaves out a column that no claim fills.
-enum class EvidenceShown { whole, first_sentence };
-Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption, EvidenceShown evidence);
+Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption);
 
 // One row per claim for a screen and for JSON: here, printed, number, claim, id, by, section, depends_on. The verdicts
 // are single words: "holds", "in part", "undecided", "fails", "depends", "untested".

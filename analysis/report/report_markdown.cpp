@@ -53,12 +53,10 @@ std::string verdict(const ReportContent& content) {
                            ours = claims_by(Claimant::us, content.claims);
   if (!papers.empty()) {
     text += "## Verdict\n\n" +
-            markdown(claims_table(papers, "claims", fmt::format("{}", fmt::join(answers_of(content), " ")),
-                                  EvidenceShown::whole));
+            markdown(claims_table(papers, "claims", fmt::format("{}", fmt::join(answers_of(content), " "))));
   }
   if (!ours.empty()) {
-    text += "## Our own questions\n\n" +
-            markdown(claims_table(ours, "questions", "Not claims of the paper.", EvidenceShown::whole));
+    text += "## Our own questions\n\n" + markdown(claims_table(ours, "questions", "Not claims of the paper."));
   }
   return text;
 }
