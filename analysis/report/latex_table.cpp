@@ -1,11 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <span>
 #include <sstream>
 #include <string_view>
 #include <variant>
@@ -20,21 +17,8 @@ using namespace inference;
 
 namespace {
 
-constexpr std::size_t longest_line = 24;   // longest line of a cell [characters]; longer texts may break
-constexpr std::size_t longest_head = 12;   // longest line of a head [characters]
-constexpr std::size_t longest_chunk = 10;  // longest unbroken word [characters]
-
-// Returns whether it begins with a Hebrew or an Arabic letter, or another of their kind.
-bool is_written_to_the_left(std::string_view text) {
-  return (text >= "\u0590" && text < "\u0900") || (text >= "\uFB1D" && text < "\uFEFF");
-}
-
-std::string_view last_letter(std::string_view word) {
-  std::size_t at = word.size();
-  while (at > 0 && (static_cast<unsigned char>(word[--at]) & 0xC0) == 0x80) {
-  }
-  return word.substr(at);
-}
+constexpr std::size_t longest_line = 24;  // longest line of a cell [characters]; longer texts may break
+constexpr std::size_t longest_head = 12;  // longest line of a head [characters]
 
 std::vector<std::string> words_of(std::string_view text) {
   std::istringstream words{std::string(text)};
@@ -53,15 +37,15 @@ std::string latex_number(const std::string& number) {
 struct LatexColumn {
   std::size_t index;  // index in the table
   bool is_text;
-  bool wraps = false;
+  bool wraps;
 };
 
-std::string cell_latex(const Cell& cell, const LatexColumn& column) {
+std::string cell_latex(const Cell& cell) {
   if (const auto* range = std::get_if<Range>(&cell); range && !is_empty(cell)) {
     return latex_number(readable_end(range->low)) + " to " + latex_number(readable_end(range->high));
   }
   const std::string text = readable(cell);
-  if (!is_number(cell)) return column.wraps ? breakable_latex(text, longest_chunk) : latex_text(text);
+  if (!is_number(cell)) return latex_text(text);
   return text.starts_with('<') ? "$<10^{-300}$" : latex_number(text);
 }
 
@@ -69,9 +53,15 @@ std::vector<LatexColumn> columns_of(const Table& table) {
   std::vector<LatexColumn> columns;
   for (const std::size_t c : columns_in_use(table)) {
     const bool is_text = is_left(table, c);
-    const bool is_long =
-        std::ranges::any_of(table.rows, [c](const auto& row) { return readable(row[c]).size() > longest_line; });
-    columns.push_back({.index = c, .is_text = is_text, .wraps = is_long});
+    const auto is_longer = [](const std::string& text) { return text.size() > longest_line; };
+    const auto any_text = [&](const auto& is_it) {
+      return std::ranges::any_of(table.rows, [&](const auto& row) { return is_it(readable(row[c])); });
+    };
+    const auto has_longer_word = [&](const std::string& text) {
+      return std::ranges::any_of(words_of(text), is_longer);
+    };
+    // Lines break between words only: with a longer one the table is scaled instead.
+    columns.push_back({.index = c, .is_text = is_text, .wraps = any_text(is_longer) && !any_text(has_longer_word)});
   }
   return columns;
 }
@@ -113,7 +103,7 @@ std::string tabular(const Table& table) {
                                  fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (const LatexColumn& column : columns) cells.push_back(cell_latex(row[column.index], column));
+    for (const LatexColumn& column : columns) cells.push_back(cell_latex(row[column.index]));
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   return text + "\\bottomrule\n\\end{tabular}";
@@ -129,52 +119,16 @@ std::string notes_of(const Table& table) {
   return text;
 }
 
-std::string plain_latex(const Table& table) {
+}  // namespace
+
+std::string to_latex(const Table& given) {
+  const Table table = for_people(given);
   return fmt::format(
       "% Needs \\usepackage{{booktabs,array,adjustbox}}\n"
       "\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\n"
       "\\begin{{adjustbox}}{{max width=\\columnwidth,max totalheight=0.8\\textheight}}\n{}\n"
       "\\end{{adjustbox}}\n{}\\end{{table}}\n",
       latex_text(table.caption), table.name, tabular(table), notes_of(table));
-}
-
-}  // namespace
-
-std::string breakable_latex(std::string_view text, std::size_t longest_word) {
-  constexpr std::string_view left_to_right = "\u200E";
-  std::string result;
-  bool is_turned = false;  // the word before ends in a letter that is written to the left
-  for (const std::string& word : words_of(text)) {
-    if (is_turned && !is_written_to_the_left(word)) result += left_to_right;  // else a number goes before that word
-    is_turned = is_written_to_the_left(last_letter(word));
-    if (!result.empty()) result += ' ';
-    std::string chunk;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-      chunk += word[i];
-      const bool inside = i + 1 < word.size() && (static_cast<unsigned char>(word[i + 1]) & 0xC0) != 0x80;
-      const bool at_sign = chunk.size() > 3 && std::string_view(",;:/_.=-").find(word[i]) != std::string_view::npos;
-      if (!inside || (!at_sign && chunk.size() < longest_chunk)) continue;
-      if (word.size() <= longest_word) continue;
-      result += latex_text(chunk) + "\\allowbreak{}";
-      chunk.clear();
-    }
-    result += latex_text(chunk);
-  }
-  return result;
-}
-
-bool needs_another_engine(std::string_view latex) {
-  for (std::size_t i = 0; i < latex.size(); ++i) {
-    const auto lead = static_cast<unsigned char>(latex[i]);
-    if (lead >= 0xC6 && latex.substr(i, 2) != "\xE2\x80") return true;  // U+0180 and above
-  }
-  return false;
-}
-
-std::string to_latex(const Table& given) {
-  const Table table = for_people(given);
-  const std::string text = plain_latex(table);
-  return needs_another_engine(text) ? "% Needs lualatex or xelatex, and a font that has its letters\n" + text : text;
 }
 
 }  // namespace ikbench::report

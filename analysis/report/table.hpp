@@ -99,9 +99,5 @@ std::vector<std::vector<std::string>> readable_cells(const Table& table);
 // LaTeX with the rules of booktabs, scaled to its column by adjustbox where it is wider. The first line lists the
 // packages it needs. Columns that are empty in every row are left out.
 std::string to_latex(const Table& table);
-// Returns whether pdflatex lacks a letter of the text: it has those of Europe and general punctuation.
-bool needs_another_engine(std::string_view latex);
-// Text whose words may break if they are longer than this, after punctuation if there is any.
-std::string breakable_latex(std::string_view text, std::size_t longest_word);
 
 }  // namespace ikbench::report

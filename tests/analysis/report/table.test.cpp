@@ -53,16 +53,6 @@ TEST_CASE("LaTeX has booktabs rules, names its packages and escapes every specia
   CHECK(text.find("100 \\% of it") > text.find("\\end{tabular}"));
 }
 
-TEST_CASE("LaTeX says if its letters need another engine than pdflatex", "[table]") {
-  const auto latex_of = [](const std::string& cell) {
-    return to_latex({.name = "t", .caption = "t", .columns = {"x"}, .rows = {{cell}}});
-  };
-  const auto asks = Catch::Matchers::StartsWith("% Needs lualatex or xelatex");
-  CHECK_THAT(latex_of("Čapek – façade"), !asks);
-  CHECK_THAT(latex_of("粒子"), asks);
-  CHECK_THAT(latex_of("αβ"), asks);
-}
-
 TEST_CASE("LaTeX sets numbers alone as mathematics, not the words of an interval", "[table]") {
   const Table table{.name = "t",
                     .caption = "t",
@@ -124,12 +114,4 @@ TEST_CASE("short times are in milliseconds, but for CSV, in one unit for a table
   CHECK(readable_cells(table)[1] == std::vector<std::string>{"computing time [s]", "0.002", "0.001", "0.001 to 0.01"});
   table.rows[1][2] = OursAndPrinted{0.001, "0.02"};  // its digits stay
   CHECK(readable_cells(table)[0][2] == "computing time [s]");
-}
-
-TEST_CASE("a number after a Hebrew or Arabic name stays after it", "[table]") {
-  constexpr std::size_t longest = 24;
-  CHECK(breakable_latex("\u05E9\u05DC (4.1 cm), \u0645\u0631 36", longest) ==
-        "\u05E9\u05DC\u200E (4.1 cm), \u0645\u0631\u200E 36");
-  CHECK(breakable_latex("\u05E9\u05DC \u05DD\u05D5", longest) == "\u05E9\u05DC \u05DD\u05D5");  // two words of one name
-  CHECK(breakable_latex("A (4.1 cm) \u95A2 3", longest) == "A (4.1 cm) \u95A2 3");
 }
