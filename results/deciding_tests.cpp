@@ -10,7 +10,7 @@ namespace ikbench::results {
 namespace {
 
 constexpr std::array tests{
-#define IKBENCH_DECIDING_TEST(name, needs, meaning) DecidingTest{#name, Needs::needs, meaning},
+#define IKBENCH_DECIDING_TEST(name, needs) DecidingTest{#name, Needs::needs},
 #include "results/deciding_tests.inc"
 #undef IKBENCH_DECIDING_TEST
 };

@@ -12,7 +12,6 @@ enum class Needs { summaries, values };
 struct DecidingTest {
   std::string_view name;
   Needs needs;
-  std::string_view meaning;
 };
 
 // The tests in the order of deciding_tests.inc.

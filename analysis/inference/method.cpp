@@ -17,7 +17,7 @@ using namespace statistics;
 namespace {
 
 const std::array all_methods{
-#define IKBENCH_DECIDING_TEST(name, needs, meaning) &name##_method,
+#define IKBENCH_DECIDING_TEST(name, needs) &name##_method,
 #include "results/deciding_tests.inc"
 #undef IKBENCH_DECIDING_TEST
     &bootstrap_within_blocks_method,

@@ -28,7 +28,6 @@ struct Method {
   std::string_view of_pair = title;     // "Tamhane's test"
   std::string_view of_two = of_pair;    // name if there are only two groups: "Welch's test"
   std::string_view interval = of_pair;  // method of a difference's interval
-  std::string_view source;
   Compares compares = Compares::means;
   bool within_blocks = false;       // compares differences within blocks
   bool corrects_all_pairs = false;  // p is corrected for the pairs of all groups, even with a control
@@ -40,7 +39,7 @@ struct Method {
   std::optional<TestResult> (*all)(const Evidence& evidence, const Groups& groups) = nullptr;
 };
 
-#define IKBENCH_DECIDING_TEST(name, needs, meaning) extern const Method name##_method;
+#define IKBENCH_DECIDING_TEST(name, needs) extern const Method name##_method;
 #include "results/deciding_tests.inc"
 #undef IKBENCH_DECIDING_TEST
 extern const Method bootstrap_within_blocks_method, paired_t_method, fisher_method, mcnemar_method;

@@ -47,21 +47,17 @@ std::vector<Finding> paired(const Evidence& evidence, const Groups& groups) {
 const Method bootstrap_method{.name = "bootstrap",
                               .title = "Studentized bootstrap of the means",
                               .of_pair = "studentized bootstrap",
-                              .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
                               .resamples = true,
                               .pairs = independent};
-const Method bootstrap_within_blocks_method{
-    .name = "bootstrap",
-    .title = "Studentized bootstrap of the differences within blocks",
-    .of_pair = "studentized bootstrap of the differences within blocks",
-    .source = "Hall, Annals of Statistics 16 (1988) 927; Westfall and Young 1993",
-    .within_blocks = true,
-    .resamples = true,
-    .pairs = within_blocks};
+const Method bootstrap_within_blocks_method{.name = "bootstrap",
+                                            .title = "Studentized bootstrap of the differences within blocks",
+                                            .of_pair = "studentized bootstrap of the differences within blocks",
+                                            .within_blocks = true,
+                                            .resamples = true,
+                                            .pairs = within_blocks};
 const Method paired_t_method{.name = "bootstrap",
                              .title = "Paired t-test within blocks",
                              .of_pair = "paired t-test within blocks",
-                             .source = "Student, Biometrika 6 (1908) 1",
                              .within_blocks = true,
                              .resamples = true,
                              .pairs = paired};

@@ -42,17 +42,13 @@ std::optional<TestResult> kruskal_wallis_of_all(const Evidence&, const Groups& g
 
 }  // namespace
 
-const Method kruskal_wallis_method{
-    .name = "kruskal_wallis",
-    .title = "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
-    .of_pair = "Brunner-Munzel and Mann-Whitney tests",
-    .of_two = "Brunner-Munzel test with Mann-Whitney's test",
-    .interval = "Tamhane, separate variances",
-    .source =
-        "Kruskal and Wallis, JASA 47 (1952) 583; Mann and Whitney, Annals of Mathematical Statistics 18 (1947) "
-        "50; Brunner and Munzel, Biometrical J. 42 (2000) 17",
-    .compares = Compares::ranks,
-    .pairs = kruskal_wallis_pairs,
-    .all = kruskal_wallis_of_all};
+const Method kruskal_wallis_method{.name = "kruskal_wallis",
+                                   .title = "Kruskal-Wallis test with Brunner-Munzel and Mann-Whitney tests",
+                                   .of_pair = "Brunner-Munzel and Mann-Whitney tests",
+                                   .of_two = "Brunner-Munzel test with Mann-Whitney's test",
+                                   .interval = "Tamhane, separate variances",
+                                   .compares = Compares::ranks,
+                                   .pairs = kruskal_wallis_pairs,
+                                   .all = kruskal_wallis_of_all};
 
 }  // namespace ikbench::inference

@@ -50,15 +50,11 @@ std::vector<Finding> mcnemar_pairs(const Evidence& evidence, const Groups& group
 const Method fisher_method{.name = "shares",
                            .title = "Fisher's exact test",
                            .interval = "Newcombe's score interval",
-                           .source = "Fisher 1935; Newcombe, Statistics in Medicine 17 (1998) 873",
                            .compares = Compares::shares,
                            .pairs = fisher_pairs};
 const Method mcnemar_method{.name = "shares",
                             .title = "McNemar's exact test",
                             .interval = "Newcombe's score interval",
-                            .source =
-                                "McNemar, Psychometrika 12 (1947) 153; "
-                                "Newcombe, Statistics in Medicine 17 (1998) 2635",
                             .compares = Compares::shares,
                             .within_blocks = true,
                             .pairs = mcnemar_pairs};

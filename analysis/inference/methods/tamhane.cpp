@@ -53,7 +53,6 @@ const Method tamhane_method{.name = "tamhane",
                             .of_pair = "Tamhane's test",
                             .of_two = "Welch's test",
                             .interval = "Tamhane, separate variances",
-                            .source = "Tamhane, JASA 74 (1979) 471",
                             .corrects_all_pairs = true,
                             .pairs = tamhane_pairs,
                             .all = welch_of_all};
