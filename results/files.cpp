@@ -286,7 +286,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void remove_temporary_folders() {
-  const std::scoped_lock lock(temporary_mutex);
+  temporary_mutex.lock();  // to the end of the process: no half folder gets its name meanwhile
   for (const fs::path& folder : temporary_folders) {
     std::error_code error;
     for (int attempt = 0; attempt < 100; ++attempt) {  // another thread may still write into it
@@ -328,7 +328,7 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   };
   try {
     fill(half);
-    fs::rename(half, place, error);
+    note([&] { fs::rename(half, place, error); });
   } catch (...) {
     end();
     throw;

@@ -46,7 +46,7 @@ class TemporaryFolder {
   int lock_ = -1;
 };
 
-// Removes those of this process, for a sudden end.
+// Removes those of this process, for a sudden end: nothing after it makes, removes or renames such a folder.
 void remove_temporary_folders();
 
 // Removes the half-written files and scratch folders of killed processes from a folder. Those of living processes are

@@ -2,11 +2,14 @@
 
 #include <signal.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
@@ -121,6 +124,28 @@ TEST_CASE("a folder is whole or not there, and takes the place of an empty one a
   CHECK_THAT(complaint<std::invalid_argument>([&] { write_folder(folder.path / "empty", [](const fs::path&) {}); }),
              ContainsSubstring("cannot write " + quoted(folder.path / "empty")));
   CHECK(text_in(folder.path / "empty" / "c") == "whole");
+}
+
+TEST_CASE("a process that ends gives no half folder its name", "[files]") {
+  const ScratchFolder folder;
+  const pid_t child = in_a_process([&] {
+    std::atomic<bool> is_removed = false;
+    std::jthread ending;
+    write_folder(folder.path / "a", [&](const fs::path& place) {
+      write_file(place / "b" / "c", "half");
+      ending = std::jthread([&] {
+        remove_temporary_folders();
+        is_removed = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        _exit(3);
+      });
+      while (!is_removed) std::this_thread::yield();
+      write_file(place / "d" / "e", "half");
+    });
+    return true;
+  });
+  CHECK(exit_code(child) == 3);
+  CHECK_FALSE(fs::exists(folder.path / "a"));
 }
 
 TEST_CASE("litter in a folder that does not exist is none", "[files]") {
