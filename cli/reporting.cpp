@@ -368,7 +368,7 @@ std::vector<std::string> damages_of(const Store& store, const std::string& study
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           figures::RenderOptions options) {
   options.program = program_name();
-  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options).outcomes) {
+  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder, options)) {
     if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
   }
 }

@@ -143,35 +143,13 @@ std::string script_of(const Figure& figure, const std::vector<Picture>& formats)
   return script + "unset output\n";
 }
 
-// A line above a script with its digest, so that an edit shows.
-std::string first_line(std::string_view script) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (const char c : script) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("# Written by ikbench ({:016x}). Edit it: the next report keeps it and draws with it.\n", hash);
-}
-
-// The script in the file if the user has edited it. Ignores links, which may lead anywhere.
-std::optional<std::string> edited_script(const std::filesystem::path& file) {
-  if (!is_own_file(file)) return std::nullopt;
-  std::optional<std::string> text = read_file(file);
-  if (!text || text->empty()) return std::nullopt;
-  const std::string_view rest = std::string_view(*text).substr(std::min(text->find('\n'), text->size() - 1) + 1);
-  return *text == first_line(rest).append(rest) ? std::nullopt : text;
-}
-
 struct Source {
   std::string file, text;
-  bool is_edited = false;  // by the user, so it stays
 };
 
-// The files that a report writes beside its pictures, or the user's edited scripts.
-std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                               const FigureStyle& look) {
+// The files that a report writes beside its pictures.
+std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
   std::vector<Source> sources;
-  const auto add_script = [&](const std::string& file, const std::string& script) {
-    const std::optional<std::string> edited = edited_script(folder / file);
-    sources.push_back({file, edited.value_or(first_line(script) + script), edited.has_value()});
-  };
   std::string style(style_file->text);
   const std::pair<std::string_view, std::string> values[]{
       {"TEXT_PT", text_of(look.text_pt)},
@@ -180,30 +158,25 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const std::fi
       {"HEIGHT_CM", text_of(look.height_cm)},
       {"COLOURS", fmt::format("{}", fmt::join(colours_and_shades(look), " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
-  add_script(std::string(style_file->name), style);
+  sources.push_back({std::string(style_file->name), style});
   for (const Figure& figure : figures) {
-    add_script(figure.name + ".gp", script_of(figure, look.formats));
-    sources.push_back({.file = figure.name + ".dat", .text = figure.data});
+    sources.push_back({figure.name + ".gp", script_of(figure, look.formats)});
+    sources.push_back({figure.name + ".dat", figure.data});
   }
   return sources;
 }
 
 }  // namespace
 
-WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                             const RenderOptions& options) {
-  const std::vector<Source> sources = sources_of(figures, folder, options.style);
-  WrittenFigures written;
+std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                         const RenderOptions& options) {
+  const std::vector<Source> sources = sources_of(figures, options.style);
   std::set<std::string> changed;  // files
   for (const Source& source : sources) {
     if (!options.render && read_file(folder / source.file) != source.text) changed.insert(source.file);
-    if (source.is_edited) {
-      written.edited_scripts.push_back(source.file);
-    } else {
-      write_file(folder / source.file, source.text);
-    }
+    write_file(folder / source.file, source.text);
   }
-  std::vector<FigureOutcome>& outcomes = written.outcomes;
+  std::vector<FigureOutcome> outcomes;
   for (const Figure& figure : figures) {
     const auto is_there = [&](Picture type) { return is_own_file(folder / picture_of(figure, type)); };
     const bool is_same = !changed.contains(std::string(style_file->name)) && !changed.contains(figure.name + ".gp") &&
@@ -212,7 +185,7 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
         {.name = figure.name,
          .rendered = !options.render && is_same && std::ranges::all_of(options.style.formats, is_there)});
   }
-  if (!options.render) return written;
+  if (!options.render) return outcomes;
 
   const TemporaryFolder workshop(folder);
   for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
@@ -244,7 +217,7 @@ WrittenFigures write_figures(const std::vector<Figure>& figures, const std::file
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
-  return written;
+  return outcomes;
 }
 
 }  // namespace ikbench::figures

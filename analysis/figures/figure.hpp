@@ -1,5 +1,5 @@
-// Figures: a gnuplot script and a data file each, kept beside the pictures so that anyone can restyle and draw again
-// with `gnuplot NAME.gp`. Every figure of the program uses this module.
+// Figures: a gnuplot script and a data file each, kept beside the pictures, which `gnuplot NAME.gp` draws again. Every
+// figure of the program uses this module.
 #pragma once
 
 #include <cstddef>
@@ -43,15 +43,10 @@ struct FigureOutcome {
   std::string error = {};  // gnuplot's message, if drawing failed
 };
 
-struct WrittenFigures {
-  std::vector<FigureOutcome> outcomes;
-  std::vector<std::string> edited_scripts;  // edited by the user
-};
-
-// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says.
-// Keeps scripts that the user has edited, and draws with them. Removes old pictures that could not be drawn again.
-// Throws std::invalid_argument if the folder cannot be written to, std::runtime_error if a disk is full.
-WrittenFigures write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                             const RenderOptions& options);
+// Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says; no
+// script that was there is ever run. Removes old pictures that could not be drawn again. Throws std::invalid_argument
+// if the folder cannot be written to, std::runtime_error if a disk is full.
+std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                         const RenderOptions& options);
 
 }  // namespace ikbench::figures

@@ -1,4 +1,4 @@
-# The look of every figure in this folder. Change it here, then draw again: gnuplot NAME.gp
+# The look of every figure in this folder.
 set encoding utf8
 
 # Characters that mean something to gnuplot, for labels.

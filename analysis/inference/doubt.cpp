@@ -115,8 +115,6 @@ constexpr std::array all_words{
         "solvers."},
     Words{K::unknown_paper, "The paper is not known", "no published tables of '{what}'; known papers: {who}"},
     Words{K::solves_missing, "Solves are missing", "{who}: only {count} of {of} solves are stored"},
-    Words{K::figures_edited, "Scripts of figures were edited",
-          "edited scripts of figures stay and are drawn with: {who}; delete one to have it written anew"},
     Words{K::figure_not_drawn, "Figures were not drawn", "{who} not drawn: {what}"},
     Words{K::said_elsewhere, "The data are doubtful", "{what}"},
 };

@@ -54,7 +54,6 @@ enum class DoubtKind {
   out_of_reach,
   unknown_paper,
   solves_missing,
-  figures_edited,
   figure_not_drawn,
   said_elsewhere,  // `what` holds the words of the reader of the store or file
 };

@@ -59,8 +59,7 @@ Report publish(ReportContent content, std::vector<Table> tables, std::vector<Fig
   for (const std::filesystem::path& place : {folder, folder / "tables", folder / "figures"}) remove_litter(place);
   for (const Table& table : tables) write_table(table, folder / "tables", options.program);
   if (!content.assessments.empty()) write_file(folder / "statistics.json", json_of(content.assessments));
-  const auto [outcomes, edited] = write_figures(figures, folder / "figures", options);
-  if (options.render && !edited.empty()) content.warnings.push_back({.kind = DoubtKind::figures_edited, .who = edited});
+  const std::vector<FigureOutcome> outcomes = write_figures(figures, folder / "figures", options);
   std::ranges::move(failures_of(outcomes), std::back_inserter(content.warnings));
 
   std::vector<Piece> pieces(tables.begin(), tables.end());

@@ -118,7 +118,7 @@ TEST_CASE("a box with too many values that are not finite has no whiskers", "[fi
 TEST_CASE("every figure is drawn as SVG, PDF and PNG, without a screen", "[figure]") {
   const ScratchFolder folder;
   const auto figures = figures_of(synthetic::solves({.runs = 3}));
-  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {}).outcomes) {
+  for (const FigureOutcome& outcome : write_figures(figures, folder.path / "figures", {})) {
     CAPTURE(outcome.name, outcome.error);
     CHECK(outcome.rendered);
     for (const char* type : {".svg", ".pdf", ".png", ".gp", ".dat"}) {
@@ -242,16 +242,16 @@ TEST_CASE("where gnuplot is missing or fails there is its message, the scripts, 
   const ScratchFolder folder;
   const Figure good{
       .name = "figure-x", .caption = "x", .settings = "", .plot = "plot 'figure-x.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({good}, folder.path, {}).outcomes[0].rendered);
+  REQUIRE(write_figures({good}, folder.path, {})[0].rendered);
 
-  const auto missing = write_figures({good}, folder.path, {.gnuplot = "no-such-gnuplot"}).outcomes;
+  const auto missing = write_figures({good}, folder.path, {.gnuplot = "no-such-gnuplot"});
   CHECK(!missing[0].rendered);
   CHECK(contains(missing[0].error, "cannot start no-such-gnuplot: No such file or directory"));
   CHECK(files_in(folder.path) == std::set<std::string>{"figure-x.dat", "figure-x.gp", "style.gp"});
 
   Figure bad = good;
   bad.plot = "plot nonsense(";
-  const auto failed = write_figures({bad}, folder.path, {}).outcomes;
+  const auto failed = write_figures({bad}, folder.path, {});
   CHECK(!failed[0].rendered);
   CHECK(contains(failed[0].error, "plot nonsense("));
   CHECK(contains(failed[0].error, "line"));

@@ -130,7 +130,7 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   write_file(folder.path / "victim", "precious");
   fs::create_symlink("victim", png);
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_of_file(svg) != "old");
   CHECK_FALSE(fs::is_symlink(png));
@@ -142,31 +142,26 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   CHECK(text_of_file(svg) == drawn);
 }
 
-TEST_CASE("scripts that the user has edited stay, and figures are drawn with them", "[files][figure]") {
+TEST_CASE("a script or a style that lies in the folder is written anew and never run", "[files][figure]") {
   const ScratchFolder folder;
-  const fs::path style = folder.path / "style.gp", script = folder.path / "f.gp";
-  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
-  CHECK(write_figures({figure}, folder.path, {}).edited_scripts.empty());
-  const std::string own_colour = "#010203";
-  CHECK(text_of_file(folder.path / "f.svg").find(own_colour) == std::string::npos);
-
-  write_file(style, text_of_file(style) + "set style line 1 lc rgb '" + own_colour + "'\n");
-  const std::string edited = text_of_file(style);
-  figure.settings = "set xlabel 'another report'";
-  const WrittenFigures written = write_figures({figure}, folder.path, {});
-  REQUIRE(written.outcomes[0].rendered);
-  CHECK(written.edited_scripts == std::vector<std::string>{"style.gp"});
-  CHECK(text_of_file(style) == edited);
-  CHECK(text_of_file(script).find("another report") != std::string::npos);  // nobody has edited that
-  CHECK(text_of_file(folder.path / "f.svg").find("rgb(  1,   2,   3)") != std::string::npos);
-
-  write_file(script, "# mine\n");  // draws nothing
-  CHECK(!write_figures({figure}, folder.path, {}).outcomes[0].rendered);
-  CHECK(text_of_file(script) == "# mine\n");
-  fs::remove(style);
-  fs::remove(script);
-  CHECK(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
-  CHECK(text_of_file(style).find(own_colour) == std::string::npos);
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
+  write_figures({figure}, folder.path, {});
+  const fs::path pwned = folder.path / "pwned";
+  const std::string picture = text_of_file(folder.path / "f.svg");
+  for (const bool as_link : {false, true}) {
+    for (const char* name : {"style.gp", "f.gp"}) {
+      const fs::path place = folder.path / name, file = as_link ? folder.path / "far" / name : place;
+      CAPTURE(file.string());
+      const std::string written = text_of_file(place);
+      write_file(file, written + "system 'touch " + pwned.string() + "'\nset style line 1 lc rgb '#010203'\n");
+      if (as_link) fs::remove(place), fs::create_symlink(file, place);
+      REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+      CHECK_FALSE(fs::exists(pwned));
+      CHECK_FALSE(fs::is_symlink(place));
+      CHECK(text_of_file(place) == written);
+      CHECK(text_of_file(folder.path / "f.svg") == picture);
+    }
+  }
 }
 
 TEST_CASE("a picture says which program it was made for", "[files][figure]") {
@@ -175,7 +170,7 @@ TEST_CASE("a picture says which program it was made for", "[files][figure]") {
   write_figures({figure}, folder.path, {});
   const std::string plain = text_of_file(folder.path / "f.pdf"), plain_png = text_of_file(folder.path / "f.png");
   const std::string program = "ikbench 1.0.0 (0123456789ab-dirty, source 0123456789abcdef)";
-  REQUIRE(write_figures({figure}, folder.path, {.program = program}).outcomes[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {.program = program})[0].rendered);
   CHECK(text_of_file(folder.path / "f.svg").find("for " + program + "</desc>") != std::string::npos);
 
   const std::string pdf = text_of_file(folder.path / "f.pdf");
@@ -207,9 +202,9 @@ TEST_CASE("without drawing all pictures stay, and those of the same data are sti
   const ScratchFolder folder;
   Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  CHECK(write_figures({figure}, folder.path, {.render = false}).outcomes[0].rendered);
+  CHECK(write_figures({figure}, folder.path, {.render = false})[0].rendered);
   figure.data = "1 1\n2 3\n";
-  CHECK(!write_figures({figure}, folder.path, {.render = false}).outcomes[0].rendered);
+  CHECK(!write_figures({figure}, folder.path, {.render = false})[0].rendered);
   for (const char* const type : {".svg", ".pdf", ".png"}) CHECK(fs::exists(folder.path / ("f" + std::string(type))));
 }
 
@@ -226,7 +221,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
                           .text_pt = 10,
                           .palette = {"#AA0001"},
                           .formats = {Picture::svg}};
-  REQUIRE(write_figures({figure}, folder.path, {.style = style}).outcomes[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {.style = style})[0].rendered);
   const std::string svg = text_of_file(folder.path / "f.svg");
   for (const char* const part : {"width=\"360\" height=\"144\"", "font-family=\"Liberation Serif\"",
                                  "font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
@@ -239,18 +234,8 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
 TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot x title 'a]]>b'", .data = ""};
-  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}}).outcomes[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}})[0].rendered);
   const std::string svg = text_of_file(folder.path / "f.svg");
   CHECK(svg.find("a]]&gt;b") != std::string::npos);
   CHECK(svg.find("]]>") == std::string::npos);
-}
-
-TEST_CASE("a link in the place of a script is no script of the user's", "[files][figure]") {
-  const ScratchFolder folder;
-  write_file(folder.path / "far" / "style.gp", "system 'touch pwned'\n");
-  fs::create_symlink("far/style.gp", folder.path / "style.gp");
-  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {}).outcomes[0].rendered);
-  CHECK_FALSE(fs::is_symlink(folder.path / "style.gp"));
-  CHECK_FALSE(fs::exists(folder.path / "pwned"));
 }

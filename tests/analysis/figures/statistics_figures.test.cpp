@@ -156,8 +156,8 @@ TEST_CASE("in a narrow figure of differences the words on both sides stand on tw
   const Figure figure = differences_figure({{long_name, long_name + "_2", -1, -2, 0.5}, {"B", long_name, 1, -1, 2}},
                                            {"differences", {"difference: position error", "cm"}, 0.95, "bootstrap"});
   const auto height_of = [&](std::string_view words, double width_cm) {
-    const WrittenFigures written = write_figures({figure}, folder.path, {.style = {.width_cm = width_cm}});
-    REQUIRE(written.outcomes.front().error == "");
+    const auto written = write_figures({figure}, folder.path, {.style = {.width_cm = width_cm}});
+    REQUIRE(written.front().error == "");
     const std::string svg = text_of_file(folder.path / "differences.svg");
     const std::size_t text = svg.find(words), place = svg.rfind("translate(", text);
     return std::stod(svg.substr(svg.find(',', place) + 1));
