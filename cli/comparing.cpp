@@ -13,7 +13,6 @@
 #include "analysis/report/words.hpp"
 #include "cli/console.hpp"
 #include "numerics/names.hpp"
-#include "results/looks.hpp"
 
 namespace ikbench::cli {
 
@@ -49,7 +48,7 @@ Variant the(const std::vector<Variant>& variants, const std::string& label, cons
 }
 
 Store opened(const std::string& file) {
-  if (std::filesystem::exists(file)) return open_to_look(file);
+  if (std::filesystem::exists(file)) return checked_store(file);
   throw std::invalid_argument(
       fmt::format("store '{}' does not exist; to compare two labels of one store, add --store FILE", file));
 }
@@ -79,21 +78,6 @@ std::vector<std::string> common_labels(const std::vector<Variant>& a, const std:
   return common;
 }
 
-void refuse_damaged(const Store& store, const std::string& study, const std::filesystem::path& file) {
-  const std::vector<std::string> damages = damages_of(store, study);
-  if (!damages.empty()) throw std::invalid_argument(fmt::format("'{}': {}", file.string(), fmt::join(damages, " ")));
-}
-
-// Takes the level of this look if there were earlier ones with other numbers of runs, says so, and remembers it.
-void look(Request& asked, const Store& store, const StudyEntry& study) {
-  const std::vector<Look> looks = looks_at(study.name, store.name());
-  const int runs = store.runs_begun(study);
-  std::ranges::move(list_of(look_doubts(looks, runs, asked.plan.significance)), std::back_inserter(asked.notes));
-  asked.plan.significance = level_of_look(looks, runs, asked.plan.significance);
-  for (VariantStudy& each : asked.studies) each.study.plan.significance = asked.plan.significance;
-  remember_look(study.name, runs, store.name());
-}
-
 // The rules of the decision, in words.
 std::string rules(const AnalysisPlan& plan) {
   return fmt::format("margin {}; if A and B are alike, some difference is found with a probability of at most {}",
@@ -103,9 +87,8 @@ std::string rules(const AnalysisPlan& plan) {
 }  // namespace
 
 Request labels_of_store(const CompareArguments& arguments, const std::filesystem::path& file, const std::string& name) {
-  const Store store = open_to_look(file);
+  const Store store = checked_store(file);
   const StudyEntry study = chosen_study(store, name);
-  refuse_damaged(store, study.name, file);
   const std::vector<Variant> all = variants(store, study);
   const Variant a = the(all, arguments.a, "A: "), b = the(all, arguments.b, "B: ");
   Request asked{.headline = fmt::format("B: {}, against A: {}, in study {}", arguments.b, arguments.a, study.name),
@@ -117,15 +100,12 @@ Request labels_of_store(const CompareArguments& arguments, const std::filesystem
         report::words::families,
         fmt::arg("solvers", control.empty() ? fmt::format("all {} solvers", all.size()) : "the control " + control)));
   }
-  look(asked, store, study);
   return asked;
 }
 
 Request labels_of_stores(const CompareArguments& arguments) {
   const Store of_a = opened(arguments.a), of_b = opened(arguments.b);
   const StudyEntry first = chosen_study(of_a, arguments.study), second = partner(of_b, arguments, first);
-  refuse_damaged(of_a, first.name, arguments.a);
-  refuse_damaged(of_b, second.name, arguments.b);
   const std::vector<Variant> a = variants(of_a, first), b = variants(of_b, second);
   Request asked{
       .headline = fmt::format("B: {} in {}, against A: {} in {}", second.name, arguments.b, first.name, arguments.a),
@@ -134,7 +114,6 @@ Request labels_of_stores(const CompareArguments& arguments) {
     const Variant one = the(a, label, "A: "), other = the(b, label, "B: ");
     asked.studies.push_back(study_of_both(one, other, asked.plan));
   }
-  look(asked, of_b, second);  // A is the baseline, which does not grow
   return asked;
 }
 

@@ -21,9 +21,8 @@ std::string printable(std::string_view text);
 // Prints printable text on standard error, after all earlier standard output; a failure to print is ignored. Lines
 // break between words.
 void say(std::string_view text);
-void warn(std::string_view text);            // says "warning: " and the text
-std::size_t take_said_lines();               // how many lines these printed since the last call
-void leave_room_for(std::string_view text);  // counts text that is said later
+void warn(std::string_view text);  // says "warning: " and the text
+std::size_t take_said_lines();     // how many lines these printed since the last call
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t text_width();

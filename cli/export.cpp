@@ -87,8 +87,6 @@ void add_export(CLI::App& app, Invocation&) {
     if (format.write_folder && arguments->file == "-")
       throw std::invalid_argument(fmt::format("--format {} is a folder; expected -o FOLDER", format.name));
     store.at_one_moment([&] {
-      const SolveCheck check = check_of(store, study);
-      bool is_checked = false;  // after the first pass
       const std::vector<Session> sessions = store.sessions();
       const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
       const std::int64_t all = store.solves_of(study.series);
@@ -97,12 +95,10 @@ void add_export(CLI::App& app, Invocation&) {
                                 if (has_bar) bar.emplace("writing " + study.name);
                                 Progress progress{.total = all};
                                 store.each_of_study(study, [&](const SolveRecord& solve) {
-                                  if (!is_checked) check.look_at(solve);
                                   take(solve);
                                   ++progress.done;
                                   if (bar) bar->show(progress);
                                 });
-                                is_checked = true;
                               }};
       if (format.write_folder) {
         for (const std::string& warning : format.write_folder(exported, arguments->file)) warn(warning);
@@ -112,8 +108,6 @@ void add_export(CLI::App& app, Invocation&) {
       } else {
         write_through(arguments->file, [&](const Write& write) { format.write_text(exported, write); });
       }
-      for (const std::string& damage : check.damages()) warn(damage);
-      if (const std::string unknown = check.unknown(); !unknown.empty()) warn(unknown);
     });
   });
 }

@@ -96,8 +96,8 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both. Solves are copied as they are: `ikbench\n"
-      "report` and `compare` find what is damaged. A store whose sessions or studies were changed is refused. A store that a kill left half-written is left out, and named.\n"
+      "A solve that two stores have must have the same bits in both. A store that a kill left half-written is left\n"
+      "out, and named.\n"
       "What is missing is counted; the exit code is then 5. A\n"
       "merge that was killed has added nothing, or all: give the same command again.");
   command->callback([arguments, &invocation] {

@@ -9,7 +9,6 @@
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/collection.hpp"
-#include "results/looks.hpp"
 
 namespace ikbench::cli {
 
@@ -41,7 +40,7 @@ void add_report(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
-    const Store store = open_to_look(arguments->store);
+    const Store store = checked_store(arguments->store);
     refuse_reproduction(folder.empty() ? "." : folder);
     const std::optional<StudyCollection> file = load_collection(arguments->study);
     std::optional<report::Collection> collection;

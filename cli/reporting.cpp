@@ -62,28 +62,6 @@ void warn_of_left_aside(const Study& study, const Store& store) {
       aside.solves, fmt::join(aside.labels, ", ")));
 }
 
-// Names sessions that solves of the study name and the table of sessions lacks; empty if there are none.
-std::string unknown_sessions(const Store& store, const StudyEntry& entry) {
-  std::vector<std::int64_t> unknown = store.sessions_of(entry.series);
-  for (const Session& known : store.sessions()) std::erase(unknown, known.id);
-  if (unknown.empty()) return "";
-  return fmt::format("Damaged: its solves name {} session{} that the table of sessions does not have (first: {}).",
-                     unknown.size(), unknown.size() == 1 ? "" : "s", unknown.front());
-}
-
-// The changes of the study since it was written.
-std::vector<std::string> changes_in(const Store& store, const StudyEntry& entry, std::string& unknown) {
-  Changes changes = store.changes({entry.name});
-  if (!changes.are_known) {
-    unknown = fmt::format(
-        "Some digests of study {} were removed from the store: whether it was changed since it was written does not "
-        "show.",
-        entry.name);
-  }
-  for (std::string& sentence : changes.sentences) sentence = fmt::format("Damaged: {}.", sentence);
-  return std::move(changes.sentences);
-}
-
 // The verdict, the claims or the results, what else is to be said, and where the report is.
 std::vector<Part> screen_of(const Report& report, const std::vector<std::string>& remarks,
                             const OutputArguments& output) {
@@ -99,11 +77,10 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
   std::vector<Part> parts;
   Part asked;
   for (const std::string& answer : report.answers) asked.items.push_back(wrapped(answer));
-  if (report.is_damaged || report.claims.empty()) {
+  if (report.claims.empty()) {
     constexpr std::size_t of_table = 13, of_sentences = 6;
     if (!first.empty()) {
-      const Tone tone = report.is_damaged ? Tone::bad : tone_of(report.findings.lead);
-      parts.push_back({.items = {coloured(wrapped(first), tone)}});
+      parts.push_back({.items = {coloured(wrapped(first), tone_of(report.findings.lead))}});
       asked.items.emplace_back();
     }
     parts.push_back(std::move(asked));
@@ -138,7 +115,7 @@ std::vector<Part> screen_of(const Report& report, const std::vector<std::string>
 
 // The claims or the pairs of the quantity that decides; statistics.json has every number of every quantity.
 report::Json json_of(const Report& report, WrittenReport wanted) {
-  report::Json json{{"study", wanted.study}, {"report", report.page.string()}, {"is_damaged", report.is_damaged}};
+  report::Json json{{"study", wanted.study}, {"report", report.page.string()}};
   if (!report.claims.empty()) json["claims"] = rows_json(verdict_table(report.claims));
   json["lead"] = name_of(report.findings.lead);
   json["pairs"] = rows_json(report.findings.pairs);
@@ -297,23 +274,19 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
   const std::vector<Collection> own = wanted.collection ? std::vector{*wanted.collection} : std::vector<Collection>();
   ReportProgress progress;
   const Report report = write_report(
-      store, {.study = wanted.study,
-              .folder = wanted.folder,
-              .plan = plan,
-              .style = styled(figure_style_of(entry), wanted.arguments),
-              .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
-              .collections = own.empty() ? analysis::collections() : own,
-              .extra_tables = std::move(wanted.tables),
-              .extra_figures = std::move(wanted.figures),
-              .repetitions = std::move(wanted.repetitions),
-              .shares = std::move(wanted.shares),
-              .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); },
-              .check = [&](const StudyEntry& of) { return check_of(store, of); }});
+      store,
+      {.study = wanted.study,
+       .folder = wanted.folder,
+       .plan = plan,
+       .style = styled(figure_style_of(entry), wanted.arguments),
+       .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
+       .collections = own.empty() ? analysis::collections() : own,
+       .extra_tables = std::move(wanted.tables),
+       .extra_figures = std::move(wanted.figures),
+       .repetitions = std::move(wanted.repetitions),
+       .shares = std::move(wanted.shares),
+       .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); }});
   progress.end();
-  const std::string damaged =
-      "the store is damaged, and the report begins with what is wrong; its sessions say which commands made the damaged "
-      "solves: give these again into another folder";
-  if (report.is_damaged) leave_room_for("ikbench: " + damaged);
   if (wanted.tells_of_further && !report.further.empty()) {
     wanted.remarks.push_back(fmt::format(
         "The store also has {}, which this report is not about: --study NAME reports one of them, and --study FILE.toml "
@@ -327,42 +300,12 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
     show_screen(screen_of(report, wanted.remarks, output), output,
                 fmt::format(", and {} has it", report.file.string()));
   }
-  if (!report.is_damaged) return;
-  std::fflush(stdout);
-  throw std::invalid_argument(damaged);
 }
 
-SolveCheck check_of(const Store& store, const StudyEntry& entry) {
-  const auto recheck = std::make_shared<Recheck>(entry);
-  const auto unknown = std::make_shared<std::string>();
-  return {.look_at = [=](const SolveRecord& solve) { recheck->look_at(solve); },
-          .damages =
-              [=, &store] {
-                std::vector<std::string> sentences = recheck->damages();
-                std::ranges::move(changes_in(store, entry, *unknown), std::back_inserter(sentences));
-                sentences.push_back(unknown_sessions(store, entry));
-                std::erase(sentences, "");
-                for (std::string& sentence : sentences) sentence = fmt::format("Study {}: {}", entry.name, sentence);
-                return sentences;
-              },
-          .unknown = [=] { return *unknown; }};
-}
-
-std::vector<std::string> damages_of(const Store& store, const std::string& study) {
-  const StudyEntry entry = store.study(study);
-  const SolveCheck check = check_of(store, entry);
-  {
-    ProgressBar bar(fmt::format("checking {}", study));
-    Progress progress{.total = store.solves_of(entry.series)};
-    store.each_of_study(entry, [&](const SolveRecord& solve) {
-      check.look_at(solve);
-      ++progress.done;
-      bar.show(progress);
-    });
-  }
-  std::vector<std::string> damages = check.damages();
-  if (!check.unknown().empty()) warn(check.unknown());
-  return damages;
+Store checked_store(const std::filesystem::path& file) {
+  Store store(file, Store::Mode::read);
+  store.check_solves(recheck_of);
+  return store;
 }
 
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,

@@ -73,8 +73,7 @@ report::Collection reported_collection(const experiments::StudyCollection& colle
 void refuse_collection(const std::string& file, std::string_view command);
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
-// remarks and, as the last line, the path of report.html. If the store is damaged, the report says so first, and
-// std::invalid_argument is thrown at the end.
+// remarks and, as the last line, the path of report.html.
 void write_and_announce(const results::Store& store, WrittenReport wanted);
 
 // Shows how far a report is, a bar for each step and study.
@@ -92,13 +91,8 @@ class ReportProgress {
 void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
           figures::RenderOptions options);
 
-// Checks the solves of a stored study: its damages are numbers that do not follow from the answers
-// (experiments/recheck.hpp), changes since it was written, and sessions that the store does not have.
-report::SolveCheck check_of(const results::Store& store, const results::StudyEntry& entry);
-
-// The damages of a stored study, in sentences, after a pass over its solves.
-// Warns where digests were removed, so that changes may not show.
-std::vector<std::string> damages_of(const results::Store& store, const std::string& study);
+// Opens a store for reading, and checks the errors of all solves that are read (experiments/recheck.hpp).
+results::Store checked_store(const std::filesystem::path& file);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);

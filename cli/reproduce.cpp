@@ -299,7 +299,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const auto& [name, overrides] = studies[i];
       if (is_stopped(load_study(name, overrides))) return;
       if (i == 0 || i + 1 == studies.size()) {
-        show_tables(Store(store_in(folder), Store::Mode::read), collection, i + 1, arguments->report.output, shown);
+        show_tables(checked_store(store_in(folder)), collection, i + 1, arguments->report.output, shown);
       }
     }
     for (const auto& [name, overrides] : studies) {
@@ -317,7 +317,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     }
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    const Store store(store_in(folder), Store::Mode::read);
+    const Store store = checked_store(store_in(folder));
     std::vector<Fingerprints> fingerprints;
     for (const auto& [name, overrides] : studies) {
       check_is_stored(load_study(name, overrides), store);

@@ -46,9 +46,9 @@ void warn_of_too_few(const Study& study) {
 void refuse_empty_shard(const Study& study, Shard shard) {
   const std::int64_t parts = parts_of(size_of(study));
   if (shard.count <= parts) return;
-  throw std::invalid_argument(fmt::format("--shard {}: {} has only {} {}{} to share out, so give at most that many shards",
-                                          shard.text(), study.name, parts, size_of(study).is_chained ? "run" : "target",
-                                          parts == 1 ? "" : "s"));
+  throw std::invalid_argument(
+      fmt::format("--shard {}: {} has only {} {}{} to share out, so give at most that many shards", shard.text(),
+                  study.name, parts, size_of(study).is_chained ? "run" : "target", parts == 1 ? "" : "s"));
 }
 
 struct StudyToRun {
@@ -85,7 +85,7 @@ void run_collection(const StudyCollection& collection, const StudyToRun& argumen
   }
   const std::string words = solved.words(store_in(folder));
   if (arguments.without_report) return tell_unless_json(words, arguments.report.output);
-  const Store store(store_in(folder), Store::Mode::read);
+  const Store store = checked_store(store_in(folder));
   for (const Study& study : collection.studies) check_is_stored(study, store);
   const std::string& first = collection.studies.front().name;
   write_and_announce(
@@ -155,7 +155,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
     }
     const std::string words = solved.words(store_in(folder));
     if (!has_report) return tell_unless_json(words, arguments->report.output);
-    const Store store(store_in(folder), Store::Mode::read);
+    const Store store = checked_store(store_in(folder));
     check_is_stored(study, store);
     write_and_announce(store,
                        {.study = study.name, .folder = folder, .arguments = arguments->report, .remarks = {words}});

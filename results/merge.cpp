@@ -17,7 +17,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -26,10 +25,8 @@
 #include "numerics/json.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
-#include "results/looks.hpp"
 #include "results/same_solves.hpp"
 #include "results/store_codec.hpp"
-#include "results/store_digests.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
@@ -93,21 +90,6 @@ class Attached {
   SQLite::Database& sqlite_;
 };
 
-// The studies of a store. Refuses a store that was changed since it was written: a merge would hide that, since it
-// writes new digests.
-std::vector<StudyEntry> unchanged_studies(const Store& store) {
-  std::vector<StudyEntry> studies;
-  store.at_one_moment([&] { studies = store.studies(); });
-  std::vector<std::string> names;
-  for (const StudyEntry& study : studies) names.push_back(study.name);
-  const std::vector<std::string> changes = store.changes(names).sentences;
-  if (changes.empty()) return studies;
-  throw std::invalid_argument(
-      fmt::format("'{}' was changed since it was written: {}; nothing was merged; take it from "
-                  "where it was solved, or solve it again",
-                  store.name(), changes.front()));
-}
-
 // A range of solves by their rowids, both ends included.
 struct Rows {
   std::int64_t first = std::numeric_limits<std::int64_t>::min();
@@ -119,43 +101,25 @@ class MergedStore {
  public:
   explicit MergedStore(StoreFile& file) : file_(file) {
     const Store before(file.name(), Store::Mode::read);
-    for (const StudyEntry& study : unchanged_studies(before))
+    for (const StudyEntry& study : before.studies())
       studies_.emplace(study.name, Known{study, Source::quoted(file.name())});
     for (const Session& session : before.sessions()) {
       same_[facts_of(session)].push_back(session.id);
       sessions_[session.id] = session;
     }
-    with_digest_ = sessions_with_digest(file_.sqlite(), "main");
     file_.sqlite().exec("CREATE TEMP TABLE numbers (theirs INTEGER PRIMARY KEY, ours INTEGER NOT NULL)");
   }
 
   // Takes everything that a store has now.
   void take(const Store& store, const Source& source) {
     const Attached attached(file_.sqlite(), source.file);
-    const std::int64_t number = file_.number("SELECT count(*) FROM source.solves");
     const Rows rows{.last = file_.number("SELECT coalesce(max(rowid), 0) FROM source.solves")};
     if (StoreFile::identity_of(source.file.string()) != source.identity)
       throw std::runtime_error(fmt::format("{} was replaced while it was merged; nothing was merged; merge again",
                                            Source::quoted(source.file)));
-    const std::map<std::string, std::string> meta = meta_in(file_.sqlite(), "source");
-    for (const StudyEntry& study : unchanged_studies(store)) {
-      take(study, source);
-      for (const auto& [key, when] : looks_among(meta, study.name)) write_look(file_.sqlite(), study.name, key, when);
-    }
+    for (const StudyEntry& study : store.studies()) take(study, source);
     take(store.sessions(), source);
-    if (const std::int64_t taken = take_solves(source, rows); taken < number)
-      throw Damage(fmt::format("{} of its {} solves are not in their order", number - taken, number));
-  }
-
-  // Writes digests of the present content, whoever wrote it.
-  void write_digests() {
-    const SolveSums solves = summed_solves(file_.sqlite(), std::numeric_limits<std::int64_t>::max());
-    for (const std::int64_t session : with_digest_) {
-      const auto found = solves.find(session);
-      SessionDigest digest = found == solves.end() ? SessionDigest() : found->second;
-      digest.sum += digest_of(sessions_[session]);
-      write_digest(file_.sqlite(), session, digest);
-    }
+    take_solves(source, rows);
   }
 
   // This store as a source for another one.
@@ -183,7 +147,9 @@ class MergedStore {
           fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again "
                       "as the other is, or leave one store out",
                       study.name, known.place, place, why));
-    const auto runs_of = [](const StudyEntry& of) { return numerics::parsed_json(of.definition).at("runs").get<int>(); };
+    const auto runs_of = [](const StudyEntry& of) {
+      return numerics::parsed_json(of.definition).at("runs").get<int>();
+    };
     const bool is_larger = runs_of(study) > runs_of(known.study);
     if (is_larger) known = {study, place};
     if (is_new || is_larger) write_study(file_.sqlite(), known.study);
@@ -195,7 +161,6 @@ class MergedStore {
     file_.sqlite().exec("DELETE FROM temp.numbers");
     SQLite::Statement note(file_.sqlite(), "INSERT INTO temp.numbers VALUES (?, ?)");
     std::map<std::string, std::size_t> seen;
-    const std::set<std::int64_t> with_digest = sessions_with_digest(file_.sqlite(), "source");
     for (const Session& session : sessions) {
       const std::string facts = facts_of(session);
       std::vector<std::int64_t>& same = same_[facts];
@@ -203,7 +168,6 @@ class MergedStore {
       const bool is_new = place == same.size();
       if (is_new) same.push_back(begin(session));
       add_facts(same[place], session);
-      if (with_digest.contains(session.id)) with_digest_.insert(same[place]);
       SQLite::bind(note, session.id, same[place]);
       note.exec();
       note.reset();
@@ -239,37 +203,32 @@ class MergedStore {
   }
 
   // Takes solves, some at a time: a writer to a store without a log waits for the end of a query, and gives up after
-  // some seconds. Returns their number.
-  std::int64_t take_solves(const Source& source, Rows all) {
+  // some seconds.
+  void take_solves(const Source& source, Rows all) {
     SQLite::Statement next(
         file_.sqlite(),
-        "SELECT max(rowid), count(*), count(*) FILTER (WHERE typeof(series) = 'text' AND typeof(run) "
-        "= 'integer' AND typeof(point) = 'integer' AND min(run, point) >= 1 AND max(run, point) <= "
-        "2147483647) FROM (SELECT rowid, series, run, point FROM source.solves WHERE rowid "
-        "BETWEEN ? AND ? ORDER BY rowid LIMIT 1000)");
+        "SELECT max(rowid), count(*) FROM (SELECT rowid FROM source.solves WHERE rowid BETWEEN ? AND "
+        "? ORDER BY rowid LIMIT 1000)");
     SQLite::Statement copy(file_.sqlite(), copy_of_solves());
-    for (std::int64_t taken = 0;; ++all.first) {
+    for (;; ++all.first) {
       SQLite::bind(next, all.first, all.last);
       next.executeStep();
       const Rows rows{.first = all.first, .last = next.getColumn(0).getInt64()};
-      const std::int64_t number = next.getColumn(1).getInt64(), whole = next.getColumn(2).getInt64();
+      const std::int64_t number = next.getColumn(1).getInt64();
       next.reset();
-      if (number == 0) return taken;
-      if (whole < number)
-        throw Damage("the series of a solve is no text, or its run or point is no whole number from 1 to 2147483647");
+      if (number == 0) return;
       SQLite::bind(copy, rows.first, rows.last);
       const std::int64_t added = copy.exec();
       copy.reset();
       merged.added += added;
       merged.known += number - added;
       if (added < number) refuse_other_bits(source, rows);
-      taken += number;
-      if (rows.last == all.last) return taken;
+      if (rows.last == all.last) return;
       all.first = rows.last;
     }
   }
 
-  // The SQL that copies solves unchanged; readers of the store check them.
+  // The SQL that copies solves unchanged.
   std::string copy_of_solves() {
     std::vector<std::string> columns;
     for_each_column([&](std::string_view name, auto, auto) { columns.emplace_back(name); });
@@ -310,7 +269,6 @@ class MergedStore {
   std::map<std::string, Known> studies_;
   std::map<std::string, std::vector<std::int64_t>> same_;  // sessions, by their facts
   std::map<std::int64_t, Session> sessions_;
-  std::set<std::int64_t> with_digest_;
   std::map<std::int64_t, std::string> origins_;  // of new sessions
 };
 
@@ -329,9 +287,6 @@ void end_where(SQLite::Database& sqlite, const std::atomic<bool>* cancelled) {
 // Reports the error that ended the copying of one store into another.
 [[noreturn]] void refuse_copy(const SQLite::Exception& error, const fs::path& from, const fs::path& to) {
   const int code = error.getExtendedErrorCode();
-  if (code == SQLITE_CONSTRAINT_NOTNULL)
-    results::refuse(from.string(), Damage(fmt::format("a solve lacks a value, or is of a session that is not there: {}",
-                                                      error.what())));
   constexpr std::array writing{SQLITE_IOERR_WRITE, SQLITE_IOERR_FSYNC, SQLITE_IOERR_DIR_FSYNC, SQLITE_IOERR_TRUNCATE,
                                SQLITE_IOERR_DELETE};
   const bool is_of_writing = error.getErrorCode() == SQLITE_FULL || std::ranges::find(writing, code) != writing.end();
@@ -361,15 +316,12 @@ std::pair<Source, Merged> gather(const fs::path& file, const fs::path& out, cons
         all.take(*store, source);
       } catch (const SQLite::Exception& error) {
         refuse_copy(error, place, out);
-      } catch (const Damage& damage) {
-        results::refuse(place.string(), damage);
       }
     }
     if (!stores.empty() && all.merged.half_written.size() == stores.size())
       throw std::invalid_argument(all.merged.half_written.front());
     // This change makes SQLite wait until all is on the disk.
-    all.write_digests();
-    target.sqlite().exec(fmt::format("PRAGMA synchronous = FULL; PRAGMA user_version = {}", schema_version));
+    target.sqlite().exec(fmt::format("PRAGMA synchronous = FULL; PRAGMA user_version = {}", store_version));
     return std::pair(all.as_source(), all.merged);
   });
 }
@@ -383,7 +335,6 @@ Merged take_into(const fs::path& out, const Source& gathered, const std::atomic<
     SQLite::Transaction transaction(target.sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
     MergedStore all(target);
     all.take(Store(gathered.file, Store::Mode::read), gathered);
-    all.write_digests();
     end_if(cancelled);
     target.commit(transaction);
     return all.merged;

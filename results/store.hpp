@@ -1,10 +1,10 @@
 // The store: one SQLite file of studies, sessions and solves. Several studies may share a store. Schema:
 // docs/data-dictionary.md.
-// std::invalid_argument means a user's mistake: no such file, not a store, damaged, another schema, no permission, a
+// std::invalid_argument means a user's mistake: no such file, not a store, damaged, another version, no permission, a
 // study of too many solves, two processes at one study. std::runtime_error means a full disk, or a store that another
-// process keeps locked or takes away. std::logic_error means a mistake of ours (a definition that is not JSON).
-// The file is not trusted: whatever ikbench would not have written is damage, and no SQL of it is run. A Store belongs
-// to one thread at a time.
+// process keeps locked or takes away.
+// Opening a store checks its file (PRAGMA quick_check); no SQL of the file is run. A Store belongs to one thread at a
+// time.
 #pragma once
 
 #include <cstdint>
@@ -47,11 +47,8 @@ struct HalfWritten : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-// The changes of a store since it was written (digest.hpp).
-struct Changes {
-  std::vector<std::string> sentences = {};
-  bool are_known = true;  // false: some digests were removed, so changes may not show
-};
+// Looks at a solve that is read; throws what is wrong with it.
+using SolveCheck = std::function<void(const SolveRecord&)>;
 
 class Store {
  public:
@@ -77,8 +74,7 @@ class Store {
   std::vector<Session> sessions() const;
 
   // Adds all of them in one transaction, which survives any end of the process. Throws std::invalid_argument, and adds
-  // none, if one (series, run, point) is there already because another process solves the same. Each gets its digest,
-  // whatever it had.
+  // none, if one (series, run, point) is there already because another process solves the same.
   void append(const std::vector<SolveRecord>& records);
 
   // Ends writing: makes the store one plain file, and waits some seconds for others who have it open. Returns the files
@@ -93,8 +89,6 @@ class Store {
   void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
   // The same, but with run and point only.
   void each_place(const std::string& key, const std::function<void(int run, int point)>& take) const;
-  // The sessions that made solves of these series, in the order of their numbers.
-  std::vector<std::int64_t> sessions_of(const std::vector<Series>& series) const;
   // The number of solves of each series of a configuration, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
   // Calls `take` with every current solve of a study, in the order of its series, then run, then point, without runs
@@ -102,17 +96,15 @@ class Store {
   void each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const;
   // All of these at once, for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
-  // The changes of these studies and of the sessions that solved for them. A change within a solve shows by its own
-  // digest.
-  Changes changes(const std::vector<std::string>& studies) const;
-  // The number of runs of the definition in which any solver of the study has a solve.
-  int runs_begun(const StudyEntry& study) const;
+  // From now on each solve that each_of_study() reads is checked first, by what `make` returns for its study.
+  void check_solves(std::function<SolveCheck(const StudyEntry&)> make);
   // The number of solves of these series, of any run.
   std::int64_t solves_of(const std::vector<Series>& series) const;
 
  private:
   struct Database;
   std::unique_ptr<Database> database_;
+  std::function<SolveCheck(const StudyEntry&)> check_of_;  // may be empty
 };
 
 }  // namespace ikbench::results

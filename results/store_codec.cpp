@@ -76,14 +76,6 @@ auto sql_value(const Value& value) {
     return value;
 }
 
-// The default of a column that schema 1 did not have; a floating-point number has none.
-template <class Value>
-std::string sql_default(const Value& value) {
-  if constexpr (std::is_floating_point_v<Value>) return "";
-  if constexpr (std::is_integral_v<Value>) return fmt::format(" DEFAULT {}", value);
-  if constexpr (!std::is_arithmetic_v<Value>) return fmt::format(" DEFAULT '{}'", sql_value(value));
-}
-
 // The text of a column; valid as long as its row.
 std::string_view text_in(const SQLite::Column& column) {
   const char* const text = column.getText();  // call it before getBytes
@@ -137,11 +129,8 @@ struct SolveColumn {
 
 std::vector<SolveColumn> solve_columns() {
   std::vector<SolveColumn> columns;
-  const SolveRecord empty;
-  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
-    const bool has_default = columns.size() >= columns_of_schema_1;
-    columns.push_back({name, fmt::format("{} {}{}", name, sql_type<Value>(),
-                                         has_default ? sql_default(empty.*member) : std::string())});
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*, std::string_view) {
+    columns.push_back({name, fmt::format("{} {}", name, sql_type<Value>())});
   });
   return columns;
 }
@@ -178,7 +167,7 @@ std::string create_solves() {
                      listed(solve_columns(), [](const SolveColumn& column) { return column.declaration; }));
 }
 
-std::string select_solves() { return fmt::format("SELECT rowid, {} FROM solves", listed(solve_columns(), name_in)); }
+std::string select_solves() { return fmt::format("SELECT {} FROM solves", listed(solve_columns(), name_in)); }
 
 std::string insert_solve() {
   const std::vector<SolveColumn> columns = solve_columns();
@@ -196,7 +185,7 @@ SolveRecord solve_in(SQLite::Statement& row) {
   SolveRecord record;
   int index = 0;
   for_each_column(
-      [&](std::string_view, auto member, std::string_view) { read(row.getColumn(++index), record.*member); });
+      [&](std::string_view, auto member, std::string_view) { read(row.getColumn(index++), record.*member); });
   return record;
 }
 

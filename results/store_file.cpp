@@ -1,13 +1,11 @@
 #include "results/store_file.hpp"
 
-#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <limits>
 #include <stdexcept>
@@ -30,48 +28,18 @@ constexpr int largest_value = 256'000'000;  // bytes of a text in the file; more
                   file));
 }
 
-struct TableMaker {
-  std::string_view name;
-  std::string sql;
-};
-
-std::vector<TableMaker> tables() {
-  return {
-      {"meta", "CREATE TABLE meta (key TEXT NOT NULL PRIMARY KEY, value TEXT NOT NULL)"},
-      {"studies",
-       "CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL, "
-       "saved TEXT NOT NULL)"},
-      {"series",
-       "CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL, "
-       "algorithm TEXT NOT NULL, options TEXT NOT NULL, PRIMARY KEY (study, position), UNIQUE (study, key), "
-       "UNIQUE (study, label))"},
-      {"sessions", "CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL)"},
-      {"environment",
-       "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
-       "PRIMARY KEY (session, key))"},
-      {"solves", create_solves()}};
-}
-
 std::string create_tables() {
-  std::string sql =
-      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};\n", application_id, schema_version);
-  for (const TableMaker& table : tables()) sql += table.sql + ";\n";
-  return sql + fmt::format(
-                   "INSERT INTO meta VALUES ('schema', '{}'), ('written by', 'ikbench; the columns are "
-                   "described in docs/data-dictionary.md');\n",
-                   schema_version);
-}
-
-// The SQL with one space for every run of white space.
-std::string on_one_line(std::string_view sql) {
-  std::string text;
-  for (const char c : sql) {
-    if (std::isspace(static_cast<unsigned char>(c)) == 0)
-      text += c;
-    else if (!text.empty() && text.back() != ' ')
-      text += ' ';
-  }
-  return text;
+  return fmt::format(
+      "PRAGMA application_id = {}; PRAGMA user_version = {};\n"
+      "CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL, "
+      "saved TEXT NOT NULL);\n"
+      "CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL, "
+      "algorithm TEXT NOT NULL, options TEXT NOT NULL, PRIMARY KEY (study, position), UNIQUE (study, key), "
+      "UNIQUE (study, label));\n"
+      "CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL);\n"
+      "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
+      "PRIMARY KEY (session, key));\n{};\n",
+      application_id, store_version, create_solves());
 }
 
 // ", such as 'out/mine/store.sqlite'": stores in a folder and in the folders in it; empty if there are none.
@@ -183,12 +151,11 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
       number("PRAGMA application_id") == 0)
     sqlite_.exec(create_tables());
   check_header();
-  check_tables();
+  check_pages();
   transaction.commit();
   if (mode == Store::Mode::read) return;
   if (mode == Store::Mode::write_shared) {
     sqlite_.exec("PRAGMA journal_mode = DELETE");
-    mark_.emplace(name_);
   } else {
     sqlite_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   }
@@ -210,10 +177,9 @@ void StoreFile::check_place() const {
   if (!is_in_place()) refuse_taken_away(name_);
 }
 
-void StoreFile::commit(SQLite::Transaction& transaction, std::int64_t solves) {
+void StoreFile::commit(SQLite::Transaction& transaction) {
   transaction.commit();
   check_place();
-  if (mark_) mark_->add(solves);
 }
 
 // Folds the log in; false if another process reads or writes. The committed data are safe even then, and the next
@@ -268,43 +234,22 @@ void StoreFile::check_header() {
   if (number("PRAGMA application_id") != application_id)
     throw std::invalid_argument(fmt::format(
         "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name_));
-  if (const std::int64_t version = number("PRAGMA user_version"); version != schema_version)
-    throw std::invalid_argument(
-        fmt::format("'{}' has schema {}, but this ikbench reads schema {} alone; use the ikbench that wrote it, or run "
-                    "its studies into a new store",
-                    name_, version, schema_version));
+  if (const std::int64_t version = number("PRAGMA user_version"); version != store_version) {
+    SQLite::Statement maker(sqlite_, "SELECT value FROM environment WHERE key = 'version' ORDER BY session DESC");
+    throw std::invalid_argument(fmt::format(
+        "'{}' is a store of version {}{}, and this ikbench reads version {} alone; ikbench 1.0 reads it, or "
+        "run its studies into a new store",
+        name_, version, maker.executeStep() ? ", made by ikbench " + maker.getColumn(0).getString() : "",
+        store_version));
+  }
+}
+
+void StoreFile::check_pages() {
   // SQLite takes missing bytes of the last page for zeros.
   if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
     throw Damage("it is truncated");
-}
-
-// Checks that the file has our tables and nothing else.
-void StoreFile::check_tables() {
-  if (const std::string encoding = sqlite_.execAndGet("PRAGMA encoding").getString(); encoding != "UTF-8")
-    throw Damage(fmt::format("its encoding is {}, expected UTF-8", encoding));
-  std::vector<TableMaker> missing = tables();
-  const auto is_ours = [ours = missing](const std::string& name) {
-    return std::ranges::find(ours, name, &TableMaker::name) != ours.end();
-  };
-  SQLite::Statement query(sqlite_, "SELECT type, name, tbl_name, sql FROM sqlite_master");
-  while (query.executeStep()) {
-    const std::string type = query.getColumn(0).getString();
-    const std::string name = query.getColumn(1).getString();
-    const bool is_automatic = query.getColumn(3).isNull() && name.starts_with("sqlite_autoindex_");
-    if (type == "index" && is_automatic && is_ours(query.getColumn(2).getString())) continue;
-    const auto found = std::ranges::find(missing, name, &TableMaker::name);
-    if (type != "table" || found == missing.end())
-      throw Damage(fmt::format("it has {} {}, which no ikbench store has", type.substr(0, 40), excerpt(name)));
-    if (on_one_line(query.getColumn(3).getString()) != found->sql)
-      throw Damage(fmt::format("its table {} has unexpected columns or constraints", name));
-    missing.erase(found);
-  }
-  if (!missing.empty()) throw Damage(fmt::format("it has no table '{}'", missing.front().name));
-}
-
-void StoreFile::refuse_blobs(const char* table, const char* column) {
-  if (SQLite::Statement(sqlite_, fmt::format("SELECT 1 FROM {} WHERE {} >= x'' LIMIT 1", table, column)).executeStep())
-    throw Damage(fmt::format("{} is a BLOB in a row of table {}, expected text", column, table));
+  const std::string found = sqlite_.execAndGet("PRAGMA quick_check(1)").getString();
+  if (found != "ok") throw Damage(found);
 }
 
 }  // namespace ikbench::results

@@ -14,7 +14,6 @@
 
 #include "results/store.hpp"
 #include "results/store_codec.hpp"
-#include "results/writer_mark.hpp"
 
 namespace ikbench::results {
 
@@ -38,7 +37,7 @@ auto guarded(const std::string& file, Action&& action) {
 // nothing that was committed, and one transaction per solve costs no wait for the disk. The last writer folds the log
 // in, so a finished store is one plain file.
 // All users of a log must be on one machine. A store in a folder of several machines (Store::Mode::write_shared) has a
-// rollback journal instead, during a transaction only, and a mark of its writer.
+// rollback journal instead, during a transaction only.
 class StoreFile {
  public:
   // Opens the file and checks that it is a store. For writing, creates a missing one. Throws Damage, SQLite::Exception,
@@ -52,10 +51,8 @@ class StoreFile {
   SQLite::Database& sqlite() { return sqlite_; }
   std::int64_t number(const char* query) { return sqlite_.execAndGet(query).getInt64(); }
 
-  // Refuses blobs in a column: they equal no text, so a search would miss them; they sort after every text.
-  void refuse_blobs(const char* table, const char* column);
-  // Commits; `solves` is the number of new solves. Throws std::runtime_error if the file is no longer in its place.
-  void commit(SQLite::Transaction& transaction, std::int64_t solves = 0);
+  // Throws std::runtime_error if the file is no longer in its place.
+  void commit(SQLite::Transaction& transaction);
   // See Store::finish.
   std::vector<std::filesystem::path> finish();
 
@@ -65,7 +62,7 @@ class StoreFile {
  private:
   void distrust();
   void check_header();
-  void check_tables();
+  void check_pages();
   bool is_in_place() const;
   void check_place() const;
   bool fold();
@@ -74,7 +71,6 @@ class StoreFile {
   std::string name_;
   Store::Mode mode_;
   SQLite::Database sqlite_;
-  std::optional<WriterMark> mark_;
   std::optional<Identity> identity_;  // of the opened file
 };
 

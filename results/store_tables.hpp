@@ -1,9 +1,8 @@
-// Writes the tables with their digests, within the caller's transaction, and reads studies as they stand there.
+// Writes the tables, within the caller's transaction, and reads studies as they stand there.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,8 +13,6 @@
 
 namespace ikbench::results {
 
-// More than any study needs. Of a study with more, series_in returns one more than this.
-constexpr std::size_t most_series = 1000;
 std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study);
 std::optional<StudyEntry> study_in(SQLite::Database& sqlite, const std::string& name);
 
@@ -25,7 +22,7 @@ void write_study(SQLite::Database& sqlite, const StudyEntry& study);
 // Begins a session; returns its number.
 std::int64_t write_session(SQLite::Database& sqlite, const std::map<std::string, std::string>& environment);
 
-// Writes facts without a digest. The session must not have these keys yet.
+// Writes facts of a session, which must not have these keys yet.
 void write_environment(SQLite::Database& sqlite, std::int64_t session,
                        const std::map<std::string, std::string>& environment);
 

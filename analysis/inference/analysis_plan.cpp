@@ -183,23 +183,4 @@ std::vector<std::string> plan_notes(const StudyEntry& entry, const std::vector<S
                       fmt::join(values, ", "))};
 }
 
-double level_of_look(const std::vector<Look>& looks, int runs, double significance) {
-  const auto earlier = std::ranges::count_if(looks, [runs](const Look& look) { return look.runs != runs; });
-  return earlier == 0 ? significance : significance / static_cast<double>((earlier + 1) * earlier);
-}
-
-Doubts look_doubts(const std::vector<Look>& looks, int runs, double significance) {
-  std::vector<std::string> earlier;
-  for (const Look& look : looks) {
-    if (look.runs != runs) earlier.push_back(fmt::format("{} ({})", look.runs, look.when.substr(0, 10)));
-  }
-  if (earlier.empty()) return {};
-  return {{.kind = DoubtKind::looked_before,
-           .who = earlier,
-           .count = static_cast<double>(earlier.size() + 1),
-           .of = static_cast<double>(runs),
-           .value = level_of_look(looks, runs, significance),
-           .limit = 100 * significance}};
-}
-
 }  // namespace ikbench::inference

@@ -1,6 +1,5 @@
-// Reads a study's analysis plan, tells whether the plan was fixed before the solves were made, and corrects
-// significance when a study is judged again with more runs. A missing field takes its default; a damaged plan throws
-// std::invalid_argument.
+// Reads a study's analysis plan, and tells whether the plan was fixed before the solves were made. A missing field
+// takes its default; a damaged plan throws std::invalid_argument.
 #pragma once
 
 #include <array>
@@ -11,7 +10,6 @@
 #include "analysis/inference/study.hpp"
 #include "results/analysis_plan.hpp"
 #include "results/figure_style.hpp"
-#include "results/looks.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::inference {
@@ -36,12 +34,5 @@ Doubts plan_changes(const results::StudyEntry& entry, const std::vector<results:
 // Words plan_changes(), or says that nothing was changed.
 std::vector<std::string> plan_notes(const results::StudyEntry& entry, const std::vector<results::Session>& sessions,
                                     const SolvesOfSessions& solves);
-
-// The significance level of this look. Look k, after looks at other numbers of runs, has the level
-// significance / (k (k - 1)): over all k from 2 these sum to significance, so all looks after the first together keep
-// it (Bonferroni).
-double level_of_look(const std::vector<results::Look>& looks, int runs, double significance);
-// Says which level a later look has; empty for the first.
-Doubts look_doubts(const std::vector<results::Look>& looks, int runs, double significance);
 
 }  // namespace ikbench::inference

@@ -100,10 +100,6 @@ constexpr std::array all_words{
           "{count} of {of} solves have no record of the plan under which they were made."},
     Words{K::no_plan, "There is no analysis plan", "The study has no analysis plan; this is the default plan."},
     Words{
-        K::looked_before, "The study was looked at before",
-        "This is look {count} at this study: earlier ones were after {who} runs, and now there are {of}. So a difference counts "
-        "only if p is below {value:.3g}. Then all looks after the first are wrong in at most {limit:.3g} % of studies."},
-    Words{
         K::no_tolerance, "The study has no tolerance",
         "The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an "
         "answer is inside the joint limits, however far it is from the target."},

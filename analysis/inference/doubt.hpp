@@ -47,7 +47,6 @@ enum class DoubtKind {
   control_absent,
   plan_not_recorded,
   no_plan,
-  looked_before,
   // the study, its solves, and its report
   no_tolerance,
   wrong_claims,

@@ -22,7 +22,6 @@ struct Report {
   Findings findings = {};                 // of a study: the quantity that decides
   std::vector<std::string> summary;       // its first sentences
   std::vector<std::string> warnings;      // figures not drawn, an incomplete study, ...
-  bool is_damaged = false;                // the store has impossible numbers
   std::vector<std::string> answers = {};  // what the last bits of targets change
   std::vector<std::string> further = {};  // studies of the store that the report is not about
 };

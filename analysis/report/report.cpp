@@ -106,7 +106,7 @@ std::map<std::string, int> looks_of(const StudyEntry& entry, const std::vector<S
   return line_styles(solvers, style);
 }
 
-// Reads each solve of a store once, and collects what is wrong with them.
+// Reads the studies of a store.
 class CheckedStore {
  public:
   CheckedStore(const Store& store, const ReportRequest& request, std::map<std::string, int> looks,
@@ -130,24 +130,17 @@ class CheckedStore {
     return std::move(*study);
   }
   const std::vector<Session>& sessions() const { return sessions_; }
-  const std::vector<std::string>& damages() const { return damages_; }
-  const std::vector<std::string>& unknown() const { return unknown_; }
 
  private:
   StudyResults read(const StudyEntry& entry, const std::function<void(const SolveRecord&)>& take) {
     const std::int64_t all = store_.solves_of(entry.series);
     std::int64_t done = 0;
     StudyMaker maker(entry, static_cast<std::size_t>(all));
-    const SolveCheck check = request_.check ? request_.check(entry) : SolveCheck();
     store_.each_of_study(entry, [&](const SolveRecord& solve) {
       maker.add(solve);
-      if (check.look_at) check.look_at(solve);
       take(solve);
       if (request_.progress) request_.progress(ReportStep::reading, ++done, all);
     });
-    if (check.damages) std::ranges::move(check.damages(), std::back_inserter(damages_));
-    if (check.unknown) unknown_.push_back(check.unknown());
-    std::erase(unknown_, "");
     sessions_ = store_.sessions();  // a session may have begun meanwhile
     StudyResults study = maker.finish(sessions_);
     study.line_styles = looks_;
@@ -160,7 +153,6 @@ class CheckedStore {
   std::map<std::string, int> looks_;
   std::vector<std::string> drawn_;
   std::vector<Session> sessions_ = {};
-  std::vector<std::string> damages_, unknown_;
 };
 
 bool has_another_solver(const StudyResults& other, const StudyResults& study) {
@@ -308,12 +300,6 @@ Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   return doubts;
 }
 
-Doubts said(const std::vector<std::string>& sentences) {
-  Doubts doubts;
-  for (const std::string& sentence : sentences) doubts.push_back({.kind = DoubtKind::said_elsewhere, .what = sentence});
-  return doubts;
-}
-
 // Adds the sentences of `seen` for the pieces of any study.
 void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, ReportContent& content) {
   for (const Metric metric : shown_metrics(study)) {
@@ -356,10 +342,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const std::vector<Session>& sessions = checked.sessions();
   StudyResults stored = checked.reported(entry, together_with(entry, entries, request));
   if (request.plan) stored.plan = *request.plan;
-  const AnalysisPlan planned = stored.plan;
-  const std::vector<Look> looks = looks_at(entry.name, store.name());
-  const int runs = store.runs_begun(entry);
-  stored.plan.significance = level_of_look(looks, runs, planned.significance);
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
   const Paper paper = collection.paper.value_or(Paper());
@@ -372,7 +354,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   const PerturbedCopies copies = copies_of(study, reported);
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
-                            plan_table(entry, planned, plan_notes(entry, sessions, solves_of_sessions(study))),
+                            plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions), status_table(study)};
   StudyPieces pieces = pieces_of(reported, collection);
   ReportPlan plan = paper.sections;
@@ -405,9 +387,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
   content.warnings =
-      said(checked.damages()) + said(checked.unknown()) + of_points + wrong_claims(study) +
-      look_doubts(looks, runs, planned.significance) + paper_doubts(study, request.collections) +
-      missing_doubts(study) +
+      of_points + wrong_claims(study) + paper_doubts(study, request.collections) + missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes +
       fairness_doubts(study, reported.companions);
@@ -434,7 +414,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
     }
     std::ranges::copy(own, std::back_inserter(content.answer));
   }
-  if (!checked.damages().empty()) content.answer = {{"Believe nothing here", "the store is damaged."}};
   add_seen_in_boxes(study, "", content);
   if (collection.is_together) {
     for (const JudgedStudy& companion : others.companions) add_seen_in_boxes(companion, prefix_of(companion), content);
@@ -467,9 +446,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));
   }
-  report.is_damaged = !checked.damages().empty();
   report.further = further_studies(entries, reported);
-  remember_look(entry.name, runs, store.name());
   return report;
 }
 

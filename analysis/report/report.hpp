@@ -19,13 +19,6 @@
 
 namespace ikbench::report {
 
-// Checks solves one by one. Reports in sentences what is wrong with them and what cannot be known.
-struct SolveCheck {
-  std::function<void(const results::SolveRecord&)> look_at;
-  std::function<std::vector<std::string>()> damages;
-  std::function<std::string()> unknown = {};  // empty if all is known
-};
-
 // Reads solves, judges quantities, draws figures.
 enum class ReportStep { reading, judging, drawing };
 
@@ -43,8 +36,6 @@ struct ReportRequest {
   std::vector<ClaimShares> shares = {};             // shares of the paper's claims over all interpretations
   // Told how far a step is. May be empty.
   std::function<void(ReportStep step, std::int64_t done, std::int64_t all)> progress = {};
-  // Makes a check of a study's solves. May be empty.
-  std::function<SolveCheck(const results::StudyEntry&)> check = {};
 };
 
 // Throws std::invalid_argument for an unknown study or a folder that cannot be written. Writes tables even without

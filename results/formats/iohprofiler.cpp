@@ -50,9 +50,8 @@ std::vector<Row> rows_of(const SolveRecord& solve) {
   constexpr double worst = std::numeric_limits<double>::max();
   if (solve.improved_at.size() != solve.improved_to_cm.size() ||
       !std::ranges::all_of(solve.improved_at, [](double count) { return count >= 1 && std::isfinite(count); }))
-    throw std::invalid_argument(fmt::format(
-        "the course of run {}, point {} by '{}' is damaged; `ikbench report` says what else of the store is", solve.run,
-        solve.point, solve.solver));
+    throw std::invalid_argument(
+        fmt::format("the course of run {}, point {} by '{}' is damaged", solve.run, solve.point, solve.solver));
   if (solve.improved_at.empty()) return {{1, solve.position_error_cm}};
   std::vector<Row> rows;
   for (std::size_t i = 0; i < solve.improved_at.size(); ++i) {

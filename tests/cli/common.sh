@@ -66,15 +66,12 @@ has_no() {
 # A study that takes little, of the paper's six solvers.
 small=(--set runs=2 --set path.points=3 --set stop.iterations=5 --set population=6)
 
-# SQL that removes all digests, which would show an edit.
-without_digests="UPDATE solves SET digest = 0; DELETE FROM meta WHERE key GLOB 'digest of *' OR key GLOB 'solves of *';"
-
 # numbers STORE [STUDY]: the solves of its first study, or of another, as CSV without what differs from one run of the
 # program to the next.
 numbers() {
   "$program" export "$1" ${2:+--study "$2"} >"$work/.csv" || fail "cannot export $1"
   awk -F, '
-    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^((cpu_|smallest_|largest_)?seconds|repeats|interruptions|timing|session|digest)$/) timed[i] = 1 }
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /^((cpu_|smallest_|largest_)?seconds|repeats|interruptions|timing|session)$/) timed[i] = 1 }
     { for (i = 1; i <= NF; ++i) if (!(i in timed)) printf "%s,", $i; print "" }' "$work/.csv"
 }
 

@@ -39,18 +39,6 @@ quiet
 unsolved="The study has no tolerance (stop.tolerance_cm), so it does not say what is solved: the status ok means that an answer is inside the joint limits, however far it is from the target."
 [ "$(flat "$out" | grep -oF "$unsolved" | wc -l)" = 1 ] || fail "not said once that the study has no tolerance: $out"
 
-# Of two stores, B remembers how many runs were looked at; a later look at more runs says which level holds. A stays
-# unchanged.
-make grown --set runs=4
-cp $base base-before
-succeeds compare --verbose $base grown/store.sqlite --metric position_error_cm
-has_no "$out" "This is look"
-make grown
-succeeds compare --verbose $base grown/store.sqlite --metric position_error_cm
-has "$out" "This is look 2 at this study: earlier ones were after 4 ("
-has "$out" "a difference counts only if p is below 0.025"
-cmp $base base-before || fail "a comparison changed its baseline"
-
 # A regression, in the label and metric that has it; the other way round it is none.
 is_worse $base $fewer --metric position_error_cm
 has "$out" "K-ABC"

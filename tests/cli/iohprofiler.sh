@@ -15,9 +15,6 @@ refused 'expected trace = "best_error"' export untraced/store.sqlite --format io
 cp -r made harmed
 sqlite3 harmed/store.sqlite "UPDATE solves SET improved_at = '[1e308,null,-3]', improved_to_cm = '[1,2,3]' WHERE run = 2 AND point = 1"
 refused "the course of run 2, point 1 by 'IK-BA' is damaged" export harmed/store.sqlite --format iohprofiler -o none
-run_it report harmed/store.sqlite --no-figures
-[ "$code" = 1 ] || fail "exit code $code of a report of damaged courses, expected 1: $err"
-has "$(<harmed/report.md)" "Damaged: improved_at"
 
 # A library's one call has a row wherever its error became smaller.
 study peer $'[[solvers]]\nsolver = "nlopt"'

@@ -66,104 +66,33 @@ esac
 
 command -v python3 >/dev/null || exit 0
 
-# Numbers that somebody changed are told first, and end a report and a comparison with 1.
-mkdir changed
-cp shared/store.sqlite changed/
-python3 - <<'PYTHON'
-import sqlite3
-
-store = sqlite3.connect("changed/store.sqlite")
-store.execute("update solves set position_error_cm=-1 where solver='BA'")
-store.commit()
-PYTHON
-run_it report changed/store.sqlite --no-figures
-[ "$code" = 1 ] || fail "a changed store: exit code $code"
-has "$err" "the store is damaged"
-[ "$(cat .out .err | wc -l)" -le 30 ] || fail "a changed store: not one screen: $out $err"
-has "$(sed '/^## Warnings/q' changed/report.md)" "Believe nothing here"
-warnings=$(sed -n '/^## Warnings/,/^## [^W]/p' changed/report.md)
-has "$warnings" "Damaged: position_error_cm of 60 solves (first: BA, run 1, point 1, session 1: -1 is stored"
-refused "Damaged: position_error_cm" compare IK-BA BA --store changed/store.sqlite
-
-# Every other change is reported too, even if nothing can compute it again: by digests, by the definition, by the
-# answer.
-succeeds run slim2023 "${small[@]}" --set repeats=3 --no-report --out pristine
-succeeds run slim2023 "${small[@]}" --set repeats=3 --set runs=3 --no-figures --out pristine
-has_no "$err" "Damaged"
-[ "$(sqlite3 pristine/store.sqlite 'SELECT count(*) FROM sessions')" = 2 ] || fail "not two sessions"
-mkdir edits
-python3 - <<'PYTHON' || fail "the edits"
-import shutil, sqlite3
-
-columns = """evaluations=evaluations+1 | evaluations=evaluations*10 | iterations=iterations+1 | iterations=0 | seconds=seconds/2
-cpu_seconds=cpu_seconds/2 | smallest_seconds=smallest_seconds/2 | largest_seconds=largest_seconds*2 | interruptions=0.5
-repeats=repeats+1 | timing='clean' where timing<>'clean' | timing='parallel' | stop_reason='tolerance' | trace_cm='[1]'
-improved_at='[1]', improved_to_cm='[1]' | claimed_error_cm=0 | counted_by='solver' | robot='other' | study='other' | digest=0 | digest=1
-run=run+100 | run=run+100 where run=3 | series=substr(series,2) where run=3 | session=session+1 | waited_seconds=1 | transport_seconds=1 | claimed_seconds=1 | round_trips=1
-position_error_cm=NULL | orientation_error=NULL | seconds=NULL | smallest_seconds=NULL
-variation_m=NULL | variation_deg=NULL | status='tolerance_missed' where status='ok'""".replace("\n", "|")
-whole = ["update solves set " + (edit.strip() if " where " in edit else edit.strip() + " where solver='BA'")
-         for edit in columns.split("|")]
-whole += [
-    "delete from solves where run=2",
-    "delete from solves where solver='BA' and point=3",
-    "delete from solves where solver='BA'",
-    "delete from solves where session=(select max(id) from sessions)",
-    "update environment set value='other' where key='source'",
-    "update environment set value='other' where key='cpu'",
-    "update environment set value='other' where key='command'",
-    "update environment set value='other' where key='commit'",
-    "update environment set value='0' where key='stolen_seconds'",
-    "delete from environment where key='analysis'",
-    "delete from meta where key glob 'look after *'",
-    "update meta set value='2020-01-01T00:00:00Z' where key glob 'look after *'",
-    "update sessions set began='2020-01-01T00:00:00Z'",
-    "update studies set definition=json_set(definition,'$.runs',1)",
-    "update studies set definition=json_set(definition,'$.points',2)",
-    "update studies set definition=json_set(definition,'$.analysis.significance',0.2)",
-    "update studies set definition=json_set(definition,'$.stop.iterations',7)",
-    "update studies set definition=json_set(definition,'$.title','Other')",
-    "update series set options='{}' where label='BA'",
-    "delete from series where label='BA'",
-    "update series set label='x' where label='BA'; update solves set solver='x' where solver='BA';"
-    "update series set label='BA' where label='DE'; update solves set solver='BA' where solver='DE';"
-    "update series set label='DE' where label='x'; update solves set solver='DE' where solver='x'",
-    "update series set key='x' where label='BA'; update series set key='y' where label='DE';"
-    "update series set key=(select min(series) from solves where solver='DE') where key='x'",
-]
-for number, edit in enumerate(whole):
-    shutil.copy("pristine/store.sqlite", f"edits/{number}.sqlite")
-    store = sqlite3.connect(f"edits/{number}.sqlite")
-    before = store.total_changes
-    store.executescript(edit)
-    store.commit()
-    if store.total_changes > before:  # else it changes nothing of this store
-        print(edit, file=open(f"edits/{number}.sql", "w"))
-PYTHON
-[ "$(ls edits/*.sql | wc -l)" -gt 50 ] || fail "few edits change the store"
-for edit in edits/*.sql; do
-  run_it compare IK-BA PSO --store "${edit%.sql}.sqlite"
-  [ "$code" = 1 ] || fail "believed by compare, exit code $code: $(<"$edit")"
-  [[ $err == *Damaged* || $err == *damaged* ]] || fail "compare says nothing of an edit: $(<"$edit"): $err"
+# An error or an answer that somebody changed stops a report and a comparison, with its place.
+for edit in "position_error_cm = -1" "orientation_error = 1" "answer_rad = json_set(answer_rad, '\$[0]', 3)" \
+  "target_position_m = json_set(target_position_m, '\$[0]', 3)"; do
+  rm -rf changed
+  mkdir changed
+  cp shared/store.sqlite changed/
+  sqlite3 changed/store.sqlite "UPDATE solves SET $edit WHERE solver = 'BA' AND run = 2 AND point = 3"
+  refused "study slim2023, BA, run 2, point 3: " report changed/store.sqlite --no-figures
+  [ "$(ls changed)" = store.sqlite ] || fail "a refused report left $(ls changed)"
+  refused "study slim2023, BA, run 2, point 3: " compare IK-BA BA --store changed/store.sqlite
+  has "$err" " is stored, but "
 done
-mkdir unedited
-cp pristine/store.sqlite unedited/
-succeeds report unedited/store.sqlite --no-figures
 
-# Solves of a session that the store does not have are reported, too.
-mkdir astray
-cp shared/store.sqlite astray/
-python3 - <<'PYTHON'
-import sqlite3
+# Broken pages are found when a store is opened.
+mkdir broken
+cp shared/store.sqlite broken/
+printf '%4096s' x | dd of=broken/store.sqlite bs=4096 seek=20 conv=notrunc 2>.dd
+refused "'broken/store.sqlite' is damaged (" report broken/store.sqlite --no-figures
 
-store = sqlite3.connect("astray/store.sqlite")
-store.execute("update solves set session=99 where solver='BA'")
-store.commit()
-PYTHON
-run_it report astray/store.sqlite --no-figures
-[ "$code" = 1 ] || fail "an unknown session: exit code $code"
-has "$(sed -n '/^## Warnings/,/^## [^W]/p' astray/report.md)" "Damaged: its solves name 1 session that the table of sessions does not have (first: 99)."
-refused "(first: 99)" compare IK-BA DE --store astray/store.sqlite
+# Somebody else's folder: what lies in it is not run.
+mkdir theirs
+cp shared/store.sqlite theirs/
+succeeds report theirs/store.sqlite
+for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
+succeeds report theirs/store.sqlite
+[ ! -e ran ] || fail "a script of the folder was run"
+! grep -q "touch" theirs/figures/*.gp || fail "a script of the folder stayed"
 
 # A reader that does not end keeps the log from being folded in.
 begin read

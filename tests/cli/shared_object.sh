@@ -20,7 +20,7 @@ same_as_built_in() { # same_as_built_in KEYS [KEYS]: of a study, and of its [sto
     } >$kind.toml
     succeeds run $kind.toml --no-report --out $kind
     "$program" export $kind/store.sqlite | awk -F, '
-      NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /seconds$|^(series|repeats|interruptions|timing|session|digest)$/) other[i] = 1 }
+      NR == 1 { for (i = 1; i <= NF; ++i) if ($i ~ /seconds$|^(series|repeats|interruptions|timing|session)$/) other[i] = 1 }
       { for (i = 1; i <= NF; ++i) if (!(i in other)) printf "%s,", $i; print "" }' >$kind.csv
     "$program" export $kind/store.sqlite --format json | grep -o '"\(trace_cm\|improved_at\|improved_to_cm\)":\[[^]]*' >$kind.lists
     succeeds export $kind/store.sqlite --format iohprofiler -o $kind/ioh

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/analysis_plan.hpp"
 #include "analysis/inference/design.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
@@ -286,21 +285,6 @@ TEST_CASE("who gives up on dear targets is not cheaper, also without a limit", "
     solve.status = quits && is_dear ? Status::tolerance_missed : Status::ok;
   }
   CHECK(judge(study.evidence(Metric::evaluations, Estimand::mean), "works", "quits").relation == Relation::better);
-}
-
-TEST_CASE("a look at other runs than an earlier one had says so, and the level that is left", "[estimand]") {
-  const std::vector<Look> looks{{.runs = 5, .when = "2026-11-20T10:00:00Z"},
-                                {.runs = 10, .when = "2026-11-21T10:00:00Z"}};
-  CHECK(contains(words_of(look_doubts(looks, 5, 0.05)),
-                 "look 2 at this study: earlier ones were after 10 (2026-11-21) runs"));
-  CHECK(contains(words_of(look_doubts(looks, 10, 0.05)),
-                 "look 2 at this study: earlier ones were after 5 (2026-11-20) runs, and"));
-  CHECK(contains(words_of(look_doubts(looks, 20, 0.05)),
-                 "only if p is below 0.00833. Then all looks after the first are wrong in at most 5 % of studies."));
-  CHECK(level_of_look(looks, 20, 0.05) == Approx(0.05 / 6));
-  CHECK(level_of_look(looks, 10, 0.05) == Approx(0.05 / 2));
-  CHECK(level_of_look({}, 10, 0.05) == 0.05);
-  CHECK(look_doubts({}, 20, 0.05).empty());
 }
 
 TEST_CASE("below the tolerance no error is better than another", "[estimand]") {
