@@ -39,35 +39,7 @@ namespace {
 struct Listed {
   std::string text;
   report::Json json;
-  std::string on_screen = {};  // less, where the text does not fit on a screen
 };
-
-// The names in lines of several, as many as fit.
-std::string names_in_lines(const Rows& rows) {
-  std::size_t longest = 0;
-  for (const auto& row : rows) longest = std::max(longest, row.front().size());
-  const std::size_t in_line = std::max<std::size_t>(1, (text_width() + 2) / (longest + 2));
-  Rows lines;
-  for (std::size_t i = 1; i < rows.size(); ++i) {  // after the head
-    if ((i - 1) % in_line == 0) lines.emplace_back();
-    lines.back().push_back(rows[i].front() + std::string(longest - rows[i].front().size(), ' '));
-  }
-  return aligned(lines);
-}
-
-// The part of the rows that fits: all, all but the last column, or the names alone.
-std::string fitting_text(const Rows& rows) {
-  const auto fits = [](const std::string& text, std::size_t lines) {
-    return static_cast<std::size_t>(std::ranges::count(text, '\n')) <= lines;
-  };
-  std::string text = aligned(rows);
-  if (fits(text, screen_lines)) return text;
-  constexpr std::string_view more = "\n--verbose shows all.\n";
-  Rows less = rows;
-  for (auto& row : less) row.pop_back();
-  text = aligned(less);
-  return (fits(text, screen_lines - 2) ? text : names_in_lines(rows)).append(more);
-}
 
 // The rows of the table. For a reader the names of its columns are in capitals.
 Listed listed(const Table& table) {
@@ -75,7 +47,7 @@ Listed listed(const Table& table) {
   for (std::string& head : rows.front()) {
     std::ranges::transform(head, head.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   }
-  return {aligned(rows), rows_json(table), fitting_text(rows)};
+  return {aligned(rows), rows_json(table)};
 }
 
 Table solver_list() {
@@ -229,14 +201,13 @@ void add_list(CLI::App& app, Invocation&) {
       "NAME", arguments->name,
       "show this one in full; a study or a path is printed as TOML, ready to edit, of a collection's file "
       "the list of its studies");
-  add_output_options(*command, arguments->output);
+  add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"
       "  ikbench list solvers ik_bat              its options with defaults and ranges\n"
       "  ikbench list studies slim2023 > my.toml\n"
-      "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one\n\n"
-      "A terminal shows what fits on a screen, with --verbose all. A pipe or a file gets all.");
+      "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
     if (arguments->kind.empty()) {
       throw std::invalid_argument(fmt::format("list lacks its KIND; expected one of: {}", fmt::join(kinds, ", ")));
@@ -244,13 +215,10 @@ void add_list(CLI::App& app, Invocation&) {
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
     const Listed found = listed(arguments->kind, arguments->name);
-    const bool on_terminal = isatty(STDOUT_FILENO) != 0;
     if (arguments->output.is_json)
       show_json(found.json);
-    else if (on_terminal && !arguments->output.is_verbose && !found.on_screen.empty())
-      fmt::print("{}", printable(found.on_screen));
     else
-      fmt::print("{}", on_terminal ? printable(found.text) : found.text);  // a file keeps every letter
+      fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(found.text) : found.text);  // a file keeps every letter
   });
 }
 
