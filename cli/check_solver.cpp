@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -17,17 +16,6 @@ namespace ikbench::cli {
 using namespace experiments;
 using namespace report;
 
-namespace {
-
-// A shared object is recognized by its name: libmine.so, libmine.so.1.
-ProgramChoice choice_of(const std::vector<std::string>& words, double patience) {
-  if ((words[0] + '.').find(".so.") == std::string::npos) return {.process = words, .patience = patience};
-  if (words.size() > 2) throw std::invalid_argument("expected one solver of " + words[0] + " at most");
-  return {.shared_object = words[0], .solver = words.size() > 1 ? words[1] : "", .patience = patience};
-}
-
-}  // namespace
-
 void add_check_solver(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> words;
@@ -35,11 +23,8 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
     OutputArguments output;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program or a shared object");
-  command
-      ->add_option("COMMAND", arguments->words,
-                   "the program and its arguments, after --; or FILE.so, and perhaps the name of a solver in it")
-      ->required();
+  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
+  command->add_option("COMMAND", arguments->words, "the program and its arguments, after --")->required();
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
@@ -47,13 +32,12 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
-      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n"
-      "  ikbench check-solver ./libmine.so\n\n"
+      "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
       "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
     std::vector<std::string> failed;
     report::Json all = report::Json::array();
-    check_program(choice_of(arguments->words, arguments->patience), [&](const CheckLine& line) {
+    check_program({.process = arguments->words, .patience = arguments->patience}, [&](const CheckLine& line) {
       all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
       if (!line.passed) failed.push_back(line.what);
       if (arguments->output.is_json) return;

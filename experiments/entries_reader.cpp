@@ -27,14 +27,15 @@ namespace {
 
 const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
 
-// Starts the program, or the host of the shared object, to read its name and options.
-std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view key, const std::string& solver) {
-  ProgramChoice choice{.solver = solver};
+// Starts the program to read its name and options.
+std::shared_ptr<const Program> read_program(TomlReader& reader) {
+  constexpr std::string_view key = "process";
+  ProgramChoice choice;
   TableReader fields(reader);
   list_fields(fields, choice);
   const auto wrong = [&](const std::exception& error) {
     return mistake(reader, reader.table().get(key), key,
-                   fmt::format("{}: {}; see: ikbench check-solver", choice.name(), error.what()));
+                   fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
   };
   try {
     return meet(choice, folder_of(reader, key));
@@ -45,21 +46,18 @@ std::shared_ptr<const Program> read_program(TomlReader& reader, std::string_view
   }
 }
 
-// Reads what an entry is: a built-in solver, a program, or a shared object, in which `solver` may name one.
+// Reads what an entry is: a built-in solver or a program.
 void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver, "");
-  const toml::node *name = reader.find("solver"), *process = reader.find("process"),
-                   *object = reader.find("shared_object");
-  if ((name != nullptr || object != nullptr) == (process != nullptr)) {
+  const toml::node *name = reader.find("solver"), *process = reader.find("process");
+  if ((name != nullptr) == (process != nullptr)) {
     throw std::invalid_argument(
         reader.where(reader.table().source(), "solver") +
-        (process == nullptr ? "an entry of [[solvers]] has no `solver`, no `process` and no `shared_object`; see: "
-                              "ikbench list solvers"
-                            : "an entry of [[solvers]] has a `process` and a `solver` or a `shared_object`; expected "
-                              "one of them"));
+        (process == nullptr ? "an entry of [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"
+                            : "an entry of [[solvers]] has a `process` and a `solver`; expected one of them"));
   }
-  if (process != nullptr || object != nullptr) {
-    entry.program = read_program(reader, object != nullptr ? "shared_object" : "process", entry.solver);
+  if (process != nullptr) {
+    entry.program = read_program(reader);
     entry.solver = entry.program->hello.name;
     return;
   }

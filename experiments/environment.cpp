@@ -95,22 +95,6 @@ ProcessorSeconds processor_seconds() {
   return {.idle = (idle + waiting) / ticks, .stolen = stolen / ticks};
 }
 
-double waited_seconds(const std::filesystem::path& task) {
-  std::ifstream file(task / "schedstat");
-  double ran = 0, waited = 0;
-  return file >> ran >> waited ? 1e-9 * waited : std::numeric_limits<double>::quiet_NaN();
-}
-
-double waited_seconds(pid_t process) {
-  std::error_code error;
-  double sum = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& task : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", process), error)) {
-    const double waited = waited_seconds(task.path());
-    if (!std::isnan(waited)) sum = std::isnan(sum) ? waited : sum + waited;  // NaN: the thread has ended
-  }
-  return sum;
-}
-
 bool is_debug_build() {
 #ifdef NDEBUG
   return build_info::sanitize != std::string_view("none");

@@ -164,18 +164,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
       return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(of - 1)];
     };
     solve_runner.warm_up(*solver, target(point), start(point));
-    int asked_to = 0;
-    const auto ask_ahead = [&] {
-      std::vector<SolveRunner::Asked> problems;
-      for (int ahead = point; ahead <= plan.points && std::ssize(problems) < solve_runner.batch();
-           ahead = plan.next_point(chain, run, ahead + 1)) {
-        problems.push_back({target(ahead), start(ahead), run, ahead});
-      }
-      solve_runner.ask_ahead(*solver, problems);
-      asked_to = problems.back().point;
-    };
     for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
-      if (point > asked_to && solve_runner.batch() > 1) ask_ahead();
       SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
       if (jobs > 1 && record.timing != Timing::debug_build) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);

@@ -47,12 +47,8 @@ bool same_bits(const Numbers& a, const Numbers& b) {
 std::string options_text(Settings options, const SolverEntry& entry) {
   if (entry.program) {
     const ProgramChoice& choice = entry.program->choice;
-    if (choice.is_hosted()) {
-      options["shared_object"] = choice.shared_object;
-    } else {
-      options["process"] = fmt::format("{}", fmt::join(choice.process, " "));
-      options["mode"] = name_of(entry.program->mode);
-    }
+    options["process"] = fmt::format("{}", fmt::join(choice.process, " "));
+    options["mode"] = name_of(entry.program->mode);
   }
   if (entry.population > 0) options["population"] = std::to_string(entry.population);
   return numerics::text_of(nlohmann::json(options));
@@ -86,10 +82,6 @@ ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Ro
   return told;
 }
 
-double or_zero(double seconds) { return seconds > 0 ? seconds : 0; }
-
-}  // namespace
-
 StopReason recorded(Stopped stopped) {
   switch (stopped) {
     case Stopped::iterations:
@@ -110,11 +102,14 @@ StopReason recorded(Stopped stopped) {
   return StopReason::not_finite;
 }
 
+// Compares bit for bit.
 bool same_answer(const Solution& a, const Solution& b) {
   return a.iterations == b.iterations && a.evaluations == b.evaluations && a.stopped == b.stopped &&
          same_bits(std::array{a.best.error}, std::array{b.best.error}) && same_bits(a.best.q, b.best.q) &&
          same_bits(a.trace, b.trace);
 }
+
+}  // namespace
 
 SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats)
     : study_(study),
@@ -129,7 +124,6 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
       repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
-  if (entry.program->choice.is_hosted()) hosted_repeats_ = study.stop.seconds > 0 ? 1 : repeats;
   sessions_ = std::make_unique<Sessions>(
       entry.program, robot_message(arm_to_search(study, entry, arm, task_.arm()), entry.program->hello, options_));
 }
@@ -153,38 +147,11 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
                         .with(static_cast<std::uint64_t>(point))};
 }
 
-int SolveRunner::batch() const {
-  const bool can = entry_.program && entry_.program->mode == Mode::solve && study_.start != Start::previous;
-  // A line has at most a million bytes: a problem has a start, limits, up to 12 numbers of a target, and its keys.
-  constexpr int longest_line = 1'000'000, longest_number = 25, longest_rest = 600;
-  const int fitting = longest_line / (longest_rest + 3 * longest_number * task_.arm().joints());
-  return can ? std::min(entry_.program->hello.batch, fitting) : 1;
-}
-
-void SolveRunner::ask_ahead(Solver& solver, const std::vector<Asked>& problems) const {
-  std::vector<Posed> given;
-  std::vector<Goal> goals;
-  for (const Asked& asked : problems) {
-    given.push_back(posed(asked.target, asked.start, asked.run, asked.point));
-    goals.push_back(task_.goal(asked.target));
-  }
-  std::vector<SolveRequest> requests;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    Random random(given[i].stream);
-    requests.push_back(
-        {.id = 0, .problem = given[i].problem, .goal = goals[i], .stop = study_.stop, .seed = seed_of(random)});
-  }
-  static_cast<ForeignSolver&>(solver).ask_ahead(requests);
-}
-
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
   Objective objective(task_.arm(), task_.goal(given.target));
   Random random(given.stream);
   auto* const program = sessions_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
-  if (program != nullptr) {
-    program->prepare(given.problem, objective,
-                     {.stream = given.stream.value(), .repeats = hosted_repeats_, .trace = study_.trace});
-  }
+  if (program != nullptr) program->prepare(given.problem, objective);
   Timed timed{task_.clocked(solver, given.problem, objective, random, given.target, given.start)};
   if (program != nullptr) {
     program->conclude();
@@ -195,16 +162,11 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const 
 }
 
 void SolveRunner::add_word(Timed& timed, const Account& account) const {
-  timed.cpu_seconds = or_zero(account.cpu_seconds);
+  timed.cpu_seconds = account.cpu_seconds > 0 ? account.cpu_seconds : 0;
   if (entry_.program->mode == Mode::ask) return;
   if (!account.failure) timed.seconds = account.seconds;
   timed.solution.evaluations = std::max<std::int64_t>(0, account.word.evaluations);
   timed.solution.iterations = std::max<std::int64_t>(0, account.word.iterations);
-  if (!entry_.program->choice.is_hosted() || account.failure) return;
-  timed.seconds = or_zero(account.word.seconds);  // around the call in the child
-  timed.cpu_seconds = or_zero(account.word.cpu_seconds);
-  timed.solution.trace = account.word.trace;
-  timed.solution.improved = account.word.improved;
 }
 
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
@@ -296,35 +258,20 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
 }
 
 void SolveRunner::add_account(SolveRecord& record, const Account& account) const {
-  const bool is_hosted = entry_.program->choice.is_hosted();
-  if (!is_hosted) {  // a hosted solver's time contains no messages
-    if (record.timing == Timing::clean) record.timing = Timing::process;
-    record.batch = account.batch;
-    record.round_trips = account.round_trips;
-    record.transport_seconds = account.transport_seconds;
-    record.waited_seconds = account.waited_seconds;
-  }
+  if (record.timing == Timing::clean) record.timing = Timing::process;
   if (account.failure) {
     record.stop_reason = *account.failure == Status::timed_out ? StopReason::time : StopReason::finished;
     record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
     record.trace_cm.clear();
   }
-  const bool is_counted_here = entry_.program->mode == Mode::ask || (is_hosted && account.word.evaluations > 0);
-  if (account.failure || !is_counted_here) {
+  if (account.failure || entry_.program->mode == Mode::solve) {
     record.improved_at.clear();
     record.improved_to_cm.clear();
   }
   if (entry_.program->mode == Mode::ask) return;
   const Solved& word = account.word;
-  if (is_hosted) {
-    record.counted_by = is_counted_here ? CountedBy::suite : CountedBy::nobody;
-    record.repeats = hosted_repeats_;
-    record.smallest_seconds = account.failure ? record.seconds : word.smallest_seconds;
-    record.largest_seconds = account.failure ? record.seconds : word.largest_seconds;
-  } else {
-    record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
-    record.claimed_seconds = word.seconds;
-  }
+  record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
+  record.claimed_seconds = word.seconds;
   record.claimed_error_cm = word.error / centimetre;
   const bool is_finite = record.stop_reason != StopReason::not_finite && word.reason != StopReason::not_finite;
   if (!account.failure && is_finite) record.stop_reason = word.reason.value_or(record.stop_reason);

@@ -14,10 +14,6 @@
 
 namespace ikbench::experiments {
 
-results::StopReason recorded(solvers::Stopped stopped);
-// Compares bit for bit.
-bool same_answer(const solvers::Solution& a, const solvers::Solution& b);
-
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
@@ -34,17 +30,6 @@ class SolveRunner {
   // Throws std::runtime_error if a repeat has another answer, to the bit.
   results::SolveRecord solve(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start,
                              int run, int point) const;
-
-  // Number of problems to solve at once: more than 1 for a program that takes batches, if no solve needs another's
-  // answer.
-  int batch() const;
-  struct Asked {
-    const robots::Pose& target;
-    robots::Configuration start;
-    int run, point;
-  };
-  // Hands the problems to the program in one message. Then `solve` these, in this order.
-  void ask_ahead(solvers::Solver& solver, const std::vector<Asked>& problems) const;
 
  private:
   struct Timed : Clocked {
@@ -73,7 +58,6 @@ class SolveRunner {
   results::Series series_;
   int repeats_;
   bool is_counted_;                     // we count its evaluations; false if the program does
-  int hosted_repeats_ = 0;              // made by the host of a shared object
   std::unique_ptr<Sessions> sessions_;  // null if no program solves
 };
 

@@ -71,9 +71,7 @@ class TomlWriter final : public Fields {
   std::string out;
 
  private:
-  void on_text(Name name, std::string& field) override {
-    if (name.key != "shared_object" || !field.empty()) line(name.key, toml_string(field), name.meaning);
-  }
+  void on_text(Name name, std::string& field) override { line(name.key, toml_string(field), name.meaning); }
   void on_texts(Name name, std::vector<std::string>& field) override {
     std::vector<std::string> texts;
     for (const std::string& text : field) texts.push_back(toml_string(text));
@@ -328,7 +326,6 @@ std::string to_toml(const Study& study) {
     writer.line("label", toml_string(entry.family.empty() ? entry.label : entry.family), "");
     if (entry.program) {
       ProgramChoice choice = entry.program->choice;
-      if (!choice.solver.empty()) writer.line("solver", toml_string(choice.solver), "its name in the shared object");
       list_fields(writer, choice);
     } else {
       writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);

@@ -199,10 +199,7 @@ void write_verified(const Verification& verified, SolveRecord& solve) {
 }
 
 bool is_over(const SolveRecord& solve, const Budget& budget) {
-  if (solve.round_trips == 0) return false;  // no program
-  const auto or_zero = [](double seconds) { return seconds > 0 ? seconds : 0; };
-  const double others = solve.round_trips * or_zero(solve.transport_seconds) + or_zero(solve.waited_seconds);
-  const bool is_late = budget.seconds > 0 && solve.seconds - others > most_of_budget * budget.seconds;
+  const bool is_late = budget.seconds > 0 && solve.seconds > most_of_budget * budget.seconds;
   return is_late || (budget.evaluations > 0 && solve.counted_by == CountedBy::solver &&
                      static_cast<double>(solve.evaluations) > most_of_budget * budget.evaluations);
 }

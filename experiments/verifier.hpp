@@ -52,8 +52,7 @@ struct Requirement {
 };
 
 constexpr double most_of_budget = 1.5;
-// True if a program took more than `most_of_budget` times its budget, not counting messages and waiting for a
-// processor.
+// True if a program took more than `most_of_budget` times its budget.
 bool is_over(const results::SolveRecord& solve, const Budget& budget);
 
 // The most severe fault of an answer, in the order of Status' description (results/record.hpp). A difference of 1e-9

@@ -30,12 +30,6 @@ Key Key::with(std::string_view part) const {
   return with(hash);
 }
 
-Key Key::of(std::uint64_t value) {
-  Key key(0);
-  key.value_ = value;
-  return key;
-}
-
 Random::Random(Key key) : kernels_(kernels()) {
   std::uint64_t seed = key.value();
   for (std::size_t lane = 0; lane < random_lanes; ++lane) {

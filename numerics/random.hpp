@@ -17,8 +17,6 @@ class Key {
   Key with(std::uint64_t part) const;
   Key with(std::string_view part) const;
   std::uint64_t value() const { return value_; }
-  // The key with this value.
-  static Key of(std::uint64_t value);
 
  private:
   std::uint64_t value_;

@@ -33,7 +33,7 @@ enum class Status : std::uint8_t {
 };
 
 // The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
-// which include its transport.
+// which include its messages.
 enum class Timing : std::uint8_t { clean, parallel, debug_build, process };
 
 // Tells who counted the evaluations.

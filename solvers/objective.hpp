@@ -57,29 +57,16 @@ class Objective {
   // - propose(first, count) writes these columns of q from the solver's present state;
   // - decide(i) accepts candidate i, whose error is errors[i], or not, and says whether that changed anything that
   // later proposals depend on. If so, those are proposed anew.
-  // Only decided candidates count as evaluations, as in the plain loop. `q` are Candidates and `errors` a vector, or
-  // maps of both.
+  // Only decided candidates count as evaluations, as in the plain loop. `q` are Candidates and `errors` a vector.
   template <class Q, class Errors, class Propose, class Decide>
   void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
-    batch_by_batch(q, errors, propose, [&](Eigen::Index first, Eigen::Index count) {
-      Decided decided;
-      while (decided.count < count && !decided.changed) decided.changed = decide(first + decided.count++);
-      return decided;
-    });
-  }
-
-  // The same, but decide(first, count) decides on the candidates of a batch, one by one until something changed.
-  struct Decided {
-    Eigen::Index count = 0;  // at least one
-    bool changed = false;
-  };
-  template <class Q, class Errors, class Propose, class Decide>
-  void batch_by_batch(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
     for (Eigen::Index i = 0; i < q.cols();) {
       const Eigen::Index count = std::min(look_ahead_, q.cols() - i);
       propose(i, count);
       evaluate(q.middleCols(i, count), errors.segment(i, count));
-      const auto [decided, changed] = decide(i, count);
+      Eigen::Index decided = 0;
+      bool changed = false;
+      while (decided < count && !changed) changed = decide(i + decided++);
       i += decided;
       evaluations_ += decided;
       // Looks half as far ahead after a change, twice as far without. The numbers do not depend on it.

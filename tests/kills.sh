@@ -125,27 +125,17 @@ kill_run() {
   done
 }
 
-# Solvers that are programs or shared objects.
+# A solver that is a program.
 kill_program() {
-  local kind
   look() { rows_of program/store.sqlite; }
   look_after() { rows_after program/store.sqlite; }
   command -v python3 >/dev/null || { echo "no program: no python3"; return; }
   cp "$scripts/../../docs/examples/pso.py" .
-  for kind in process shared_object; do
-    {
-      printf 'name = "program"\nruns = 6\nrepeats = 1\npopulation = 10\n[path]\npoints = 4\n[stop]\niterations = 10\n[[solvers]]\n'
-      if [ $kind = process ]; then
-        printf 'label = "mine"\nprocess = ["python3", "pso.py"]\n'
-      else
-        printf 'label = "mine"\nsolver = "bat"\nshared_object = "%s"\n' "$(dirname "$program")/tests/plugins/ikbench_six.so"
-      fi
-    } >$kind.toml
-    lasts run $kind.toml --no-report --out whole-$kind
-    until_done program $moment KILL run $kind.toml --out program --no-report
-    same_fingerprint program/store.sqlite whole-$kind/store.sqlite
-    told "run of a $kind, SIGKILL" "$rounds"
-  done
+  printf 'name = "program"\nruns = 6\nrepeats = 1\npopulation = 10\n[path]\npoints = 4\n[stop]\niterations = 10\n[[solvers]]\nlabel = "mine"\nprocess = ["python3", "pso.py"]\n' >process.toml
+  lasts run process.toml --no-report --out whole-process
+  until_done program $moment KILL run process.toml --out program --no-report
+  same_fingerprint program/store.sqlite whole-process/store.sqlite
+  told "run of a program, SIGKILL" "$rounds"
 }
 
 # A shard has no log, so a kill may leave it half-written: the same command mends it.

@@ -41,7 +41,7 @@ bool are_counted(SolvesOfOne solves, CountedBy by) {
 // A single disturbed solve does not count.
 bool are_disturbed(SolvesOfOne solves) {
   const auto disturbed = std::ranges::count(solves, true, [](const Solve& solve) { return solve.is_disturbed; });
-  return disturbed > 1 && 10 * disturbed > timed(solves, Timing::clean) + timed(solves, Timing::process);
+  return disturbed > 1 && 10 * disturbed > timed(solves, Timing::clean);
 }
 
 // If solves end by wall time, errors depend on the machine too.
@@ -52,8 +52,7 @@ Doubt disturbed_doubt(const StudyResults& study, const SolverLabels& labels) {
   for (const std::string& label : labels) {
     const SolvesOfOne own = solves_of(study, label);
     for (const Solve& solve : own) doubt.count += solve.is_disturbed ? 1 : 0;
-    doubt.of += static_cast<double>(timed(own, Timing::clean) + timed(own, Timing::process));
-    doubt.has_programs |= are_of_program(own);
+    doubt.of += static_cast<double>(timed(own, Timing::clean));
   }
   return doubt;
 }
@@ -63,12 +62,9 @@ Doubts times_left_out(const StudyResults& study) {
   if (const SolverLabels disturbed = those(study, are_disturbed); !disturbed.empty()) {
     doubts.push_back(disturbed_doubt(study, disturbed));
   }
-  const auto are_of_this_program = [](SolvesOfOne solves) {
-    return !solves.empty() && !are_of_program(solves);
-  };
+  const auto are_of_this_program = [](SolvesOfOne solves) { return !solves.empty() && !are_of_program(solves); };
   if (those(study, are_of_this_program).empty() || study.plan.program_times == ProgramTimes::compared) return doubts;
-  const auto are_undisturbed = [](SolvesOfOne solves) { return are_of_program(solves) && !are_disturbed(solves); };
-  return doubts + doubts_of(DoubtKind::times_of_programs, those(study, are_undisturbed));
+  return doubts + doubts_of(DoubtKind::times_of_programs, those(study, are_of_program));
 }
 
 Doubts evaluations_left_out(const StudyResults& study) {
@@ -142,19 +138,6 @@ bool is_comparable(const StudyResults& study, Metric metric) {
 Doubts cpu_doubts(const std::set<std::string>& cpus) {
   if (cpus.size() < 2) return {};
   return {{.kind = DoubtKind::several_machines, .who = {cpus.begin(), cpus.end()}, .is_of_all = true}};
-}
-
-Doubts program_doubts(const StudyResults& study) {
-  Doubt distant{.kind = DoubtKind::mostly_transport}, batched{.kind = DoubtKind::solved_in_batches};
-  for (const std::string& solver : study.solvers) {
-    const SolverFacts& facts = solver_facts(study, solver);
-    if (!facts.transport_shares.empty() && median(facts.transport_shares) >= 0.5) distant.who.push_back(solver);
-    if (facts.largest_batch > 1) batched.who.push_back(solver);
-    batched.count = std::max<double>(batched.count, facts.largest_batch);
-  }
-  Doubts doubts{distant, batched};
-  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
-  return doubts;
 }
 
 std::set<std::string> machines_of(std::span<const Session> sessions) {

@@ -32,8 +32,6 @@ Doubts times_doubts(const StudyResults& study);
 
 // Doubts that times of several CPUs cannot be compared; empty for one CPU.
 Doubts cpu_doubts(const std::set<std::string>& cpus);
-// Doubts of programs whose time is mostly that of their messages, or a share of a batch.
-Doubts program_doubts(const StudyResults& study);
 // Doubts that the comparison is fair: solvers differ in effort, no gradient method is among them or in a companion, or
 // there is one target only.
 Doubts fairness_doubts(const StudyResults& study, const JudgedStudies& companions = {});

@@ -36,7 +36,7 @@ constexpr std::array all_words{
         "both as labels of one study.",
         "separate sessions"},
     Words{K::times_disturbed, times,
-          "{count} of {of} solves took more than 1.1 times their CPU time{waited}, so other programs were running.",
+          "{count} of {of} solves took more than 1.1 times their CPU time, so other programs were running.",
           "other programs ran"},
     Words{
         K::times_of_programs, times,
@@ -56,12 +56,6 @@ constexpr std::array all_words{
     Words{K::slow_solves, "Some solves were slow",
           "{count} of {of} solves took more than {other} times as long as usual. The worst is {what}: {value:.3g} ms "
           "instead of {limit:.3g} ms. For the verdict such a solve counts as usual, so it decides nothing."},
-    Words{K::mostly_transport, "Times are mostly transport",
-          "At least half of the time of {who} is transport: messages to the program and back."},
-    Words{
-        K::solved_in_batches, "Times are shares of a batch",
-        "{who} solved up to {count} problems at once. Their time of a solve is its share: it says how many solves they "
-        "make in a second, not how long one takes."},
     Words{K::unequal_evaluations, "Budgets differ",
           "Equal iterations are not equal evaluations: a solve of {what} makes {count:.6g}, one of {who} {of:.6g}. "
           "stop.evaluations would give all solvers the same budget."},
@@ -133,12 +127,11 @@ std::string title_of(const Doubt& doubt) {
 
 std::string words_of(const Doubt& doubt) {
   const std::string who = one_line(fmt::format("{}", fmt::join(doubt.who, ", ")));
-  std::string text = fmt::format(
-      fmt::runtime(words_for(doubt.kind).text), fmt::arg("who", who), fmt::arg("count", doubt.count),
-      fmt::arg("of", doubt.of), fmt::arg("other", doubt.other), fmt::arg("value", doubt.value),
-      fmt::arg("limit", doubt.limit), fmt::arg("what", doubt.what),
-      fmt::arg("whose", doubt.is_of_all ? "those of " + who : "they"),
-      fmt::arg("waited", doubt.has_programs ? ", or waited for a processor for more than a tenth of it" : ""));
+  std::string text =
+      fmt::format(fmt::runtime(words_for(doubt.kind).text), fmt::arg("who", who), fmt::arg("count", doubt.count),
+                  fmt::arg("of", doubt.of), fmt::arg("other", doubt.other), fmt::arg("value", doubt.value),
+                  fmt::arg("limit", doubt.limit), fmt::arg("what", doubt.what),
+                  fmt::arg("whose", doubt.is_of_all ? "those of " + who : "they"));
   if (is_of_times(doubt.kind)) {
     const bool names_solvers = doubt.kind == K::times_disturbed && !doubt.who.empty();
     text = doubt.is_of_all ? fmt::format("{}: {}{}", times, names_solvers ? fmt::format("of {}, ", who) : "", text)

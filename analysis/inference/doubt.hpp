@@ -25,8 +25,6 @@ enum class DoubtKind {
   // disturbances of times
   machine_loaded,
   slow_solves,
-  mostly_transport,
-  solved_in_batches,
   // what the study compares
   unequal_evaluations,
   populations_only,
@@ -64,7 +62,6 @@ struct Doubt {
   double other = 0, value = statistics::not_defined, limit = statistics::not_defined;
   std::string what = {};                  // a file, a change, a place
   bool is_of_all = false;                 // for times: none can be compared; false: those of `who` are left out
-  bool has_programs = false;              // some of `who` are programs
   bool errors_too = false;                // errors are affected too, because solves end by wall time
   std::vector<std::string> studies = {};  // other studies with the same doubt
 };

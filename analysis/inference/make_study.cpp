@@ -63,8 +63,7 @@ void add_sessions(StudyResults& study, const std::vector<Series>& series, const 
   for (const Series& one : series) {
     const bool is_of_library = std::ranges::any_of(
         solving, [&](const Session& each) { return each.environment.contains("library." + one.algorithm); });
-    if (is_of_library || !text_option(one.options, "process").empty() ||
-        !text_option(one.options, "shared_object").empty()) {
+    if (is_of_library || !text_option(one.options, "process").empty()) {
       study.external.push_back(one.label);
     }
   }

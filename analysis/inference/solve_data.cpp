@@ -55,12 +55,9 @@ double mean_bend_deg(const std::vector<std::vector<double>>& answers) {
 
 bool has_repeats(const SolveRecord& solve) { return solve.repeats > 1 && solve.smallest_seconds > 0; }
 
-// Returns whether a clean solve took more than 10 % longer than its CPU time. A program may wait for other reasons, so
-// for its solves only the wait for a processor counts, less the usual cost of messages.
+// Returns whether a clean solve took more than 10 % longer than its CPU time.
 bool is_disturbed(const SolveRecord& solve) {
   constexpr double most = 0.1;  // largest accepted wait / time
-  if (solve.timing == Timing::process)
-    return solve.waited_seconds > most * solve.seconds + solve.round_trips * solve.transport_seconds;
   return solve.timing == Timing::clean && solve.seconds > (1 + most) * solve.cpu_seconds && solve.cpu_seconds > 0;
 }
 
@@ -136,10 +133,6 @@ std::uint16_t StudyMaker::session_number(std::int64_t session) {
 
 void StudyMaker::look_at(const SolveRecord& record, std::uint16_t solver) {
   SolverFacts& own = data_.of_solver[solver];
-  if (const double transport = record.round_trips * record.transport_seconds; transport >= 0 && record.seconds > 0) {
-    own.transport_shares.push_back(transport / record.seconds);
-  }
-  own.largest_batch = std::max(own.largest_batch, record.batch);
   const double longest = std::fmax(record.seconds, record.largest_seconds);
   own.uneven_repeats += has_repeats(record) && longest > much_longer * record.smallest_seconds ? 1 : 0;
   own.worst_outside_deg = std::max(own.worst_outside_deg, record.limit_violation_deg);

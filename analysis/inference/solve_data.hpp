@@ -45,10 +45,8 @@ class Problems {
 constexpr double much_longer = 3;
 
 struct SolverFacts {
-  double worst_outside_deg = 0;               // excess beyond the limit, worst joint
-  std::vector<double> transport_shares = {};  // message share of each time of a program
-  int uneven_repeats = 0;  // solves whose longest repeat took more than `much_longer` times the shortest
-  int largest_batch = 1;   // problems that a program solved at once
+  double worst_outside_deg = 0;  // excess beyond the limit, worst joint
+  int uneven_repeats = 0;        // solves whose longest repeat took more than `much_longer` times the shortest
 };
 
 // Mean absolute second difference of all joint angles of a run.

@@ -32,7 +32,7 @@ struct StudyResults {
   results::AnalysisPlan plan = {};         // decides how it is judged
   std::set<std::string> cpus = {};         // CPUs of its sessions, as far as recorded
   StudyFacts facts = {};                   // from its definition
-  std::vector<std::string> external = {};  // solvers that are programs, shared objects or from libraries
+  std::vector<std::string> external = {};  // solvers that are programs or from libraries
   SolveList solves = {};
   std::shared_ptr<const SolveData> solve_data = std::make_shared<const SolveData>();
   std::vector<double> seconds_per_evaluation = {};  // one per solver; replace measured ones (times.hpp)

@@ -41,7 +41,7 @@ void add_notes(Table& table, const StudyResults& study) {
 }
 
 void add_timing_notes(Table& table, const StudyResults& study) {
-  const Doubts doubts = times_doubts(study) + outlier_doubts(study) + program_doubts(study);
+  const Doubts doubts = times_doubts(study) + outlier_doubts(study);
   std::ranges::move(list_of(doubts), std::back_inserter(table.notes));
 }
 

@@ -50,7 +50,6 @@ while ischar(line = input("", "s"))  % fgetl waits for the line after
       can = strcmp(arm.goal, "position") && all(strcmp({arm.joints.type}, "revolute"));
       if can, say(struct("message", "ready"));
       else, say(struct("message", "declined", "why", "positions of revolute joints alone")); end
-    case "ping", say(struct("message", "pong", "id", told.id));
     case "solve", solve(arm, told);
     case "bye", break;
   end

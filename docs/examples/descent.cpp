@@ -52,7 +52,6 @@ int main() {
     const Json told = Json::parse(line);
     const bool can = line.find("\"prismatic\"") == line.npos && line.find("\"coupled\"") == line.npos;
     if (told["message"] == "robot") arm = told, std::cout << Json{{"message", can ? "ready" : "declined"}} << std::endl;
-    if (told["message"] == "ping") std::cout << Json{{"message", "pong"}, {"id", told["id"]}} << std::endl;
     if (told["message"] == "solve") std::cout << solved(arm, told) << std::endl;
     if (told["message"] == "bye") break;
   }

@@ -51,8 +51,6 @@ for line in sys.stdin:
     if told["message"] == "robot":
         arm = told
         say(message="declined" if "coupled" in (j["type"] for j in arm["joints"]) else "ready", why="coupled joints")
-    elif told["message"] == "ping":
-        say(message="pong", id=told["id"])
     elif told["message"] == "solve":
         solve(told)
     elif told["message"] == "bye":

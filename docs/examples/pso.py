@@ -51,8 +51,6 @@ for line in sys.stdin:
     if told["message"] == "robot":
         options = told["options"]
         say(message="ready")
-    elif told["message"] == "ping":
-        say(message="pong", id=told["id"])
     elif told["message"] == "start":
         solve(told, **options)
     elif told["message"] == "bye":

@@ -53,7 +53,6 @@ int main(void) {
   while (fflush(stdout), fgets(line, sizeof line, stdin) && !strstr(line, "\"message\":\"bye\"")) {
     for (const char *j = line; strstr(line, "\"robot\"") && (j = strstr(j, "\"alpha\"")); ++j) ++joints;
     if (strstr(line, "\"message\":\"robot\"")) puts("{\"message\":\"ready\"}");
-    if (strstr(line, "\"message\":\"ping\"")) printf("{\"message\":\"pong\",\"id\":%d}\n", atoi(at("\"id\"")));
     if (strstr(line, "\"message\":\"start\"")) solve(joints);
   }
 }

@@ -23,8 +23,6 @@ using namespace results;
 namespace {
 
 constexpr double slack = 1e-9;  // m and rad
-constexpr int many_solves = 1000;
-constexpr double most_growth = 8e6;  // bytes, over many_solves
 
 // An arm about a metre long; each axis is at a right angle to the one before. All joints turn within limits, or some
 // turn without end, or the second slides.
@@ -81,16 +79,13 @@ class Checker {
   bool run() {
     if (!greet()) return false;
     if (answers()) {  // without answers, the other checks say nothing
-      const bool is_repeatable = seeds();
+      seeds();
       claims();
-      if (is_repeatable && program_->mode == Mode::solve && program_->hello.batch > 1) batches();
       budgets();
-      memory();
     }
     farewells();
-    line(choice_.is_hosted() ? "it leaves the floating-point mode as it is when it is loaded"
-                             : "it writes nothing but messages",
-         noise_ == 0, noise_ == 0 ? "" : fmt::format("{} other lines, the first: {}", noise_, first_noise_));
+    line("it writes nothing but messages", noise_ == 0,
+         noise_ == 0 ? "" : fmt::format("{} other lines, the first: {}", noise_, first_noise_));
     return all_passed_;
   }
 
@@ -135,11 +130,10 @@ class Checker {
     std::uint64_t seed = 1;
     StopRule stop = {.iterations = 100, .tolerance = 1e-4};
     bool is_reachable = true;
-    double start = 0.1;  // [rad] of all joints
   };
 
   Tried solve(ForeignSolver& solver, const SomeArm& arm, const TrialSolve& asked) const {
-    const Configuration start = Configuration::Constant(arm.chain.joints(), asked.start);
+    const Configuration start = Configuration::Constant(arm.chain.joints(), 0.1);
     const Problem problem{.start = start, .lower = arm.limits.lower, .upper = arm.limits.upper, .population = 20};
     Objective objective(arm.chain, asked.is_reachable ? arm.target() : Eigen::Vector3d(10, 0, 0));
     Random random(Key(0).with(asked.seed));
@@ -218,7 +212,7 @@ class Checker {
     return fmt::format("it says {:.9g} m, and is {:.9g} m off", tried.account.word.error, tried.error);
   }
 
-  bool seeds() {
+  void seeds() {
     Sessions sessions = sessions_for(*arm_);
     const TrialSolve asked{.stop = {.iterations = 3}};
     ForeignSolver solver(sessions, asked.stop);
@@ -229,9 +223,8 @@ class Checker {
       return a.trouble.empty() && b.trouble.empty() &&
              std::equal(a.q.begin(), a.q.end(), b.q.begin(), b.q.end(), is_equal);
     };
-    const bool in_process = same(first, again), in_fresh = same(first, fresh);
-    line("the same seed gives the same answer in the same process", in_process, first.trouble);
-    line("the same seed gives the same answer in a fresh process", in_fresh, fresh.trouble);
+    line("the same seed gives the same answer in the same process", same(first, again), first.trouble);
+    line("the same seed gives the same answer in a fresh process", same(first, fresh), fresh.trouble);
     const bool is_deterministic = program_->hello.is_deterministic, differs = !same(first, other);
     line("a seed changes its answer only if it does not say that it is deterministic",
          other.trouble.empty() && !(differs && is_deterministic),
@@ -239,7 +232,6 @@ class Checker {
          : differs && is_deterministic ? "another seed changes its answer"
          : differs || is_deterministic ? ""
                                        : "here another seed changed nothing; if none ever does, say deterministic");
-    return in_process && in_fresh;
   }
 
   void claims() {
@@ -253,41 +245,6 @@ class Checker {
                                 : claim(tried));
     const Tried far = solve_afresh(*arm_, {.is_reachable = false});
     line("a target that nothing reaches ends too", far.trouble.empty(), far.trouble);
-  }
-
-  // Each problem of a batch has to get the answer that it gets alone.
-  void batches() {
-    std::vector<TrialSolve> trials;
-    std::vector<Problem> problems;
-    for (int i = 0; i < std::min(program_->hello.batch, 3); ++i) {
-      trials.push_back({.seed = static_cast<std::uint64_t>(i), .start = 0.1 * (i + 1)});
-      problems.push_back({.start = Configuration::Constant(arm_->chain.joints(), trials.back().start),
-                          .lower = arm_->limits.lower,
-                          .upper = arm_->limits.upper,
-                          .population = 20});
-    }
-    const Goal goal(arm_->target());
-    std::vector<SolveRequest> requests;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      Random random(Key(0).with(trials[i].seed));
-      requests.push_back(
-          {.id = 0, .problem = problems[i], .goal = goal, .stop = trials[i].stop, .seed = seed_of(random)});
-    }
-    Sessions sessions = sessions_for(*arm_);
-    ForeignSolver solver(sessions, trials.front().stop);
-    solver.ask_ahead(requests);
-    std::string wrong;
-    if (solver.account().failure) wrong = fmt::format("{}: {}", name_of(*solver.account().failure), solver.trouble());
-    for (std::size_t i = 0; i < trials.size() && wrong.empty(); ++i) {
-      const Tried together = solve(solver, *arm_, trials[i]), alone = solve_afresh(*arm_, trials[i]);
-      if (together.account.failure != alone.account.failure) wrong = together.trouble + alone.trouble;
-      for (Eigen::Index j = 0; j < alone.q.size() && wrong.empty(); ++j) {
-        const double x = together.q[j], y = alone.q[j];
-        const bool is_same = std::abs(x - y) <= slack || (std::isnan(x) && std::isnan(y));
-        if (!is_same) wrong = fmt::format("problem {} differs by {:.3g} rad", i + 1, x - y);
-      }
-    }
-    line("a problem gets the same answer in a batch as alone", wrong.empty(), wrong);
   }
 
   void budgets() {
@@ -308,21 +265,6 @@ class Checker {
     }
     line("it keeps a budget of 1 ms within ten times", trouble.empty() && least <= 10 * budget,
          trouble.empty() ? fmt::format("{:.2g} ms", 1000 * least) : trouble);
-  }
-
-  void memory() {
-    Sessions sessions = sessions_for(*arm_);
-    const TrialSolve asked{.stop = {.iterations = 1}};
-    ForeignSolver solver(sessions, asked.stop);
-    double before = 0;
-    std::string trouble;
-    for (int i = 0; i < many_solves && trouble.empty(); ++i) {
-      if (i == many_solves / 10) before = solver.resident_bytes();
-      trouble = solve(solver, *arm_, {.seed = static_cast<std::uint64_t>(i), .stop = asked.stop}).trouble;
-    }
-    const double growth = solver.resident_bytes() - before;
-    line(fmt::format("its memory does not grow over {} solves", many_solves), trouble.empty() && growth <= most_growth,
-         trouble.empty() ? fmt::format("{:+.1f} MB", growth / 1e6) : trouble);
   }
 
   void farewells() {

@@ -1,4 +1,4 @@
-// Checks for the author of a program or a shared object before a study runs it: it keeps the protocol, and its claims
+// Checks for the author of a program before a study runs it: it keeps the protocol, and its claims
 // are true.
 #pragma once
 
@@ -16,7 +16,7 @@ struct CheckLine {
 };
 
 // Runs all checks and tells each line as soon as it is known; without a hello it stops. True if all passed. `choice`
-// names a program or a shared object in the current folder, and its patience.
+// names a program in the current folder, and its patience.
 bool check_program(const ProgramChoice& choice, const std::function<void(const CheckLine&)>& tell);
 
 }  // namespace ikbench::experiments

@@ -15,13 +15,10 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <thread>
 #include <utility>
-
-#include "experiments/environment.hpp"
 
 namespace ikbench::experiments {
 
@@ -256,12 +253,6 @@ std::string ChildProcess::how_it_ended() const {
                               : fmt::format("exit code {}", WEXITSTATUS(status_));
 }
 
-double ChildProcess::resident_bytes() const {
-  std::ifstream file(fmt::format("/proc/{}/statm", process_));
-  double all = 0, resident = 0;
-  return file >> all >> resident ? resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) : 0;
-}
-
 double ChildProcess::cpu_seconds() const {
   clockid_t clock{};
   timespec time{};
@@ -269,8 +260,6 @@ double ChildProcess::cpu_seconds() const {
     return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
-
-double ChildProcess::waited_seconds() const { return experiments::waited_seconds(process_); }
 
 void ChildProcess::drain_errors() {
   std::array<char, 4096> buffer;

@@ -40,9 +40,7 @@ class ChildProcess {
   bool has_line();  // true if a line can be read without waiting
 
   bool is_running();
-  double resident_bytes() const;                                   // 0 if unknown
   double cpu_seconds() const;                                      // of all its threads; NaN if unknown
-  double waited_seconds() const;                                   // for a processor; NaN if unknown
   const std::string& last_errors() const { return last_errors_; }  // the end of its standard error
   std::string how_it_ended() const;                                // "exit code 3", "signal 11"; empty while it runs
   // Closes its standard input, waits for `patience`, then ends its whole group: first gently, after a second by force.

@@ -19,12 +19,13 @@ constexpr int warm_ups = 3;
 constexpr std::size_t most_examples = 100;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-}  // namespace
-
+// The seed that a program gets: the first number of the solve's stream.
 std::uint32_t seed_of(Random& random) {
   constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
   return static_cast<std::uint32_t>(random.uniform() * seeds);
 }
+
+}  // namespace
 
 Sessions::Sessions(std::shared_ptr<const Program> program, std::string robot)
     : program_(std::move(program)), robot_(std::move(robot)) {}
@@ -65,8 +66,6 @@ ForeignSolver::ForeignSolver(Sessions& sessions, const StopRule& stop)
 
 ForeignSolver::~ForeignSolver() { sessions_.give_back(std::move(session_)); }
 
-double ForeignSolver::resident_bytes() const { return session_->resident_bytes(); }
-
 template <class Talk>
 void ForeignSolver::guarded(Talk&& talk) {
   if (account_.failure) return;
@@ -85,10 +84,8 @@ void ForeignSolver::guarded(Talk&& talk) {
   }
 }
 
-void ForeignSolver::prepare(const Problem& problem, const Objective& objective, const HostedSolve& hosted) {
+void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
-  if (!ahead_.empty()) return;
-  hosted_ = {};
   is_open_ = is_warming_up_ = true;
   bool is_new = false;
   guarded([&] {
@@ -107,42 +104,6 @@ void ForeignSolver::prepare(const Problem& problem, const Objective& objective, 
     account_ = {};
   }
   is_open_ = is_warming_up_ = false;
-  hosted_ = hosted;
-  waited_before_ = session_->waited_seconds();
-}
-
-void ForeignSolver::ask_ahead(const std::vector<SolveRequest>& problems) {
-  account_ = {};
-  ahead_.clear();
-  guarded([&] {
-    const bool is_new = session_->ensure_running();
-    session_->drain();
-    if (is_new) solve_batch(problems);  // unrecorded, as the warm-up of a single solve
-    ahead_ = solve_batch(problems);
-    session_->forgive();
-  });
-  if (account_.failure) session_->recover({*account_.failure, trouble_});
-}
-
-std::deque<Account> ForeignSolver::solve_batch(const std::vector<SolveRequest>& problems) {
-  const double waited_before = session_->waited_seconds(), cpu_before = session_->cpu_seconds();
-  session_->begin_solve(stop_.seconds, static_cast<int>(problems.size()));
-  const std::int64_t id = session_->new_id();
-  session_->send(batch_message(id, problems));
-  const Clock::time_point sent = Clock::now();
-  const Message message = session_->receive({"solved_batch"}, id);
-  const std::chrono::duration<double> seconds = Clock::now() - sent;
-  const double share = 1 / static_cast<double>(problems.size());
-  const Account account{.seconds = share * seconds.count(),
-                        .cpu_seconds = share * (session_->cpu_seconds() - cpu_before),
-                        .transport_seconds = share * session_->transport_seconds(),
-                        .waited_seconds = share * (session_->waited_seconds() - waited_before),
-                        .round_trips = 1,
-                        .batch = static_cast<int>(problems.size())};
-  std::deque<Account> accounts(problems.size(), account);
-  std::vector<Solved> words = batch_solved_in(message, problems.front().problem.joints(), problems.size());
-  for (std::size_t i = 0; i < words.size(); ++i) accounts[i].word = std::move(words[i]);
-  return accounts;
 }
 
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
@@ -151,21 +112,15 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
   is_finished_ = false;
   is_telling_ = false;
   joints_ = problem.joints();
-  if (!ahead_.empty()) {
-    account_ = std::move(ahead_.front());
-    ahead_.pop_front();
-    guarded([&] { take_word(objective); });
-    return;
-  }
   guarded([&] {
     is_open_ = true;
-    session_->begin_solve(stop_.seconds, std::max(1, hosted_.repeats));
+    session_->begin_solve(stop_.seconds);
     cpu_before_ = session_->cpu_seconds();
     const std::uint32_t seed = seed_of(random);
     const Mode mode = sessions_.program().mode;
     const std::int64_t id = session_->new_id();
-    const std::string text = solve_message(
-        mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed, .hosted = hosted_});
+    const std::string text =
+        solve_message(mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed});
     if (mode == Mode::ask) {
       take_in(session_->exchange(text, {"ask", "solved", "declined"}, id), objective);
     } else {
@@ -176,18 +131,10 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
 
 void ForeignSolver::solve_at_once(const std::string& text, Objective& objective) {
   const Clock::time_point began = Clock::now();  // before it is sent: the program may have the processor at once
-  session_->send(text);
-  const Message message = session_->receive({"solved", "declined"}, session_->id());
+  const Message message = session_->exchange(text, {"solved", "declined"}, session_->id());
   account_.seconds = std::chrono::duration<double>(Clock::now() - began).count();
-  account_.round_trips = 1;
-  account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
   if (message.name == "declined") throw Trouble{Status::declined, why_in(message.json)};
   account_.word = solved_in(message, joints_);
-  take_word(objective);
-}
-
-void ForeignSolver::take_word(Objective& objective) {
-  if (account_.word.declined) throw Trouble{Status::declined, *account_.word.declined};
   best_.q = account_.word.q;
   best_.error = objective.error(best_.q);
   is_finished_ = true;
@@ -223,12 +170,7 @@ void ForeignSolver::conclude() {
     session_->recover({*account_.failure, trouble_});
     return;
   }
-  account_.transport_seconds = session_->transport_seconds();
-  account_.waited_seconds = session_->waited_seconds() - waited_before_;
-  if (sessions_.program().mode == Mode::ask) {
-    account_.round_trips = session_->round_trips();
-    account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
-  }
+  account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
   try {
     if (is_telling_) {
       session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::yes), {"solved"}, session_->id());

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,11 +28,7 @@ struct Account {
   std::optional<results::Status> failure;
   double seconds = std::numeric_limits<double>::quiet_NaN();  // of a solve with own kinematics, to the last byte read
   double cpu_seconds = 0;                                     // of the program
-  double transport_seconds = std::numeric_limits<double>::quiet_NaN();  // of a message and its answer
-  double waited_seconds = std::numeric_limits<double>::quiet_NaN();     // for a processor, by the program and by us
-  int round_trips = 0;
-  int batch = 1;     // problems that were solved at once; the times are shares of theirs
-  Solved word = {};  // the answer of a program with own kinematics
+  Solved word = {};                                           // the answer of a program with own kinematics
 };
 
 // A process of a program, with the state kept from solve to solve.
@@ -65,12 +60,8 @@ class ForeignSolver final : public solvers::Solver {
   ForeignSolver(Sessions& sessions, const solvers::StopRule& stop);  // both outlive it
   ~ForeignSolver() override;
 
-  // Call before the clock starts: starts the process if there is none, and warms it up. `hosted` is for a shared
-  // object.
-  void prepare(const solvers::Problem& problem, const solvers::Objective& objective, const HostedSolve& hosted = {});
-  // Asks for several answers in one message. The next solves are of these problems, in this order, and take the answers
-  // as they are. If the program does not answer them all, the problems come to it again, each alone.
-  void ask_ahead(const std::vector<SolveRequest>& problems);
+  // Call before the clock starts: starts the process if there is none, and warms it up.
+  void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
   void step(solvers::Objective& objective, numerics::Random& random) override;
   const solvers::Best& best() const override { return best_; }
@@ -79,14 +70,11 @@ class ForeignSolver final : public solvers::Solver {
   void conclude();
   const Account& account() const { return account_; }
   const std::string& trouble() const { return trouble_; }  // why it failed; empty if it did not
-  double resident_bytes() const;                           // memory of the process
 
  private:
   template <class Talk>
   void guarded(Talk&& talk);  // an exception becomes the account's failure
   void solve_at_once(const std::string& text, solvers::Objective& objective);
-  void take_word(solvers::Objective& objective);
-  std::deque<Account> solve_batch(const std::vector<SolveRequest>& problems);
   void take_in(const Message& message, solvers::Objective& objective);
 
   Sessions& sessions_;
@@ -97,16 +85,11 @@ class ForeignSolver final : public solvers::Solver {
   bool is_open_ = false;        // the program knows of this solve, but not of its end
   bool is_warming_up_ = false;  // a warm-up that succeeds does not forget earlier deaths
   bool is_telling_ = false;     // the program waits for the errors of its candidates
-  HostedSolve hosted_;
   int joints_ = 0;
-  double cpu_before_ = 0, waited_before_ = 0;
+  double cpu_before_ = 0;
   Eigen::VectorXd errors_;
   Account account_;
   std::string trouble_;
-  std::deque<Account> ahead_;  // what the next solves take
 };
-
-// The seed that a program gets: the first number of the solve's stream.
-std::uint32_t seed_of(numerics::Random& random);
 
 }  // namespace ikbench::experiments

@@ -10,7 +10,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "experiments/foreign/host.hpp"
 #include "experiments/foreign/session.hpp"
 #include "numerics/names.hpp"
 
@@ -77,14 +76,12 @@ fs::path executable(const std::string& word, const fs::path& folder) {
   return {};
 }
 
-// Digests the name, the version, the object or the executable, every argument that is a file, and the study's `files`.
+// Digests the name, the version, the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
   Sha256 digest;
   digest.add(hello.name + '\n' + hello.version + '\n');
-  if (choice.is_hosted()) digest.add(digest_of_file(folder / choice.shared_object));
   const std::vector<std::string>& words = choice.process;
-  if (const fs::path file = words.empty() ? fs::path() : executable(words[0], folder); is_file(file))
-    digest.add(digest_of_file(file));
+  if (const fs::path file = executable(words[0], folder); is_file(file)) digest.add(digest_of_file(file));
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (const fs::path file = folder / words[i]; is_file(file)) digest.add(digest_of_file(file));
   }
@@ -97,7 +94,6 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 void list_fields(Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
-  io.text("shared_object", choice.shared_object, "a shared object with a solver, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.choice(
       "mode", choice.mode,
@@ -131,9 +127,7 @@ Hello hello_of(ChildProcess& child, const ProgramChoice& choice, std::vector<std
   }
 }
 
-Command Program::command() const {
-  return {choice.is_hosted() ? host_command(choice.shared_object, choice.solver) : choice.process, folder};
-}
+Command Program::command() const { return {choice.process, folder}; }
 
 bool Program::is_unchanged() const {
   try {
@@ -144,9 +138,7 @@ bool Program::is_unchanged() const {
 }
 
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
-  std::vector<std::string> files = choice.files;
-  if (choice.is_hosted()) files.push_back(choice.shared_object);
-  for (const std::string& name : files) {
+  for (const std::string& name : choice.files) {
     if (!is_file(folder / name))
       throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
   }

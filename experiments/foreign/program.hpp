@@ -16,14 +16,9 @@ struct ProgramChoice {
   enum class Talk { preferred, solve, ask };
 
   std::vector<std::string> process;  // the program and its arguments
-  std::string shared_object;         // instead of a program
-  std::string solver;                // its name in the shared object; empty: the first
   std::vector<std::string> files;    // its further files
   Talk mode = Talk::preferred;
   double patience = 0;  // [s] per solve; 0: max(5 s, 20 x its budget)
-
-  bool is_hosted() const { return !shared_object.empty(); }
-  const std::string& name() const { return is_hosted() ? shared_object : process[0]; }
 };
 
 void list_fields(Fields& io, ProgramChoice& choice);

@@ -28,11 +28,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t most_options = 200, most_choices = 100;
 constexpr std::size_t longest_urdf = 900'000;  // bytes; a longer one is left out
 constexpr double largest_count = 1e15;
-constexpr int largest_batch = 500;  // answers of 64 joints stay shorter than the longest line
 // The keys of an entry of [[solvers]]. Options stand beside them, so that no option may have such a name.
-constexpr std::array<std::string_view, 10> keys_of_entries{"solver",  "label",     "process",    "shared_object",
-                                                           "files",   "mode",      "patience_s", "population",
-                                                           "options", "if_missing"};
+constexpr std::array<std::string_view, 9> keys_of_entries{"solver",     "label",      "process", "files",     "mode",
+                                                          "patience_s", "population", "options", "if_missing"};
 
 std::string line_of(const Json& json) { return numerics::text_of(json) + '\n'; }
 
@@ -165,26 +163,6 @@ class HelloOptions {
   std::deque<std::size_t> chosen_;
 };
 
-// The members of a problem that are the same in `solve`, `start` and `solve_batch`.
-Json problem_members(const SolveRequest& asked) {
-  const Problem& problem = asked.problem;
-  const JointLimits limits = finite_limits(problem);
-  Json target{{"position", numbers(asked.goal.target.translation())}};
-  if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
-  return {{"target", target},
-          {"start", numbers(problem.start)},
-          {"lower", numbers(limits.lower)},
-          {"upper", numbers(limits.upper)},
-          {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
-          {"budget",
-           {{"iterations", asked.stop.iterations},
-            {"evaluations", asked.stop.evaluations},
-            {"seconds", asked.stop.seconds}}},
-          {"population", problem.population},
-          {"planned_iterations", problem.iterations},
-          {"seed", asked.seed}};
-}
-
 StopReason reason_of(const std::string& name) {
   const auto* const found = std::ranges::find(stop_reason_names, name);
   return found == stop_reason_names.end() ? StopReason::finished
@@ -235,12 +213,6 @@ Hello hello_in(const Message& message) {
     if (std::ranges::count(hello.options, option.name, &HelloOption::name) > 1)
       throw Breach(fmt::format("it has the option {} twice", option.name));
   }
-  if (json.contains("batch")) {
-    const std::int64_t batch = count_at(json, "batch");
-    if (batch < 1 || batch > largest_batch)
-      throw Breach(fmt::format("its batch is not a count from 1 to {}", largest_batch));
-    hello.batch = static_cast<int>(batch);
-  }
   const Json deterministic = json.value("deterministic", Json(false));
   hello.is_deterministic = deterministic == true || deterministic == 1;
   return hello;
@@ -265,52 +237,17 @@ Candidates candidates_in(const Message& ask, int joints) {
   return q;
 }
 
-namespace {
-
-Solved answer_in(const Json& json, int joints) {
-  if (const auto fault = json.find("fault"); fault != json.end() && fault->is_string())
-    throw Breach(std::string(front(fault->get_ref<const std::string&>(), 200)));
+Solved solved_in(const Message& message, int joints) {
+  const Json& json = message.json;
   if (!json.contains("q")) throw Breach("its answer has no q");
-  Solved solved{.q = configuration_in(json.value("q", Json()), joints)};
+  Solved solved{.q = configuration_in(json["q"], joints)};
   solved.error = number_at(json, "error", solved.error);
   solved.seconds = number_at(json, "seconds", solved.seconds);
   if (solved.seconds < 0) throw Breach("its seconds are negative");
   solved.evaluations = count_at(json, "evaluations");
   solved.iterations = count_at(json, "iterations");
   if (json.contains("reason")) solved.reason = reason_of(text_at(json, "reason", ""));
-  solved.cpu_seconds = number_at(json, "cpu_seconds", solved.cpu_seconds);
-  solved.smallest_seconds = number_at(json, "smallest_seconds", solved.seconds);
-  solved.largest_seconds = number_at(json, "largest_seconds", solved.seconds);
-  for (const Json& error : json.value("trace", Json::array())) solved.trace.push_back(as_number(error));
-  for (const Json& count : json.value("improved_at", Json::array())) {
-    if (!count.is_number_unsigned() || count.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max())
-      throw Breach("its improved_at has what is no count");
-    solved.improved.at.push_back(count.get<std::int64_t>());
-  }
-  for (const Json& error : json.value("improved_to", Json::array())) solved.improved.to.push_back(as_number(error));
-  if (solved.improved.at.size() != solved.improved.to.size())
-    throw Breach("its improved_at and improved_to have different lengths");
   return solved;
-}
-
-}  // namespace
-
-Solved solved_in(const Message& message, int joints) { return answer_in(message.json, joints); }
-
-std::vector<Solved> batch_solved_in(const Message& message, int joints, std::size_t problems) {
-  const Json solutions = message.json.value("solutions", Json());
-  if (!solutions.is_array() || solutions.size() != problems)
-    throw Breach(fmt::format("its solutions are not a list of {}, one for each problem", problems));
-  std::vector<Solved> all;
-  for (const Json& solution : solutions) {
-    if (!solution.is_object()) throw Breach("one of its solutions is not an object");
-    if (solution.value("message", Json()) == "declined") {
-      all.push_back({.q = {}, .declined = why_in(solution)});
-    } else {
-      all.push_back(answer_in(solution, joints));
-    }
-  }
-  return all;
 }
 
 std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Settings& options) {
@@ -358,29 +295,29 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
 }
 
 std::string solve_message(Mode mode, const SolveRequest& asked) {
-  Json json{{"message", mode == Mode::solve ? "solve" : "start"}, {"id", asked.id}};
-  json.update(problem_members(asked));
-  if (asked.hosted.repeats > 0) {
-    json["stream"] = asked.hosted.stream;
-    json["repeats"] = asked.hosted.repeats;
-    json["trace"] = asked.hosted.trace != Trace::none;
-  }
-  return line_of(json);
-}
-
-std::string batch_message(std::int64_t id, const std::vector<SolveRequest>& problems) {
-  Json list = Json::array();
-  for (const SolveRequest& problem : problems) list.push_back(problem_members(problem));
-  return line_of({{"message", "solve_batch"}, {"id", id}, {"problems", std::move(list)}});
+  const Problem& problem = asked.problem;
+  const JointLimits limits = finite_limits(problem);
+  Json target{{"position", numbers(asked.goal.target.translation())}};
+  if (asked.goal.is_pose()) target["rotation"] = row_by_row(asked.goal.target.linear());
+  return line_of({{"message", mode == Mode::solve ? "solve" : "start"},
+                  {"id", asked.id},
+                  {"target", target},
+                  {"start", numbers(problem.start)},
+                  {"lower", numbers(limits.lower)},
+                  {"upper", numbers(limits.upper)},
+                  {"tolerance", {{"position", asked.stop.tolerance}, {"rotation", asked.stop.angle_tolerance}}},
+                  {"budget",
+                   {{"iterations", asked.stop.iterations},
+                    {"evaluations", asked.stop.evaluations},
+                    {"seconds", asked.stop.seconds}}},
+                  {"population", problem.population},
+                  {"planned_iterations", problem.iterations},
+                  {"seed", asked.seed}});
 }
 
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over) {
   return line_of(
       {{"message", "tell"}, {"id", id}, {"errors", numbers(errors)}, {"best", best}, {"over", over == Over::yes}});
-}
-
-std::string ping_message(std::int64_t id, std::size_t bytes) {
-  return line_of({{"message", "ping"}, {"id", id}, {"padding", std::string(bytes, '.')}});
 }
 
 std::string bye_message() { return line_of({{"message", "bye"}}); }

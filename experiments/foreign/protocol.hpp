@@ -44,7 +44,6 @@ struct Hello {
   std::vector<Mode> modes;  // at least one; the preferred one first
   std::vector<HelloOption> options;
   bool is_deterministic = false;  // the same for every seed
-  int batch = 1;                  // most problems in one message; 1: each comes alone
 };
 
 // The options of a program: its defaults with the settings applied. Throws std::invalid_argument as OptionList::set
@@ -65,24 +64,15 @@ std::string why_in(const nlohmann::ordered_json& declined);
 // Candidates as columns. A list of numbers is one candidate; so is a number, if there is one joint.
 robots::Candidates candidates_in(const Message& ask, int joints);
 
-// The answer of a program with its own kinematics. Only q is required; the rest is the program's claim. Only `ikbench
-// host` sends the fields after `reason`.
+// The answer of a program with its own kinematics. Only q is required; the rest is the program's claim.
 struct Solved {
   Eigen::VectorXd q;                                        // [rad]; NaN where the message has null
   double error = std::numeric_limits<double>::quiet_NaN();  // [m] position error
   double seconds = std::numeric_limits<double>::quiet_NaN();
   std::int64_t evaluations = -1, iterations = -1;  // negative: not given
   std::optional<results::StopReason> reason;
-  double cpu_seconds = std::numeric_limits<double>::quiet_NaN();
-  double smallest_seconds = std::numeric_limits<double>::quiet_NaN();  // over the repeats
-  double largest_seconds = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> trace;  // best error [m] after each iteration
-  solvers::Improvements improved;
-  std::optional<std::string> declined = {};  // of a problem of a batch: why the program does not solve it
 };
 Solved solved_in(const Message& message, int joints);
-// The answers to a batch of `problems`, in its order.
-std::vector<Solved> batch_solved_in(const Message& message, int joints, std::size_t problems);
 
 // The arm that is searched, and what is the same for all solves.
 struct ArmToSearch {
@@ -96,28 +86,16 @@ struct ArmToSearch {
 };
 std::string robot_message(const ArmToSearch& arm, const Hello& hello, const solvers::Settings& options);
 
-// Further settings for `ikbench host`. They are sent only if repeats > 0.
-struct HostedSolve {
-  std::uint64_t stream = 0;  // the key's value
-  int repeats = 0;
-  solvers::Trace trace = solvers::Trace::none;
-};
-
 struct SolveRequest {
   std::int64_t id;
   const solvers::Problem& problem;
   const solvers::Goal& goal;
   const solvers::StopRule& stop;
   std::uint32_t seed;
-  HostedSolve hosted = {};
 };
 std::string solve_message(Mode mode, const SolveRequest& asked);
-// The ids of the problems are not told.
-std::string batch_message(std::int64_t id, const std::vector<SolveRequest>& problems);
 enum class Over { no, yes };
 std::string tell_message(std::int64_t id, const Eigen::VectorXd& errors, double best, Over over);
-// A message padded to about `bytes` bytes.
-std::string ping_message(std::int64_t id, std::size_t bytes);
 std::string bye_message();
 
 }  // namespace ikbench::experiments

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/environment.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::experiments {
@@ -19,9 +18,7 @@ namespace {
 
 constexpr int most_deaths_in_a_row = 3;
 constexpr std::size_t kept_noise = 100, longest_kept_noise = 200;
-constexpr int pings = 5;
-constexpr std::size_t ping_bytes = 500;  // about as long as a message with ten candidates of two joints
-constexpr std::chrono::seconds ping_patience{5}, farewell{1};
+constexpr std::chrono::seconds farewell{1};
 
 }  // namespace
 
@@ -54,7 +51,6 @@ bool Session::ensure_running() {
   }
   try {
     greet();
-    measure_transport();
   } catch (const std::invalid_argument& error) {
     throw Trouble{Status::crashed, error.what()};
   } catch (const Breach& breach) {
@@ -81,31 +77,10 @@ void Session::greet() {
   }
 }
 
-void Session::measure_transport() {
-  std::vector<double> seconds;
-  for (int i = 0; i < pings; ++i) {
-    deadline_ = Clock::now() + ping_patience;
-    const Clock::time_point sent = Clock::now();
-    const std::int64_t id = new_id();
-    send(ping_message(id, ping_bytes));
-    receive({"pong"}, id);
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - sent).count());
-  }
-  std::ranges::sort(seconds);
-  transport_seconds_ = seconds[seconds.size() / 2];
-}
-
-double Session::waited_seconds() const {
-  return child_ ? child_->waited_seconds() + experiments::waited_seconds(std::filesystem::path("/proc/thread-self"))
-                : 0;
-}
-
-void Session::begin_solve(double budget_seconds, int repeats) {
-  const double once =
+void Session::begin_solve(double budget_seconds) {
+  const double patience =
       program_.choice.patience > 0 ? program_.choice.patience : std::clamp(20 * budget_seconds, 5.0, 1e6);
-  const double patience = repeats * once;
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience));
-  round_trips_ = 0;
 }
 
 void Session::drain() {
@@ -178,9 +153,7 @@ void Session::keep(const std::string& noise) {
 
 Message Session::exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id) {
   send(text);
-  Message message = receive(names, id);
-  ++round_trips_;
-  return message;
+  return receive(names, id);
 }
 
 void Session::note(const Trouble& trouble) {

@@ -29,22 +29,16 @@ class Session {
   // All these may throw Trouble.
   // Returns true if the process is new. Throws std::runtime_error if the system can start none any more.
   bool ensure_running();
-  void drain();                                          // call before a solve: discards noise
-  void begin_solve(double budget_seconds, int repeats);  // starts its patience
+  void drain();                             // call before a solve: discards noise
+  void begin_solve(double budget_seconds);  // starts its patience
   void send(const std::string& text);
   // Receives the next message that has one of these names and belongs to this solve.
   Message receive(std::initializer_list<std::string_view> names, std::int64_t id);
-  // Sends and receives; counts a round trip.
   Message exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id);
 
   std::int64_t new_id();  // larger than the last, and not to be foreseen
   std::int64_t id() const { return id_; }
   double cpu_seconds() const { return child_ ? child_->cpu_seconds() : 0; }
-  // Time [s] for which the process and this thread waited for a processor.
-  double waited_seconds() const;
-  double resident_bytes() const { return child_ ? child_->resident_bytes() : 0; }
-  double transport_seconds() const { return transport_seconds_; }
-  int round_trips() const { return round_trips_; }
 
   void note(const Trouble& trouble);
   void forgive() { deaths_in_a_row_ = 0; }
@@ -54,7 +48,6 @@ class Session {
 
  private:
   void greet();
-  void measure_transport();
   void die(const Trouble& trouble);
   void ignore(const std::string& line, const std::optional<Message>& message);
   void keep(const std::string& noise);
@@ -64,10 +57,8 @@ class Session {
   std::unique_ptr<ChildProcess> child_;
   Clock::time_point deadline_{};
   std::int64_t id_ = 0, last_id_ = 0;  // of the present question and of the one before
-  int round_trips_ = 0;
-  std::string ignored_;  // the last ignored line of this solve, as the end of a sentence
+  std::string ignored_;                // the last ignored line of this solve, as the end of a sentence
   int deaths_in_a_row_ = 0;
-  double transport_seconds_ = std::numeric_limits<double>::quiet_NaN();
   std::optional<Trouble> refusal_;  // set if it declined the arm or is given up
   ProgramNotes notes_;
 };

@@ -3,7 +3,7 @@
 
 A row of goals.csv is a goal. `measure` says what is held against its bound:
   time       the time of the benchmark `over`, in the unit of the row
-  ratio      the time of `over` / that of `under`; with a *, the benchmark whose ratio is largest
+  ratio      the time of `over` / that of `under`
   counter    the counter `under` of `over`; in %, a hundred times that
   largest    the largest of the counters `under` of all benchmarks `over`
   different  how many values the text `under` has in all benchmarks `over`
@@ -97,12 +97,7 @@ def measured(goal, runs):
         case "time":
             return estimate(float, [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)])
         case "ratio":
-            before, _, after = over.partition("*")
-            ratios = []
-            for name in names:
-                other = under.replace("*", name[len(before):len(name) - len(after)])
-                ratios.append(estimate(quotient, runs.nanoseconds(name), runs.nanoseconds(other)))
-            return max(filter(None, ratios), default=None)
+            return estimate(quotient, runs.nanoseconds(over), runs.nanoseconds(under))
         case "counter":
             return estimate(float, [value * (100 if unit == "%" else 1) for value in runs.values(over, under)])
         case "largest":

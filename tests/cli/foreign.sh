@@ -53,8 +53,6 @@ for line in sys.stdin:
         robot = told
         if FAULT == "declines": say(message="declined", why="not today")
         else: say(message="ready")
-    elif told["message"] == "ping":
-        say(message="pong", id=told["id"])
     elif told["message"] == "solve":
         solves += 1
         if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):
@@ -105,7 +103,6 @@ done
 [ "$(column $store status nonsense | grep -c broke_protocol)" -ge 1 ] || fail "$(column $store status nonsense | counted)"
 [ "$(column $store counted_by good | counted)" = "16 nobody" ] || fail "$(column $store counted_by good | counted)"
 [ -z "$(column $store evaluations good | tr -d '\n')" ] || fail "evaluations that nobody counted"
-[ "$(column $store round_trips good | counted)" = "16 1" ] || fail "$(column $store round_trips good | counted)"
 has "$(<faults/tables/status.csv)" "timed_out"
 [ "$(column $store timing good | counted)" = "16 process" ] || [ "$(column $store timing good | counted)" = "16 debug_build" ] ||
   fail "$(column $store timing good | counted)"
@@ -175,7 +172,6 @@ print(json.dumps({"ikbench": 1, "message": "hello", "name": "stuck", "version": 
 while True:
     told = json.loads(input())
     if told["message"] == "robot": print('{"message":"ready"}', flush=True)
-    if told["message"] == "ping": print('{"message":"pong","id":%d}' % told["id"], flush=True)
     if told["message"] == "solve": time.sleep(1000)
 EOF
 study stuck '[[solvers]]
@@ -238,70 +234,21 @@ succeeds run rights.toml --no-report --out rights
 
 # A program that overruns the budget is not ok, and one that claims one evaluation is not first.
 study budgets "$(program_entry late late)" "$(program_entry boasts boasts)" "$(program_entry spends spends)"
-sed -i 's/^iterations = 8$/iterations = 8\nseconds = 0.1\nevaluations = 100\ntolerance_cm = 1000/' budgets.toml
+sed -i 's/^iterations = 8$/iterations = 8\nseconds = 0.3\nevaluations = 100\ntolerance_cm = 1000/' budgets.toml
 succeeds run budgets.toml --no-figures --out budgets
 over=0
 for label in late spends; do
   status=$(column budgets/store.sqlite status $label)
   ((over += $(grep -cx over_budget <<<"$status")))
+  grep -qx -e ok -e tolerance_missed <<<"$status" && fail "$label: $(counted <<<"$status")"
 done
-grep -qx -e ok -e tolerance_missed <<<"$status" && fail "spends: $(counted <<<"$status")"
-# The wait for a processor, which another program may have, is not the solver's time.
-forgiven=$(for name in status seconds waited_seconds transport_seconds round_trips; do
-  column budgets/store.sqlite $name late >late.$name
-done
-paste late.{status,seconds,waited_seconds,transport_seconds,round_trips} | awk -F'\t' '
-  function taken(x) { return x > 0 ? x : 0 }
-  ($1 == "ok" || $1 == "tolerance_missed") {
-    if ($2 - taken($3) - $5 * taken($4) > 0.2) { print "late:", $0 >"/dev/stderr"; exit 1 }
-    n += $1 == "ok"
-  }
-  END { print n + 0 }') || fail "a late solve is not over its budget"
 ((over > 0)) || fail "no solve is over its budget"
 has_no "$(column budgets/store.sqlite status boasts)" over_budget
 has "$(<budgets/report.md)" "$over solves of programs took far more than their budget of time or evaluations (over budget)."
 has "$(<budgets/report.md)" "Evaluations of boasts, spends are not compared: these were counted by the solver itself, those of the others by ikbench."
-grep -q "^| late | 16 | $forgiven |" budgets/tables/solved.md || fail "a late solve counts as solved: $(<budgets/tables/solved.md)"
+grep -q "^| late | 16 | 0 |" budgets/tables/solved.md || fail "a late solve counts as solved: $(<budgets/tables/solved.md)"
 succeeds report budgets/store.sqlite --no-figures
 has_no "$out$err" damaged
-
-# A program that takes batches: the same answers as one at a time, also where a batch goes wrong or has a problem declined.
-sed -e 's/"modes=\["solve"\]//; s/modes=\["solve"\],/modes=["solve"], batch=5,/' \
-  -e 's/^def solve(problem):/def solve(problem, say):/; s/else: solve(told)/else: solve(told, say)/' faulty.py >batch.py
-cat >>batch.py <<'EOF'
-    elif told["message"] == "solve_batch":
-        batches = globals().get("batches", 0) + 1
-        if FAULT == "batch-dies" and batches > 1: os._exit(3)
-        solutions = []
-        for problem in told["problems"]:
-            problem["id"] = 0
-            if FAULT == "batch-declines" and problem["target"]["position"][2] > 0.5: solutions.append({"message": "declined", "why": "high"})
-            else: solve(problem, lambda **message: solutions.append(message))
-        if FAULT == "batch-short" and len(solutions) < 5: solutions.pop()
-        say(message="solved_batch", id=told["id"], solutions=solutions)
-EOF
-batches=()
-for word in one several batch-dies batch-declines batch-short; do
-  batches+=("$(program_entry "$word" "$word" | sed "s/faulty.py/$([ "$word" = one ] && echo faulty || echo batch).py/")")
-done
-study batches "${batches[@]}"
-sed -i 's/^search/start = "random"\nsearch/; s/^kind = .*/kind = "random"/; s/^points = .*/points = 8/' batches.toml
-succeeds run batches.toml --no-report --out batches
-alone=$(column batches/store.sqlite answer_rad_2 one)
-for label in several batch-dies batch-short; do
-  [ "$(column batches/store.sqlite answer_rad_2 $label)" = "$alone" ] || fail "$label has other answers than one at a time"
-done
-[ "$(column batches/store.sqlite batch one | counted)" = "16 1" ] || fail "$(column batches/store.sqlite batch one | counted)"
-[ "$(column batches/store.sqlite batch several | counted | tr '\n' ' ')" = "6 3 10 5 " ] ||
-  fail "$(column batches/store.sqlite batch several | counted)"
-has "$(column batches/store.sqlite batch batch-short | counted)" "10 5"
-has "$(column batches/store.sqlite batch batch-dies | counted)" "1"
-has "$err" "batch-dies: it ended"
-has "$err" "its solutions are not a list of 3, one for each problem"
-has "$(column batches/store.sqlite status batch-declines | counted)" "declined"
-has "$(column batches/store.sqlite status batch-declines | counted)" "ok"
-succeeds run batches.toml --no-figures --out batches
-has "$(<batches/report.md)" "solved up to 5 problems at once"
 
 # Several at once: the same answers.
 succeeds run edited.toml --no-report --out parallel --jobs 2

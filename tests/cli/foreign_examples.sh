@@ -5,10 +5,8 @@ examples=$(realpath "$scripts/../../docs/examples")
 cp "$examples"/* .
 
 entries=() labels=() left_out=()
-add() { # add LABEL "quoted", "words" [KEY]
-  local value="[$2]"
-  [ $# = 2 ] || value=$2
-  entries+=("$(printf '[[solvers]]\nlabel = "%s"\n%s = %s\n' "$1" "${3:-process}" "$value")")
+add() { # add LABEL "quoted", "words"
+  entries+=("$(printf '[[solvers]]\nlabel = "%s"\nprocess = [%s]\n' "$1" "$2")")
   labels+=("$1")
 }
 if command -v python3 >/dev/null; then add pso.py '"python3", "pso.py"'; else left_out+=(pso.py); fi
@@ -17,19 +15,9 @@ for python in python3 /usr/bin/python3; do
   "$python" -c "import scipy" 2>/dev/null && scipy=$python && break
 done
 if [ -n "$scipy" ]; then add least_squares.py "\"$scipy\", \"least_squares.py\""; else left_out+=(least_squares.py); fi
-numpy=
-for python in python3 /usr/bin/python3; do
-  "$python" -c "import numpy" 2>/dev/null && numpy=$python && break
-done
-if [ -n "$numpy" ]; then add damped_batch.py "\"$numpy\", \"damped_batch.py\""; else left_out+=(damped_batch.py); fi
 if command -v octave-cli >/dev/null; then add damped.m '"octave-cli", "--quiet", "damped.m"'; else left_out+=(damped.m); fi
 if cc -O2 -Wall -Wextra -Werror -o search search.c 2>cc.err; then add search.c '"./search"'; else left_out+=(search.c); fi
 if c++ -std=c++17 -O1 -I/usr/include/eigen3 -o descent descent.cpp 2>cc.err; then add descent.cpp '"./descent"'; else left_out+=(descent.cpp); fi
-if c++ -std=c++17 -O2 -Wall -Wextra -Werror -fPIC -shared -I"$scripts/../../experiments/foreign/plugin" -o transpose.so transpose.cpp 2>cc.err; then
-  add transpose.cpp '"./transpose.so"' shared_object
-else
-  left_out+=(transpose.cpp)
-fi
 for name in "${left_out[@]}"; do echo "left out: $name"; done
 [ ${#entries[@]} -gt 0 ] || exit 77
 for file in "$examples"/*; do
@@ -47,8 +35,8 @@ for label in "${labels[@]}"; do
   solved=$(awk -F, -v solver="$label" '
     NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
     $column["solver"] == solver && $column["status"] == "ok" { ++solved } END { print solved + 0 }' solves.csv)
-  # Near a solution those with slopes find it, and those that try at random (transpose.cpp begins so) at least once.
-  [[ $label == pso.py || $label == search.c || $label == transpose.cpp ]] && least=1 || least=4
+  # Near a solution those with slopes find it, and those that try at random at least once.
+  [[ $label == pso.py || $label == search.c ]] && least=1 || least=4
   [ "$solved" -ge $least ] || fail "$label solves $solved of 6; it said: $err"
 done
 has_no "$err" "last failure"

@@ -8,7 +8,7 @@ build=$(dirname "$program")
 
 "$cmake" --install "$build" --prefix "$work/prefix" >.log 2>&1 || fail "cannot install: $(<.log)"
 files=$(cd prefix && find . -type f ! -path './lib*' ! -path './include/ikbench/*' ! -path './share/doc/*' | LC_ALL=C sort | tr '\n' ' ')
-expected='./bin/ikbench ./include/ikbench_plugin.h ./include/ikbench_plugin.hpp '
+expected='./bin/ikbench '
 [ "$files" = "$(tr -s ' \n' ' ' <<<"$expected")" ] || fail "installed are: $files"
 for file in copyright README.md CITATION.cff docs/library.md docs/examples/pso.py cli/gate.sh; do
   [ -s "prefix/share/doc/ikbench/$file" ] || fail "not installed: $file"
@@ -35,15 +35,6 @@ for file in store.sqlite report.md report.html tables/table-3.csv tables/table-3
 done
 if command -v gnuplot >/dev/null; then
   [ -s made/figures/figure-10.svg ] || fail "no figure 10"
-fi
-# The interface of shared objects is one of C and of C++, and an object that is made with it solves.
-if command -v c++ >/dev/null && command -v cc >/dev/null; then
-  echo '#include <ikbench_plugin.h>' >c.c
-  cc -std=c11 -Wall -Wextra -Wpedantic -Werror -Iprefix/include -fsyntax-only c.c 2>.err || fail "$(<.err)"
-  c++ -std=c++17 -Wall -Wextra -Werror -fPIC -shared -Iprefix/include -o transpose.so "$scripts/../../docs/examples/transpose.cpp" \
-    2>.err || fail "$(<.err)"
-  printf 'runs = 1\nname = "mine"\nsearch = "all_joints"\n[path]\nkind = "random"\npoints = 2\n[[solvers]]\nshared_object = "./transpose.so"\n' >mine.toml
-  installed run mine.toml --no-report --out mine
 fi
 installed list studies slim2023-dobot
 

@@ -19,7 +19,6 @@ while read -r line; do
   id=${line#*'"id":'} id=${id%%[,\}]*} i=0
   case $line in
     *'"message":"robot"'*) echo '{"message":"ready"}' ;;
-    *'"message":"ping"'*) echo "{\"message\":\"pong\",\"id\":$id}" ;;
     *'"message":"solve"'*)
       while [ $i -lt 2000 ]; do i=$((i + 1)); done
       echo "{\"message\":\"solved\",\"id\":$id,\"q\":[0.1,0.1]}" ;;

@@ -273,14 +273,11 @@ TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   CHECK(judge(verified, requirement) == Status::not_finite);
 }
 
-TEST_CASE("a program is over its budget by its own time and its own word, and built-in solvers are never",
-          "[verifier]") {
+TEST_CASE("a program is over its budget by its time and its own word", "[verifier]") {
   const Budget budget{.seconds = 1, .evaluations = 100};
-  SolveRecord solve{.round_trips = 2, .transport_seconds = 0.1, .counted_by = CountedBy::solver};
-  for (const auto& [seconds, waited, is_late] :
-       {std::tuple(1.69, 0.0, false), {1.71, 0.0, true}, {1.71, 0.02, false}, {1.71, std::nan(""), true}}) {
+  SolveRecord solve{.counted_by = CountedBy::solver};
+  for (const auto& [seconds, is_late] : {std::pair(1.49, false), {1.51, true}}) {
     solve.seconds = seconds;
-    solve.waited_seconds = waited;
     CHECK(is_over(solve, budget) == is_late);
     CHECK_FALSE(is_over(solve, {.evaluations = 100}));
   }
@@ -290,9 +287,5 @@ TEST_CASE("a program is over its budget by its own time and its own word, and bu
   solve.evaluations = 151;
   CHECK(is_over(solve, budget));
   solve.counted_by = CountedBy::suite;
-  CHECK_FALSE(is_over(solve, budget));
-  solve = {.counted_by = CountedBy::solver};
-  solve.seconds = 99;
-  solve.evaluations = 1000;
   CHECK_FALSE(is_over(solve, budget));
 }

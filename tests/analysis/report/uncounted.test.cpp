@@ -28,18 +28,14 @@ using namespace ikbench::report;
 
 namespace {
 
-// Three solvers with a tolerance of 1 cm; nobody counts what the last one evaluates, a program, of whose times so much
-// is transport, and so much waiting for a processor.
-StudyResults study_without_counts(double transport = 0.6, double waited = 0) {
+// Three solvers with a tolerance of 1 cm; nobody counts what the last one evaluates, a program.
+StudyResults study_without_counts() {
   std::vector<SolveRecord> solves = synthetic::solves({.solvers = {"IK-BA", "BA", "program"}, .runs = 12, .points = 2});
   for (SolveRecord& solve : solves) {
     if (solve.solver != "program") continue;
     solve.evaluations = 0;
     solve.counted_by = CountedBy::nobody;
     solve.timing = Timing::process;
-    solve.round_trips = 1;
-    solve.transport_seconds = transport * solve.seconds;
-    solve.waited_seconds = waited * solve.seconds;
   }
   StudyResults study = make_study("synthetic", std::move(solves));
   study.facts = facts_of(R"({"stop": {"tolerance_cm": 1}})");
@@ -135,22 +131,8 @@ TEST_CASE("a solver without answers wins by nothing but the error of the arm tha
   CHECK(has_note(times_table(study), "A solve without an answer counts as the longest"));
 }
 
-TEST_CASE("that programs waited for a processor is told, and that errors depend on it where solves end by their time",
-          "[uncounted]") {
-  CHECK(times_are_comparable(study_without_counts(0.05, 0.14)));  // a tenth, and what messages cost
-  StudyResults study = study_without_counts(0.05, 0.16);
-  CHECK(times_are_comparable(study));  // of the others
-  const std::string note = words_of(times_doubts(study));
-  CHECK(
-      note ==
-      "Times of program are not compared, because 24 of 24 solves took more than 1.1 times their CPU time, or waited for a "
-      "processor for more than a tenth of it, so other programs were running.");
-  study.facts = facts_of(R"({"stop": {"tolerance_cm": 1, "seconds": 0.1}})");
-  CHECK(words_of(times_doubts(study)) == note + " Solves end by their wall time, so that errors depend on that too.");
-}
-
 TEST_CASE("times of a program are ranked with those of built-in solvers only where the plan says so", "[uncounted]") {
-  StudyResults study = study_without_counts(0.05);
+  StudyResults study = study_without_counts();
   CHECK(solvers_left_out(study, Metric::seconds).empty());
   CHECK(observations(study, Metric::seconds).groups.size() == 3);
   study.plan.program_times = ProgramTimes::apart;
@@ -216,12 +198,4 @@ TEST_CASE("of two solvers the disturbed one is named, and where all are none is"
   CHECK(words_of(of_one).starts_with("Times are not comparable: of PSO, 24 of 24 solves took"));
   CHECK(title_of(of_all) == "Times are not comparable");
   CHECK(words_of(of_all).starts_with("Times are not comparable: 48 of 48 solves took"));
-}
-
-TEST_CASE("that most of a program's time is transport is said beside its times", "[uncounted]") {
-  const StudyResults study = study_without_counts();
-  CHECK(words_of(program_doubts(study)) ==
-        "At least half of the time of program is transport: messages to the program and back.");
-  CHECK(times_are_comparable(study));
-  CHECK(program_doubts(study_without_counts(0.3)).empty());
 }
