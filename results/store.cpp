@@ -100,8 +100,6 @@ Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-const std::string& Store::name() const { return database_->name(); }
-
 void Store::save_study(const StudyEntry& study) {
   guarded(database_->name(), [&] {
     refuse_too_many(study);

@@ -61,8 +61,6 @@ class Store {
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
 
-  const std::string& name() const;  // the file's name as given
-
   // Writes the study and replaces one of the same name (its solves stay; only those of the new series are current).
   void save_study(const StudyEntry& study);
   std::vector<StudyEntry> studies() const;          // in the order of their first save

@@ -106,12 +106,11 @@ constexpr std::array all_words{
     Words{K::unknown_paper, "The paper is not known", "no published tables of '{what}'; known papers: {who}"},
     Words{K::solves_missing, "Solves are missing", "{who}: only {count} of {of} solves are stored"},
     Words{K::figure_not_drawn, "Figures were not drawn", "{who} not drawn: {what}"},
-    Words{K::said_elsewhere, "The data are doubtful", "{what}"},
 };
 
 constexpr const Words& words_for(DoubtKind kind) { return *std::ranges::find(all_words, kind, &Words::kind); }
 static_assert(std::ranges::is_sorted(all_words, {}, &Words::kind));
-static_assert(all_words.size() == static_cast<std::size_t>(K::said_elsewhere) + 1);
+static_assert(all_words.size() == static_cast<std::size_t>(K::figure_not_drawn) + 1);
 
 bool is_of_times(DoubtKind kind) { return kind <= K::times_of_programs; }
 

@@ -52,7 +52,6 @@ enum class DoubtKind {
   unknown_paper,
   solves_missing,
   figure_not_drawn,
-  said_elsewhere,  // `what` holds the words of the reader of the store or file
 };
 
 struct Doubt {

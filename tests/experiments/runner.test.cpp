@@ -374,11 +374,10 @@ TEST_CASE("a store that was edited is refused and says where", "[runner]") {
     return complaint<std::invalid_argument>([&] { run(small_study(), scratch.store, {}); });
   };
   for (const auto& [edit, part] : std::vector<std::pair<const char*, const char*>>{
-           {"DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3",
-            "run 2, point 4 by BA exists, but the one of point 3 is missing"},
-           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "has a run number below 1"},
+           {"DELETE FROM solves WHERE solver = 'BA' AND run = 2 AND point = 3", "run 2, point 4 by BA is not what"},
+           {"UPDATE solves SET run = 0 WHERE solver = 'BA' AND run = 2", "run 0, point 1 by BA is not what"},
            {"UPDATE solves SET answer_rad = '[1]' WHERE solver = 'BA' AND run = 2 AND point = 1",
-            "run 2, point 1 by BA has 1 joints instead of"}}) {
+            "run 2, point 1 by BA is not what"}}) {
     const std::string message = complaint_after(edit);
     CAPTURE(edit, message);
     CHECK(message.find(part) != std::string::npos);

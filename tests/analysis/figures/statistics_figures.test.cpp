@@ -114,7 +114,7 @@ TEST_CASE("of more than 200 groups the first 200 are shown", "[figure]") {
 TEST_CASE("observations that are no replicates say so under their picture", "[figure]") {
   const Figure figure = box_figure({.quantity = "x",
                                     .groups = {{"a", {1, 2}}},
-                                    .flaws = {{.kind = DoubtKind::said_elsewhere, .what = "20 rows share run 1"}}},
+                                    .flaws = {{.kind = DoubtKind::rows_share_a_run, .what = "20 rows share run 1"}}},
                                    QuantileType::type_7, "rain");
   CHECK(contains(figure.caption, "Flawed: 20 rows share run 1"));
 }

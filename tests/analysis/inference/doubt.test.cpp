@@ -11,7 +11,7 @@ using namespace ikbench::inference;
 
 TEST_CASE("every kind of doubt has a title, and words that its fields fill", "[doubt]") {
   std::set<std::string> texts;
-  for (int i = 0; i <= static_cast<int>(DoubtKind::said_elsewhere); ++i) {
+  for (int i = 0; i <= static_cast<int>(DoubtKind::figure_not_drawn); ++i) {
     const Doubt doubt{.kind = static_cast<DoubtKind>(i), .who = {"A", "B"}, .count = 3, .of = 20, .what = "this"};
     const std::string text = words_of(doubt);
     CAPTURE(i, text);
@@ -27,8 +27,9 @@ TEST_CASE("times that are not compared say whose, and other studies in which it 
   CHECK(title_of(Doubt{.kind = DoubtKind::several_machines, .who = {"here"}}) == "Times are not comparable");
   CHECK(left_out_words({doubt, {.kind = DoubtKind::evaluations_uncounted, .who = {"B", "C"}}}) ==
         "A (other programs ran), B, C (nobody counted)");
-  CHECK(words_of(doubt) ==
-        "Times of A are not compared, because 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running.");
+  CHECK(
+      words_of(doubt) ==
+      "Times of A are not compared, because 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running.");
   doubt.is_of_all = true;
   doubt.studies = {"s", "t"};
   CHECK(

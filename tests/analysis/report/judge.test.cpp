@@ -182,9 +182,9 @@ TEST_CASE("a judgement of two, the other way round, is the opposite", "[judge]")
   CHECK(found.estimate.value == Approx(-2));
   CHECK(back.estimate.low == -found.estimate.high);
 
-  observed.flaws = {{.kind = DoubtKind::said_elsewhere, .what = "made up"}};
+  observed.flaws = {{DoubtKind::single_target}};
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::undefined);
-  CHECK(judge(evidence(observed, {}), "one", "other").why == "made up");
+  CHECK(judge(evidence(observed, {}), "one", "other").why == words_of(observed.flaws));
   observed.flaws.clear();
   for (double& value : observed.groups[1].values) value = statistics::not_defined;
   CHECK(judge(evidence(observed, {}), "one", "other").relation == Relation::better);
