@@ -48,7 +48,6 @@ struct Requirement {
   double angle_tolerance = 0;         // [rad]; 0: none
   bool orientation_is_exact = false;  // true if the closed form of the wrist completes answers
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
-  Budget budget = {};                 // of a program, for is_over()
 };
 
 constexpr double most_of_budget = 1.5;

@@ -122,7 +122,7 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
     const std::string text =
         solve_message(mode, {.id = id, .problem = problem, .goal = objective.goal(), .stop = stop_, .seed = seed});
     if (mode == Mode::ask) {
-      take_in(session_->exchange(text, {"ask", "solved", "declined"}, id), objective);
+      take_in(session_->exchange(text, {"ask", "solved", "declined"}), objective);
     } else {
       solve_at_once(text, objective);
     }
@@ -131,7 +131,7 @@ void ForeignSolver::start(const Problem& problem, Objective& objective, Random& 
 
 void ForeignSolver::solve_at_once(const std::string& text, Objective& objective) {
   const Clock::time_point began = Clock::now();  // before it is sent: the program may have the processor at once
-  const Message message = session_->exchange(text, {"solved", "declined"}, session_->id());
+  const Message message = session_->exchange(text, {"solved", "declined"});
   account_.seconds = std::chrono::duration<double>(Clock::now() - began).count();
   if (message.name == "declined") throw Trouble{Status::declined, why_in(message.json)};
   account_.word = solved_in(message, joints_);
@@ -158,9 +158,9 @@ void ForeignSolver::take_in(const Message& message, Objective& objective) {
 
 void ForeignSolver::step(Objective& objective, Random&) {
   guarded([&] {
-    take_in(session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::no),
-                               {"ask", "solved", "declined"}, session_->id()),
-            objective);
+    take_in(
+        session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::no), {"ask", "solved", "declined"}),
+        objective);
   });
 }
 
@@ -173,7 +173,7 @@ void ForeignSolver::conclude() {
   account_.cpu_seconds = session_->cpu_seconds() - cpu_before_;
   try {
     if (is_telling_) {
-      session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::yes), {"solved"}, session_->id());
+      session_->exchange(tell_message(session_->id(), errors_, best_.error, Over::yes), {"solved"});
     }
     if (!is_warming_up_) session_->forgive();
   } catch (const Trouble& trouble) {  // the answer counts all the same

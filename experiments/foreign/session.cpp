@@ -151,9 +151,9 @@ void Session::keep(const std::string& noise) {
   if (notes_.examples.size() < kept_noise) notes_.examples.emplace_back(front(noise, longest_kept_noise));
 }
 
-Message Session::exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id) {
+Message Session::exchange(const std::string& text, std::initializer_list<std::string_view> names) {
   send(text);
-  return receive(names, id);
+  return receive(names, id_);
 }
 
 void Session::note(const Trouble& trouble) {
@@ -167,8 +167,7 @@ void Session::recover(const Trouble& trouble) {
   if (trouble.status == Status::timed_out) {
     deadline_ = Clock::now() + farewell;
     try {
-      exchange(tell_message(id_, Eigen::VectorXd(), std::numeric_limits<double>::quiet_NaN(), Over::yes), {"solved"},
-               id_);
+      exchange(tell_message(id_, Eigen::VectorXd(), std::numeric_limits<double>::quiet_NaN(), Over::yes), {"solved"});
       return;
     } catch (const Trouble&) {
     }

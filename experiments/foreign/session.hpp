@@ -31,10 +31,8 @@ class Session {
   bool ensure_running();
   void drain();                             // call before a solve: discards noise
   void begin_solve(double budget_seconds);  // starts its patience
-  void send(const std::string& text);
-  // Receives the next message that has one of these names and belongs to this solve.
-  Message receive(std::initializer_list<std::string_view> names, std::int64_t id);
-  Message exchange(const std::string& text, std::initializer_list<std::string_view> names, std::int64_t id);
+  // Sends, and receives the next message that has one of these names and belongs to this solve.
+  Message exchange(const std::string& text, std::initializer_list<std::string_view> names);
 
   std::int64_t new_id();  // larger than the last, and not to be foreseen
   std::int64_t id() const { return id_; }
@@ -48,6 +46,8 @@ class Session {
 
  private:
   void greet();
+  void send(const std::string& text);
+  Message receive(std::initializer_list<std::string_view> names, std::int64_t id);
   void die(const Trouble& trouble);
   void ignore(const std::string& line, const std::optional<Message>& message);
   void keep(const std::string& noise);
