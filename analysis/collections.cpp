@@ -29,23 +29,13 @@ std::vector<Collection> read_all() {
   std::vector<Collection> all = claims::read_collections(files);
   const auto complete = [&](std::string_view name, void (*add)(Paper&)) {
     const auto own = std::ranges::find(all, name, &Collection::name);
-    add(own->paper.value());
+    add(own->paper);
     std::rotate(all.begin(), own, own + 1);
   };
 #define PAPER(name) complete(#name, name::complete);
 #include "analysis/papers.inc"
 #undef PAPER
   return all;
-}
-
-const Collection& named(std::string_view kind, std::string_view name, bool is_of_paper) {
-  std::vector<std::string> names;
-  for (const Collection& each : collections()) {
-    if (is_of_paper && !each.paper) continue;
-    if (each.name == name) return each;
-    names.push_back(each.name);
-  }
-  throw std::invalid_argument(unknown_name(kind, name, names));
 }
 
 }  // namespace
@@ -55,8 +45,15 @@ const std::vector<Collection>& collections() {
   return all;
 }
 
-const Collection& collection(std::string_view name) { return named("paper or collection", name, false); }
+const Collection& collection(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Collection& each : collections()) {
+    if (each.name == name) return each;
+    names.push_back(each.name);
+  }
+  throw std::invalid_argument(unknown_name("paper", name, names));
+}
 
-const Paper& paper(std::string_view name) { return *named("paper", name, true).paper; }
+const Paper& paper(std::string_view name) { return collection(name).paper; }
 
 }  // namespace ikbench::analysis

@@ -1,6 +1,6 @@
-// The collections of studies by name: the folders here that have a collection.toml, which the build carries in the
-// program with the claims beside it. What a paper has of its own in C++ is a line in papers.inc; the
-// folder of that name defines its complete(). They stand first.
+// The papers by name: the folders here that have a collection.toml, which the build carries in the program with the
+// claims beside it. What a paper has of its own in C++ is a line in papers.inc; the folder of that name defines its
+// complete(). They stand first.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 namespace ikbench::analysis {
 
 const std::vector<report::Collection>& collections();  // there is one at least
-// std::invalid_argument names those there are, of papers those that are papers'.
+// std::invalid_argument names those there are.
 const report::Collection& collection(std::string_view name);
 const report::Paper& paper(std::string_view name);
 

@@ -16,7 +16,6 @@
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
 #include "cli/screen.hpp"
-#include "experiments/collection.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
@@ -107,8 +106,6 @@ Table study_list(const std::vector<Study>& studies) {
 }
 
 Listed study_details(const std::string& name) {
-  if (const std::optional<StudyCollection> collection = load_collection(name))
-    return listed(study_list(collection->studies));
   const Study study = load_study(name, {}, PointsAsObservations::forced);
   return {to_toml(study), parsed_ordered_json(to_json(study))};
 }
@@ -197,10 +194,8 @@ void add_list(CLI::App& app, Invocation&) {
   const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
                                        "columns", "metrics", "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
-  command->add_option(
-      "NAME", arguments->name,
-      "show this one in full; a study or a path is printed as TOML, ready to edit, of a collection's file "
-      "the list of its studies");
+  command->add_option("NAME", arguments->name,
+                      "show this one in full; a study or a path is printed as TOML, ready to edit");
   add_json_option(*command, arguments->output);
   command->footer(
       "Examples:\n"

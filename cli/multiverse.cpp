@@ -32,10 +32,8 @@ struct MultiverseArguments {
   std::vector<std::string> dimensions;
   Overrides overrides;
   int seeds = 1, jobs = 1;
-  bool list = false, small = false, one_at_a_time = false, without_figures = false;
+  bool list = false, small = false, without_figures = false;
   OutputArguments output;
-
-  Combined combined() const { return one_at_a_time ? Combined::one_at_a_time : Combined::every; }
 };
 
 Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
@@ -60,7 +58,7 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
 
 // Lists every dimension with its alternatives; --verbose explains them and marks those that vary by default.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all, const std::vector<Dimension>& varied,
-                           Combined combined, bool is_verbose) {
+                           bool is_verbose) {
   Rows rows{{"ALTERNATIVE", "NOTES", "IN", "WHERE"}},
       in_short{{"DIMENSION", "ALTERNATIVES, THE DEFAULT FIRST (--verbose explains them)"}};
   for (const Dimension& each : all) {
@@ -78,7 +76,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   }
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  const MultiverseSize size = size_of(varied, labels, combined);
+  const MultiverseSize size = size_of(varied, labels);
   return fmt::format("{} interpretations of {} dimensions: {} choices for the study, {} series for a seed\n{}",
                      size.universes, varied.size(), size.studies, size.series, aligned(is_verbose ? rows : in_short));
 }
@@ -131,9 +129,8 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
   CancelOnSignal signals;
-  const auto solved = solved_multiverse(
-      study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides, .combined = arguments.combined()},
-      {"multiverse", folder, arguments.jobs, &signals.requested()});
+  const auto solved = solved_multiverse(study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
+                                        {"multiverse", folder, arguments.jobs, &signals.requested()});
   if (signals.end() || !solved) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
@@ -141,16 +138,9 @@ void solve_and_tell(const Paper& paper, const MultiverseArguments& arguments, co
     return;
   }
   WorkingLine judging("Judging the claims ...");
-  if (!arguments.one_at_a_time) {
-    const MultiverseReport report = paper.multiverse(solved->multiverse, solved->plan);
-    judging.end();
-    return tell(report, arguments, folder);
-  }
-  const Table table = paper.one_at_a_time(solved->multiverse, solved->plan);
+  const MultiverseReport report = paper.multiverse(solved->multiverse, solved->plan);
   judging.end();
-  write_table(table, folder / "tables", program_name());
-  show(table.caption + '.', table, {},
-       {fmt::format("Table: {}", printable((folder / "tables" / (table.name + ".md")).string()))}, arguments.output);
+  tell(report, arguments, folder);
 }
 
 }  // namespace
@@ -169,7 +159,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<MultiverseArguments>();
   CLI::App* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every combination of what it leaves open");
-  add_paper_option(*command, arguments->paper, [](const Collection& of) { return of.paper && of.paper->multiverse; });
+  add_paper_option(*command, arguments->paper, [](const Collection& of) { return bool(of.paper.multiverse); });
   command->add_flag("--list", arguments->list, "list the dimensions and the size, without solving");
   CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer dimensions: what `ikbench reproduce` shows");
@@ -178,10 +168,6 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
                    "vary these, with all their alternatives, instead of the default ones: bounds,population")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->excludes(small);
-  command
-      ->add_flag("--one-at-a-time", arguments->one_at_a_time,
-                 "each alternative alone beside the defaults: what it changes; of all dimensions or of --dimensions")
       ->excludes(small);
   add_series_options(*command, arguments->seeds, arguments->jobs);
   command->add_option("--set", arguments->overrides, "change a key in every interpretation: runs=5, path.points=10")
@@ -199,8 +185,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --jobs 2\n"
       "  ikbench multiverse slim2023 --list\n"
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
-      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n"
-      "  ikbench multiverse slim2023 --one-at-a-time --seeds 3 --jobs 2\n\n"
+      "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
       "An interpretation is one choice in every dimension. Each solver is solved once for each of its own choices; claims are\n"
       "counted over all combinations. After Ctrl-C the same command continues.");
   command->callback([arguments, &invocation] {
@@ -209,13 +194,13 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
     const std::vector<Dimension> all = dimensions(study);
     if (!paper.multiverse || all.empty())
       throw std::invalid_argument(fmt::format("the program has no multiverse of the paper {}", study));
-    const Scope scope = arguments->small ? Scope::small : arguments->one_at_a_time ? Scope::none : Scope::usual;
+    const Scope scope = arguments->small ? Scope::small : Scope::usual;
     const std::vector<Dimension> varied =
         arguments->dimensions.empty() ? within(scope, all) : named(arguments->dimensions, all);
     if (arguments->list) {
       refuse_varied(arguments->overrides, varied);
-      fmt::print("{}", dimension_list(load_study(study, arguments->overrides), all, varied, arguments->combined(),
-                                      arguments->output.is_verbose));
+      fmt::print("{}",
+                 dimension_list(load_study(study, arguments->overrides), all, varied, arguments->output.is_verbose));
       return;
     }
     solve_and_tell(paper, *arguments, varied, invocation);

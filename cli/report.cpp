@@ -8,7 +8,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/collection.hpp"
 
 namespace ikbench::cli {
 
@@ -24,10 +23,7 @@ void add_report(CLI::App& app, Invocation&) {
   CLI::App* command =
       app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
-  command->add_option(
-      "--study", arguments->study,
-      "name of the study, or path of the TOML file of a collection, whose studies are reported together; "
-      "default: the first in the store");
+  command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
       ->check(not_empty());
   add_report_options(*command, arguments->report);
@@ -35,24 +31,16 @@ void add_report(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs --quartiles 7\n"
-      "  ikbench report out/arms/store.sqlite --study arms.toml    a collection, as ikbench run arms.toml reports it\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
     const Store store = checked_store(arguments->store);
     refuse_reproduction(folder.empty() ? "." : folder);
-    const std::optional<StudyCollection> file = load_collection(arguments->study);
-    std::optional<report::Collection> collection;
-    if (file) collection = reported_collection(*file, arguments->report);
-    const StudyEntry study = chosen_study(store, file ? file->studies.front().name : arguments->study);
-    if (file) {
-      for (const Study& each : file->studies) static_cast<void>(store.study(each.name));  // all are there
-    }
+    const StudyEntry study = chosen_study(store, arguments->study);
     write_and_announce(store, {.study = study.name,
                                .folder = folder.empty() ? "." : folder,
                                .arguments = arguments->report,
-                               .collection = std::move(collection),
                                .tells_of_further = arguments->study.empty()});
   });
 }

@@ -195,30 +195,6 @@ void refuse_reproduction(const std::filesystem::path& folder) {
                   folder.string()));
 }
 
-Collection reported_collection(const StudyCollection& collection, const ReportArguments& arguments) {
-  if (arguments.unit == name_of(Unit::point))
-    throw std::invalid_argument("--unit is point; expected run: a collection has no points in common");
-  Collection reported{
-      .name = collection.name, .is_together = true, .are_seeds = collection.are_seeds, .title = collection.title};
-  std::vector<std::string> names;
-  for (const Study& study : collection.studies) {
-    names.push_back(study.name);
-    reported.studies.push_back({study.name});
-  }
-  if (reported.title.empty()) reported.title = fmt::format("{} together", fmt::join(names, ", "));
-  return reported;
-}
-
-void refuse_collection(const std::string& file, std::string_view command) {
-  const std::optional<StudyCollection> collection = load_collection(file);
-  if (!collection) return;
-  std::vector<std::string> names;
-  for (const Study& study : collection->studies) names.push_back(study.name);
-  throw std::invalid_argument(
-      fmt::format("{} is a collection, and {} takes a single study; give it one of its studies: {}", file, command,
-                  fmt::join(names, ", ")));
-}
-
 void refuse_points(const ReportArguments& arguments) {
   if (arguments.unit != name_of(Unit::point) || arguments.forced) return;
   throw std::invalid_argument(fmt::format("--unit is {}; expected run: {}", arguments.unit, why_points_are_refused));
@@ -250,28 +226,10 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
       ->capture_default_str();
 }
 
-Study perturbed_copy(Study study, int number) {
-  study.name = report::name_of_copy(study.name, number);
-  study.perturbed = number;
-  study.repeats = 1;
-  return study;
-}
-
-void add_perturb_option(CLI::App& command, int& copies) {
-  command
-      .add_option(
-          "--perturb", copies,
-          "solve so many times more with targets and drawn starts that differ in their last bits; the report says "
-          "what that changes: exact, stable or chaotic")
-      ->check(whole_number({0, 100}))
-      ->capture_default_str();
-}
-
 void write_and_announce(const Store& store, WrittenReport wanted) {
   const OutputArguments& output = wanted.arguments.output;
   const StudyEntry entry = store.study(wanted.study);
   const AnalysisPlan plan = plan_for(entry, wanted.arguments);
-  const std::vector<Collection> own = wanted.collection ? std::vector{*wanted.collection} : std::vector<Collection>();
   ReportProgress progress;
   const Report report = write_report(
       store,
@@ -280,18 +238,16 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
        .plan = plan,
        .style = styled(figure_style_of(entry), wanted.arguments),
        .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
-       .collections = own.empty() ? analysis::collections() : own,
+       .collections = analysis::collections(),
        .extra_tables = std::move(wanted.tables),
        .extra_figures = std::move(wanted.figures),
-       .repetitions = std::move(wanted.repetitions),
        .shares = std::move(wanted.shares),
        .progress = [&](ReportStep step, std::int64_t done, std::int64_t all) { progress.show(step, done, all); }});
   progress.end();
   if (wanted.tells_of_further && !report.further.empty()) {
-    wanted.remarks.push_back(fmt::format(
-        "The store also has {}, which this report is not about: --study NAME reports one of them, and --study FILE.toml "
-        "the studies together that a collection lists.",
-        report::listed(report.further)));
+    wanted.remarks.push_back(
+        fmt::format("The store also has {}, which this report is not about: --study NAME reports one of them.",
+                    report::listed(report.further)));
   }
   if (output.is_json) {
     for (const std::string& warning : report.warnings) warn(warning);

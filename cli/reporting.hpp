@@ -16,7 +16,6 @@
 #include "analysis/report/report.hpp"
 #include "analysis/report/table.hpp"
 #include "cli/screen.hpp"
-#include "experiments/collection.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
@@ -47,8 +46,8 @@ results::FigureStyle styled(results::FigureStyle style, const ReportArguments& a
 // solved.
 void refuse_points(const ReportArguments& arguments);
 
-// Throws std::invalid_argument if the folder has the report of a reproduction, which also has repetitions and
-// interpretations that no store of the study holds. Call it before anything is solved.
+// Throws std::invalid_argument if the folder has the report of a reproduction, which also has interpretations that no
+// store of the study holds. Call it before anything is solved.
 void refuse_reproduction(const std::filesystem::path& folder);
 
 // A report to write: its study, its place, and a command's additions to it.
@@ -60,17 +59,9 @@ struct WrittenReport {
   report::Json data = report::Json::object();  // printed with the verdict as JSON
   std::vector<report::Table> tables = {};
   std::vector<figures::Figure> figures = {};
-  std::vector<report::RepeatedSolver> repetitions = {};
   std::vector<report::ClaimShares> shares = {};
-  std::optional<report::Collection> collection = {};  // a user's, whose first study it is
-  bool tells_of_further = false;                      // says which studies of the store it is not about
+  bool tells_of_further = false;  // says which studies of the store it is not about
 };
-
-// A user's collection as a report takes it. Throws std::invalid_argument if points are to be observations.
-report::Collection reported_collection(const experiments::StudyCollection& collection,
-                                       const ReportArguments& arguments);
-// Throws std::invalid_argument if the file is a collection. `command` takes only a study: "ikbench compare --run".
-void refuse_collection(const std::string& file, std::string_view command);
 
 // Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
 // remarks and, as the last line, the path of report.html.
@@ -120,11 +111,6 @@ struct Solved {
 
   std::string words(const std::filesystem::path& store) const;  // "six: 288 solves in out/six/store.sqlite"
 };
-
-// The study's copy with targets that differ in their last bits, from 1. Times count for nothing there, so it repeats
-// none.
-experiments::Study perturbed_copy(experiments::Study study, int number);
-void add_perturb_option(CLI::App& command, int& copies);
 
 // Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, and
 // says after Ctrl-C how to continue.

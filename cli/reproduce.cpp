@@ -94,8 +94,7 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   }
   const StudyPieces pieces = pieces_of({studies.front(), {studies.begin() + 1, studies.end()}}, collection);
   std::vector<std::string> names{pieces.results};
-  const auto sections =
-      collection.paper && output.is_verbose ? collection.paper->sections.further : std::vector<SectionPlan>();
+  const auto sections = output.is_verbose ? collection.paper.sections.further : std::vector<SectionPlan>();
   for (const SectionPlan& section : sections) {
     std::ranges::copy(section.names, std::back_inserter(names));
     std::ranges::copy(section.folded, std::back_inserter(names));
@@ -124,9 +123,7 @@ struct Arguments {
   std::int64_t seed = 1;
   int runs = 20;
   int seeds = 3;
-  std::optional<int> repetitions = {};  // empty: as many as the paper asks for
   bool is_quick = false;
-  int copies = 0;
   RunArguments run;
   ReportArguments report;
 };
@@ -145,80 +142,24 @@ void add_small_multiverse(WrittenReport& wanted, const std::string& name, const 
   wanted.shares = std::move(report.claims);
 }
 
-// The study with other seeds: the multiverse in which nothing varies.
-std::vector<RepeatedSolver> repeated(const inference::Multiverse& multiverse) {
-  std::vector<RepeatedSolver> solvers;
-  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
-    const inference::Multiverse::ChosenSolver& own = multiverse.studies.front().solvers[s].front();
-    solvers.push_back({multiverse.solvers[s], own.error_cm, own.variation_deg});
-  }
-  return solvers;
-}
-
-// Jobs of solves whose times are not measured.
-int all_processors(const Arguments& arguments) {
-  return std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-}
-
-// Solves beyond the paper's studies: repetitions of the first, and the interpretations. It measures no time, so all
-// processors may work. False if it was stopped.
+// Solves the interpretations. It measures no time, so all processors may work. False if it was stopped.
 bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport& wanted) {
-  if (arguments.is_quick) return true;
+  if (arguments.is_quick || arguments.seeds == 0 || !paper.multiverse) return true;
   const std::string& first = wanted.study;
-  const int jobs = all_processors(arguments);
+  const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   CancelOnSignal signals;
-  const auto solve = [&](const char* title, const std::vector<Dimension>& varied, int seeds, Combined combined) {
-    return solved_multiverse(
-        first, varied, {.seeds = seeds, .overrides = {fmt::format("runs={}", arguments.runs)}, .combined = combined},
-        {title, wanted.folder, jobs, &signals.requested()});
-  };
-  if (const int seeds = arguments.repetitions.value_or(paper.repetitions); seeds > 0) {
-    const auto solved = solve("repetitions", {}, seeds, Combined::every);
-    if (!solved) return false;
-    wanted.repetitions = repeated(solved->multiverse);
-  }
-  if (arguments.seeds > 0 && paper.multiverse) {
-    const auto solved = solve("multiverse", within(Scope::small, dimensions(first)), arguments.seeds, Combined::every);
-    if (!solved) return false;
-    add_small_multiverse(wanted, first, paper, *solved);
-  }
-  if (arguments.seeds > 0 && paper.one_at_a_time) {
-    // Only those of the default set; `ikbench multiverse` has them all.
-    const auto solved = solve("interpretations", within(Scope::usual, dimensions(first)), 1, Combined::one_at_a_time);
-    if (!solved) return false;
-    wanted.tables.push_back(paper.one_at_a_time(solved->multiverse, solved->plan));
-  }
-  return !signals.end();
-}
-
-// Solves every set-up that a paper's lock allows; keeps no solve. False if it was stopped.
-bool try_lock(const Arguments& arguments, const Lock& lock, WrittenReport& wanted) {
-  const int jobs = all_processors(arguments);
-  CancelOnSignal signals;
-  std::vector<PrintedNumbers> found;
-  const std::vector<SetUp> all = set_ups(lock);
-  ProgressBar bar("other set-ups", "set-ups");
-  for (const SetUp& chosen : all) {
-    bar.show({.done = std::ssize(found), .total = std::ssize(all)});
-    Study study = load_study(lock.study, overrides_of(lock, chosen));
-    std::erase_if(study.solvers, [&](const SolverEntry& entry) {
-      return std::ranges::find(lock.solvers, entry.label) == lock.solvers.end();
-    });
-    std::vector<SolveRecord> solves;
-    solve_study(
-        study, jobs, [&](SolveRecord solve) { solves.push_back(std::move(solve)); }, &signals.requested());
-    if (signals.requested()) return false;
-    found.push_back(lock.compared(solves));
-  }
-  wanted.tables.push_back(lock_table(lock, found));
-  wanted.remarks.push_back(lock_sentence(lock, found));
+  const auto solved =
+      solved_multiverse(first, within(Scope::small, dimensions(first)),
+                        {.seeds = arguments.seeds, .overrides = {fmt::format("runs={}", arguments.runs)}},
+                        {"multiverse", wanted.folder, jobs, &signals.requested()});
+  if (!solved) return false;
+  add_small_multiverse(wanted, first, paper, *solved);
   return !signals.end();
 }
 
 // True if an option applies to a collection.
 bool takes(const Collection& collection, std::string_view option) {
-  if (option == "--readings") return collection.paper && collection.paper->multiverse;
-  if (option == "--repetitions") return collection.paper && collection.paper->repetitions > 0;
+  if (option == "--readings") return bool(collection.paper.multiverse);
   return std::ranges::any_of(collection.studies, &CollectedStudy::takes_runs);
 }
 
@@ -232,7 +173,7 @@ std::string collections_with(std::string_view option) {
 }
 
 void refuse_others(const CLI::App& command, const Collection& collection) {
-  for (const char* option : {"--runs", "--readings", "--repetitions"}) {
+  for (const char* option : {"--runs", "--readings"}) {
     if (command.count(option) == 0 || takes(collection, option)) continue;
     throw std::invalid_argument(
         fmt::format("{} is not an option of {}; leave it out (of one study: ikbench run {} --set runs=10)", option,
@@ -255,28 +196,17 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   command
       ->add_option(
           "--readings", arguments->seeds,
-          collections_with("--readings") +
-              "number of seeds for the multiverse of the interpretations; one at a time they take one; 0: skip "
-              "both")
+          collections_with("--readings") + "number of seeds for the multiverse of the interpretations; 0: skip it")
       ->check(whole_number({0, 1000}))
       ->capture_default_str();
-  command
-      ->add_option("--repetitions", arguments->repetitions,
-                   collections_with("--repetitions") +
-                       "number of seeds that say what a repetition would give; default: 50; 0: skip them")
-      ->check(whole_number({0, 1000}));
-  command->add_flag("--quick", arguments->is_quick,
-                    "skip the interpretations, the repetitions and other set-ups than the paper's");
-  add_perturb_option(*command, arguments->copies);
+  command->add_flag("--quick", arguments->is_quick, "skip the interpretations");
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
       "  ikbench reproduce\n"
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
-      "  ikbench reproduce haviland2023 --perturb 5    every printed digit, and which rows last bits decide\n"
-      "  ikbench reproduce arms                   seven solvers on random poses of every arm\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
-      "  ikbench reproduce --quick                faster: skip the interpretations and the repetitions\n"
+      "  ikbench reproduce --quick                faster: skip the interpretations\n"
       "  ikbench reproduce --jobs 2               faster: two solves at once, but times are not comparable");
   command->callback([arguments, command, &invocation] {
     refuse_points(arguments->report);
@@ -302,15 +232,9 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
         show_tables(checked_store(store_in(folder)), collection, i + 1, arguments->report.output, shown);
       }
     }
-    for (const auto& [name, overrides] : studies) {
-      for (int copy = 1; copy <= arguments->copies; ++copy) {
-        if (is_stopped(perturbed_copy(load_study(name, overrides), copy))) return;
-      }
-    }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
-    const Paper paper = collection.paper.value_or(Paper());
-    const bool is_tried = !paper.lock || arguments->is_quick || try_lock(*arguments, *paper.lock, wanted);
-    if (!is_tried || !solve_besides(*arguments, paper, wanted)) {
+    const Paper& paper = collection.paper;
+    if (!solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
       invocation.exit_code = cancelled_exit_code();
       return;

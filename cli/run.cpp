@@ -12,7 +12,6 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/collection.hpp"
 #include "experiments/shard.hpp"
 #include "experiments/study_reader.hpp"
 
@@ -58,40 +57,7 @@ struct StudyToRun {
   ReportArguments report;
   bool without_report = false;
   std::optional<std::string> shard;
-  int copies = 0;
 };
-
-void tell_unless_json(const std::string& text, const OutputArguments& output) {
-  if (!output.is_json) fmt::print("{}\n", wrapped(text));
-}
-
-// Runs the studies of a collection into one store, with one report.
-void run_collection(const StudyCollection& collection, const StudyToRun& arguments, Invocation& invocation) {
-  if (arguments.shard || arguments.copies > 0) {
-    throw std::invalid_argument(fmt::format("{} is a collection, which takes no {}; give it to one of its studies",
-                                            arguments.study, arguments.shard ? "--shard" : "--perturb"));
-  }
-  const report::Collection reported = reported_collection(collection, arguments.report);
-  const std::filesystem::path folder =
-      arguments.run.out.empty() ? default_folder(collection.name) : std::filesystem::path(arguments.run.out);
-  if (!arguments.without_report) refuse_reproduction(folder);
-  Solved solved;
-  for (const Study& study : collection.studies) {
-    if (run_study(study, folder, {.jobs = arguments.run.jobs, .command = invocation.command}, solved) ==
-        Ended::stopped) {
-      invocation.exit_code = cancelled_exit_code();
-      return;
-    }
-  }
-  const std::string words = solved.words(store_in(folder));
-  if (arguments.without_report) return tell_unless_json(words, arguments.report.output);
-  const Store store = checked_store(store_in(folder));
-  for (const Study& study : collection.studies) check_is_stored(study, store);
-  const std::string& first = collection.studies.front().name;
-  write_and_announce(
-      store,
-      {.study = first, .folder = folder, .arguments = arguments.report, .remarks = {words}, .collection = reported});
-}
 
 }  // namespace
 
@@ -99,10 +65,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
   CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
   command
-      ->add_option(
-          "STUDY", arguments->study,
-          "name of a built-in study (ikbench list studies), or path of a TOML file: a study, or a collection, which "
-          "lists studies = [...] to be judged together")
+      ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies), or path of a TOML file")
       ->required();
   add_overrides(*command, arguments->overrides);
   add_run_options(*command, arguments->run);
@@ -111,14 +74,11 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->add_option("--shard", arguments->shard,
                       "I/N: solve only the I-th of N parts of the study, by all solvers, and write no report; default "
                       "--out: out/<study>/shards/I-of-N");
-  add_perturb_option(*command, arguments->copies);
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"
-      "  ikbench run my.toml --perturb 5          can anybody repeat these numbers, to the last digit?\n"
       "  ikbench run slim2023 --set seed=2 --out out/seed-2\n"
       "  ikbench run slim2023 --set IK-BA.bounds=clamp --set runs=5 --out out/clamped\n"
-      "  ikbench run my_collection.toml           studies = [\"my_helix.toml\", \"my_arm.toml\"]: one table, one test\n"
       "  ikbench run my.toml --sweep population=10,20,50 --sweep IK-BA.alpha=0.5,0.9,0.97\n"
       "  ikbench run slim2023 --shard 3/12        a twelfth, then: ikbench merge out/slim2023 out/slim2023/shards\n\n"
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
@@ -126,8 +86,6 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, &invocation] {
     refuse_points(arguments->report);
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
-    if (const auto collection = load_collection(arguments->study, arguments->overrides))
-      return run_collection(*collection, *arguments, invocation);
     const Study study =
         load_study(arguments->study, arguments->overrides,
                    arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
@@ -146,15 +104,16 @@ void add_run(CLI::App& app, Invocation& invocation) {
       warn_of_too_few(study);
     }
     Solved solved;
-    for (int copy = 0; copy <= arguments->copies; ++copy) {
-      if (run_study(copy == 0 ? study : perturbed_copy(study, copy), folder, request, solved,
-                    is_part ? Store::Mode::write_shared : Store::Mode::write) == Ended::stopped) {
-        invocation.exit_code = cancelled_exit_code();
-        return;
-      }
+    if (run_study(study, folder, request, solved, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
+        Ended::stopped) {
+      invocation.exit_code = cancelled_exit_code();
+      return;
     }
     const std::string words = solved.words(store_in(folder));
-    if (!has_report) return tell_unless_json(words, arguments->report.output);
+    if (!has_report) {
+      if (!arguments->report.output.is_json) fmt::print("{}\n", wrapped(words));
+      return;
+    }
     const Store store = checked_store(store_in(folder));
     check_is_stored(study, store);
     write_and_announce(store,

@@ -44,7 +44,6 @@ struct Branch {
 // Lists all choices that are possible together.
 struct Combinations {
   const std::vector<Dimension>& dimensions;
-  Combined combined;
 
   // The choices in the dimensions of one owner (a solver, or "" for the study), given others, which are not repeated.
   std::vector<Branch> of(std::string_view owner, const Chosen& given) const {
@@ -72,11 +71,9 @@ struct Combinations {
  private:
   Chosen alternatives(std::size_t dimension, Chosen known, const Chosen& more) const {
     known.insert(known.end(), more.begin(), more.end());
-    const bool has_departed = std::ranges::any_of(known, [](const Choice& each) { return each.alternative > 0; });
     const std::vector<Alternative>& all = dimensions[dimension].alternatives;
     Chosen possible;
     for (std::size_t a = 0; a < all.size(); ++a) {
-      if (a > 0 && has_departed && combined == Combined::one_at_a_time) break;
       if (!is_excepted(all[a], dimensions, known)) possible.push_back({dimension, a});
     }
     return possible;
@@ -120,21 +117,18 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
   }
 }
 
-MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers,
-                       Combined combined) {
-  const Combinations combinations{dimensions, combined};
+MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
+  const Combinations combinations{dimensions};
   MultiverseSize size;
   double universes = 0;
   for (const Branch& branch : combinations.of("", {})) {
     double of_solvers = 1;
-    std::int64_t own_choices = 1;
     for (const std::string& solver : solvers) {
       const std::size_t own = combinations.of(solver, branch.chosen).size();
       size.series += static_cast<std::int64_t>(own);
       of_solvers *= static_cast<double>(own);
-      own_choices += static_cast<std::int64_t>(own) - 1;
     }
-    universes += combined == Combined::one_at_a_time ? static_cast<double>(own_choices) : of_solvers;
+    universes += of_solvers;
     ++size.studies;
     refuse_too_many(dimensions, "series for a seed", static_cast<double>(size.series), most_combinations);
     refuse_too_many(dimensions, "universes", universes, most_universes);
@@ -148,8 +142,8 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   refuse_varied(request.overrides, dimensions);
   MultiversePlan plan{.dimensions = dimensions};
   for (const SolverEntry& entry : load_study(name, request.overrides).solvers) plan.solvers.push_back(entry.label);
-  size_of(dimensions, plan.solvers, request.combined);
-  const Combinations combinations{dimensions, request.combined};
+  size_of(dimensions, plan.solvers);
+  const Combinations combinations{dimensions};
   SeriesList needed;
   for (const auto& [chosen, weight] : combinations.of("", {})) {
     MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();

@@ -34,22 +34,16 @@ struct MultiversePlan {
   std::vector<Study> parts;
 };
 
-// every: all possible combinations. one_at_a_time: the default, and each other alternative alone. Then a non-default
-// choice of the study goes with the solvers' defaults only, and choices of different solvers are not combined.
-enum class Combined { every, one_at_a_time };
-
 // Counts before anything is loaded or solved. Throws std::invalid_argument for more than 100000 choices or series per
 // seed, or more than 10^15 universes.
 struct MultiverseSize {
   std::int64_t studies = 0, series = 0, universes = 0;
 };
-MultiverseSize size_of(const std::vector<results::Dimension>& dimensions, const std::vector<std::string>& solvers,
-                       Combined combined = Combined::every);
+MultiverseSize size_of(const std::vector<results::Dimension>& dimensions, const std::vector<std::string>& solvers);
 
 struct MultiverseRequest {
-  int seeds = 1;             // seeds 1, 2, ...
-  Overrides overrides = {};  // apply in every universe
-  Combined combined = Combined::every;
+  int seeds = 1;                                 // seeds 1, 2, ...
+  Overrides overrides = {};                      // apply in every universe
   const std::atomic<bool>* cancelled = nullptr;  // set: the plan is incomplete and of no use
 };
 

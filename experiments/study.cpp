@@ -1,10 +1,7 @@
 #include "experiments/study.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <string_view>
 
 #include "experiments/foreign/program.hpp"
 #include "robots/spherical_wrist.hpp"
@@ -19,23 +16,6 @@ namespace {
 
 Key key_of_targets(const Study& study, int run) {
   return Key(study.seed).with("targets").with(static_cast<std::uint64_t>(run));
-}
-
-// Moves each number to the next larger or smaller double; leaves 0.
-template <class Numbers>
-void change_last_bits(Numbers&& numbers, Random& random) {
-  for (double& number : numbers) {
-    const double towards =
-        random.uniform() < 0.5 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
-    if (number != 0) number = std::nextafter(number, towards);
-  }
-}
-
-Random last_bits(const Study& study, std::string_view of, int run) {
-  return Random(Key(static_cast<std::uint64_t>(study.perturbed))
-                    .with("last bits")
-                    .with(of)
-                    .with(static_cast<std::uint64_t>(run)));
 }
 
 }  // namespace
@@ -74,11 +54,7 @@ int effective_population(const Study& study, const SolverEntry& entry) {
 
 std::vector<Pose> targets(const Study& study, const Robot& arm, int run) {
   Random random(key_of_targets(study, run));
-  std::vector<Pose> all = study.path->poses(arm, random);
-  if (study.perturbed == 0) return all;
-  Random bits = last_bits(study, "targets", run);
-  for (Pose& target : all) change_last_bits(target.matrix().topRows<3>().reshaped(), bits);
-  return all;
+  return study.path->poses(arm, random);
 }
 
 std::vector<Pose> targets(const Study& study, int run) { return targets(study, arm_of(study), run); }
@@ -100,12 +76,6 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
         start[j] = std::clamp(moved, arm.limits.lower[j], arm.limits.upper[j]);
       }
     }
-  }
-  if (study.perturbed == 0) return all;
-  Random bits = last_bits(study, "starts", run);
-  for (Configuration& start : all) {
-    change_last_bits(start, bits);
-    start = start.cwiseMax(arm.limits.lower).cwiseMin(arm.limits.upper);
   }
   return all;
 }

@@ -101,8 +101,6 @@ struct Study {
   double deadline = 0;  // [s] by which a solve's time is judged; 0: none. It ends no solve
   int repeats = 5;      // timed solves per problem; decides only times (runner.hpp)
   std::uint64_t seed = 1;
-  int perturbed =
-      0;  // number of the copy whose targets and drawn starts differ in their last bits; 0: the study itself
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
   std::vector<LeftOut> left_out;

@@ -106,10 +106,6 @@ inline void list_fields(Fields& io, Study& study) {
             "report the share of solves that take longer than this; it stops none (stop.seconds does); 0: no deadline",
             InKey::no);
   io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
-  io.whole(
-      "perturbed", study.perturbed, {0, 1'000'000},
-      "above 0: each number of a target and of a drawn start differs in its last bit, up or down by draws from this "
-      "seed (ikbench run --perturb); 0: none does");
   io.choice("trace", study.trace,
             Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
             "whether to store the best error after every iteration", InKey::in_text);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "analysis/claims/multiverse.hpp"
-#include "analysis/claims/row_agreement.hpp"
 #include "analysis/claims/rules.hpp"
 #include "analysis/claims/tables_of.hpp"
 
@@ -35,25 +34,10 @@ RatesPlan read_rates(TomlReader reader, const std::string& name) {
 }
 
 // Kinds of reproduction, with the words of Lopez-Ibanez, Branke and Paquete 2021 (ACM TELO 1(4)).
-const Choices<std::string_view> kinds{
-    {"none", ""},
-    {"repeated", "Repeated: the authors' code and random numbers."},
-    {"replicated_to_the_digit",
-     "Replicated to the digit: our code, the authors' random numbers. Every printed digit can be compared."},
-    {"replicated", "Replicated: our code and random numbers."},
-    {"generalised", "Generalised: our code, other arms or targets."}};
-
-PrintedTable read_table(TomlReader reader) {
-  PrintedTable table;
-  reader.text("study", table.study, "");
-  reader.text("table", table.table, "");
-  reader.text("caption", table.caption, "");
-  reader.text("beside", table.beside, "");
-  reader.text("times_to", table.times_to, "");
-  read_texts(reader, "not_attempted", table.not_attempted);
-  reader.refuse_unknown_keys();
-  return table;
-}
+const Choices<std::string_view> kinds{{"none", ""},
+                                      {"repeated", "Repeated: the authors' code and random numbers."},
+                                      {"replicated", "Replicated: our code and random numbers."},
+                                      {"generalised", "Generalised: our code, other arms or targets."}};
 
 // Adds the claims' parts of a report.
 void add_claims(Paper& paper, ClaimsFile file) {
@@ -67,9 +51,6 @@ void add_claims(Paper& paper, ClaimsFile file) {
   paper.multiverse = [shared](const Multiverse& multiverse, const AnalysisPlan& plan) {
     return multiverse_report(*shared, multiverse, plan);
   };
-  paper.one_at_a_time = [shared](const Multiverse& multiverse, const AnalysisPlan& plan) {
-    return one_at_a_time(*shared, multiverse, plan);
-  };
 }
 
 Paper read_paper(TomlReader reader, const Collection& of, std::span<const EmbeddedFile> files) {
@@ -79,15 +60,6 @@ Paper read_paper(TomlReader reader, const Collection& of, std::span<const Embedd
   std::string_view kind;
   reader.choice("kind", kind, kinds, "");
   paper.kind = kind;
-  if (reader.table().contains("rows")) {
-    std::vector<PrintedTable> tables;
-    for (const TomlReader& table : tables_of(reader, "rows")) tables.push_back(read_table(table));
-    paper.rows = [name = of.name, tables](const Reported& reported) { return compared_rows(reported, name, tables); };
-  }
-  if (const toml::table* const lock = reader.subtable("lock")) {
-    paper.lock = read_lock(reader.nested(*lock, "lock."), of.name);
-  }
-  reader.whole("repetitions", paper.repetitions, {0, 1000}, "");
   reader.refuse_unknown_keys();
   if (const EmbeddedFile* const claims = find_embedded(files, of.name + "/claims")) {
     ClaimsFile file = read_claims(of.name, claims->text, claims->name);

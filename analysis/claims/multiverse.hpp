@@ -11,10 +11,4 @@ namespace ikbench::claims {
 report::MultiverseReport multiverse_report(const ClaimsFile& file, const inference::Multiverse& multiverse,
                                            const results::AnalysisPlan& plan);
 
-// Each alternative of the open points by itself (one_at_a_time.cpp): its effect on the printed means and on the claims.
-// Needs a multiverse in which a universe has at most one choice that is not the default. Throws std::invalid_argument
-// if there is no universe.
-report::Table one_at_a_time(const ClaimsFile& file, const inference::Multiverse& multiverse,
-                            const results::AnalysisPlan& plan);
-
 }  // namespace ikbench::claims

@@ -17,7 +17,6 @@ Claims none(const Case&) { return {}; }
 
 constexpr NamedRule rules[]{{"smallest", smallest},
                             {"largest", largest},
-                            {"alike", alike},
                             {"ranking", ranking},
                             {"compromise", compromise},
                             {"differ", differ},

@@ -29,8 +29,6 @@ Claims judged(const ClaimsFile& file, const report::Reported& reported);
 // The solver's mean is the smallest, or the largest, in each of the claim's metrics.
 Claims smallest(const Case& of);
 Claims largest(const Case& of);
-// The solver and the one that it is compared with are the same within the margin.
-Claims alike(const Case& of);
 // All solvers in the printed order. Times that are not comparable are not ranked.
 Claims ranking(const Case& of);
 // The solver dominates the others: better in one of the metrics and worse in none.

@@ -173,23 +173,6 @@ Claims smallest(const Case& of) {
 
 Claims largest(const Case& of) { return compared(of, true); }
 
-Claims alike(const Case& of) {
-  const Metric metric = of.entry.metrics.front();
-  const auto found = of.evidence(metric);
-  if (!found) return {};
-  const Finding pair = judge(*found, of.entry.solver, of.entry.against);
-  if (pair.relation == Relation::undefined) return {};
-  Claim claim = of.begun();
-  claim.verdict = pair.relation == Relation::same        ? Verdict::holds
-                  : pair.relation == Relation::undecided ? Verdict::undecided
-                                                         : Verdict::fails;
-  claim.number = fmt::format("{} {} and {}", average_of(*found), number_of(mean_of(*found, of.entry.solver), metric),
-                             with_unit(mean_of(*found, of.entry.against), metric));
-  claim.evidence = {fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, of.entry.solver, metric)),
-                    how_tested(*found, *found)};
-  return {claim};
-}
-
 namespace {
 
 // The number of pairs that a test finds in the printed order, and in the reverse one.

@@ -247,12 +247,6 @@ Observations observations(const StudyResults& study, Metric metric, Estimand est
   return made(study, metric, estimand, are_runs && unblocked.empty() ? blocks_of(study) : Blocks::none, unblocked);
 }
 
-Observations observations_of_runs(const StudyResults& study, Metric metric, Estimand estimand) {
-  Observations result = made(compared_in(study, metric), metric, estimand, Blocks::none, {});
-  if (const Doubts without = left_out(study, metric); !without.empty()) result.notes.push_back(words_of(without));
-  return result;
-}
-
 Observations observations(const StudyResults& study, Metric metric) {
   return observations(study, metric, average_estimand(metric));
 }

@@ -28,8 +28,6 @@ const Solve* solve_at(std::span<const Solve> solves, const Place& place);
 // Else, and for points, each solver is an independent group (samples()), and a note says why there are no blocks.
 Observations observations(const StudyResults& study, Metric metric, results::Estimand estimand);
 Observations observations(const StudyResults& study, Metric metric);  // by its average (average_estimand)
-// The same without blocks, of a study whose unit is the run: each solver is an independent group of runs.
-Observations observations_of_runs(const StudyResults& study, Metric metric, results::Estimand estimand);
 
 // Reasons why runs are in no blocks; empty if they are.
 Doubts why_not_blocked(const StudyResults& study);

@@ -71,7 +71,6 @@ StudyFacts facts_of(const Json& all, std::string definition) {
           .wrist = search == "wrist",
           .slides = slides_of(value_at(all, "/arm/links")),
           .seed = number_at(all, "/seed"),
-          .perturbed = number_at(all, "/perturbed"),
           .deadline_ms = number_at(all, "/deadline_ms"),
           .stop = {.tolerance_cm = number_at(all, "/stop/tolerance_cm"),
                    .tolerance_deg = number_at(all, "/stop/tolerance_deg"),

@@ -46,7 +46,6 @@ struct StudyFacts {
   bool wrist = false;                 // the solver searches for the wrist's centre
   std::set<std::size_t> slides = {};  // indices of prismatic joints, from 0
   double seed = not_defined;
-  double perturbed = not_defined;  // number of the copy whose targets differ in their last bits
   double deadline_ms = not_defined;
   Stop stop = {};
   std::string path = {};  // kind of path, or empty

@@ -440,19 +440,6 @@ std::vector<std::string> short_answer(const Evidence& evidence, const Label& lab
   return Answer(evidence, label, true).sentences();
 }
 
-std::string reasons_of_undecided(const Evidence& evidence) {
-  Pairs open;
-  std::vector<std::string> reasons;
-  for (const Finding& pair : evidence.contrasts) {
-    if (pair.relation != Relation::undecided) continue;
-    open.push_back(&pair);
-    if (!pair.why.empty() && std::ranges::count(reasons, pair.why) == 0) reasons.push_back(pair.why);
-  }
-  return reasons.empty() ? ""
-                         : fmt::format(words::why_undecided, "pairs"_a = open_pairs_words(evidence, open),
-                                       "reasons"_a = fmt::join(reasons, "; "));
-}
-
 Sentence change_words(const Evidence& evidence, bool tells_extent) {
   bool is_within = false, is_across = false, is_doubted = false;
   for (const Finding& pair : evidence.contrasts) {

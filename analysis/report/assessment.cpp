@@ -242,10 +242,7 @@ std::string json_of(const Evidence& evidence) {
 }
 
 std::string heading_of(const Assessment& assessment) {
-  const std::string heading = "Statistics: " + quantity_words(assessment.quantity, assessment.unit);
-  return assessment.study.empty()
-             ? heading
-             : fmt::format(words::of_study, fmt::arg("study", assessment.study), fmt::arg("what", heading));
+  return "Statistics: " + quantity_words(assessment.quantity, assessment.unit);
 }
 
 Assessment assess(const Observations& observations, const AnalysisPlan& plan, const Drawn& drawn) {

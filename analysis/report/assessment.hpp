@@ -30,11 +30,10 @@ struct Assessment {
   Findings findings = {};
   std::vector<Table> tables;
   std::vector<figures::Figure> figures;
-  std::string json;        // one object with every number
-  std::string study = {};  // its heading begins with it, among several studies
+  std::string json;  // one object with every number
 };
 
-// "Statistics: position error [cm]", "arm: Statistics: position error [cm]"
+// "Statistics: position error [cm]"
 std::string heading_of(const Assessment& assessment);
 
 // Figures show the groups in `drawn`; all if it is empty.

@@ -58,9 +58,6 @@ std::vector<std::string> answer(const inference::Evidence& evidence);
 // The same without amounts, reasons and other pairs; `label` names a group: "IK-BA (0.0017 cm)".
 std::vector<std::string> short_answer(const inference::Evidence& evidence,
                                       const std::function<std::string(std::size_t group)>& label);
-// " Undecided: too few different differences within blocks: ...; it takes at least 6 seeds.": each reason once. Empty
-// if there is none.
-std::string reasons_of_undecided(const inference::Evidence& evidence);
 // Returns whether a pair is judged: better, worse, same or undecided.
 bool has_judged(const inference::Evidence& evidence);
 std::string decided_by(const inference::Evidence& evidence);  // each deciding test once, the planned one first

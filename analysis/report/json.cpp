@@ -17,7 +17,6 @@ struct AsJson {
   Json operator()(const OursAndPrinted& beside) const {
     return {{"ours", json_number(beside.ours)}, {"printed", beside.printed}};
   }
-  Json operator()(const Graded& graded) const { return graded.words; }
   Json operator()(const Id& id) const { return id.id; }
 };
 

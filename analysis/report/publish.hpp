@@ -22,7 +22,7 @@ struct Report {
   Findings findings = {};                 // of a study: the quantity that decides
   std::vector<std::string> summary;       // its first sentences
   std::vector<std::string> warnings;      // figures not drawn, an incomplete study, ...
-  std::vector<std::string> answers = {};  // what the last bits of targets change
+  std::vector<std::string> answers = {};  // solvers without an answer
   std::vector<std::string> further = {};  // studies of the store that the report is not about
 };
 

@@ -1,5 +1,4 @@
-// Shares of solved poses in studies that are reported together, one row per arm, beside printed shares if there are
-// any.
+// Shares of solved poses in a study and its companions, one row per arm, beside the printed shares.
 #pragma once
 
 #include <map>
@@ -18,7 +17,7 @@ struct Reported;
 struct RatesPlan {
   double level = 0;                    // level of the intervals; 0: no rates are reported
   std::string caption = {};            // caption of the figure, without the level
-  std::string paper = {}, table = {};  // source of the printed shares [%], one row per arm; empty: none are printed
+  std::string paper = {}, table = {};  // source of the printed shares [%], one row per arm
   std::string note = {};               // describes the printed shares
   std::vector<int> iterations = {};    // within how many of these the shares of the same solves are as printed
   std::map<std::string, std::string> rows = {};     // our arm to its name in the printed table's column `arm`
@@ -44,10 +43,10 @@ struct RatesOfArm {
 };
 
 // One row per arm of the study and its companions, in their order. Leaves out arms without solves, and arms missing
-// from the printed table if there is one.
+// from the printed table.
 std::vector<RatesOfArm> solve_rates(const Reported& reported, const RatesPlan& plan);
 
-// Adds the tables solve-rates and over-arms, and the figure solve-rates-figure; nothing if no arm is solved.
+// Adds the table solve-rates and the figure solve-rates-figure; nothing if no arm is solved.
 void add_rates(StudyPieces& pieces, const Reported& reported, const RatesPlan& plan);
 
 }  // namespace ikbench::report

@@ -31,7 +31,6 @@
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/summary.hpp"
-#include "analysis/report/together.hpp"
 #include "analysis/report/words.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
@@ -54,10 +53,9 @@ JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   return JudgedStudy(std::move(other));
 }
 
-// Returns whether the name is that of a companion: a study of a user's collection, or the reported study's name plus
-// the ending of a study of the collection.
+// Returns whether the name is that of a companion: the reported study's name plus the ending of a study of the
+// collection.
 bool is_companion(const std::string& name, const StudyResults& study, const Collection& collection) {
-  if (collection.is_together) return std::ranges::count(collection.studies, name, &CollectedStudy::name) > 0;
   return std::ranges::any_of(collection.studies, [&](const CollectedStudy& other) {
     const std::string part = other.name.substr(collection.studies.front().name.size());
     return !part.empty() && name == study.name + part;
@@ -68,18 +66,6 @@ std::vector<std::string> labels_of(const StudyEntry& entry) {
   std::vector<std::string> labels;
   for (const Series& series : entry.series) labels.push_back(series.label);
   return labels;
-}
-
-// The other studies of a user's collection.
-std::vector<StudyEntry> together_with(const StudyEntry& entry, std::vector<StudyEntry> entries,
-                                      const ReportRequest& request) {
-  std::erase_if(entries, [&](const StudyEntry& other) {
-    return other.name == entry.name || std::ranges::none_of(request.collections, [&](const Collection& collection) {
-             return collection.is_together &&
-                    std::ranges::count(collection.studies, other.name, &CollectedStudy::name) > 0;
-           });
-  });
-  return entries;
 }
 
 // Refuses labels that are no solvers of the study.
@@ -116,8 +102,8 @@ class CheckedStore {
   StudyResults study(const StudyEntry& entry) {
     return read(entry, [](const SolveRecord&) {});
   }
-  // Reads the reported study and writes its solves as CSV, and those of the studies that are judged together with it.
-  StudyResults reported(const StudyEntry& entry, const std::vector<StudyEntry>& together) {
+  // Reads the reported study and writes its solves as CSV.
+  StudyResults reported(const StudyEntry& entry) {
     std::optional<StudyResults> study;
     remove_litter(request_.folder);  // an incomplete CSV may fill the disk
     write_csv(request_.folder / "solves.csv", [&](const std::function<void(const SolveRecord&)>& take) {
@@ -125,7 +111,6 @@ class CheckedStore {
         store_.each_of_study(entry, take);
       else
         study = read(entry, take);
-      for (const StudyEntry& other : together) store_.each_of_study(other, take);
     });
     return std::move(*study);
   }
@@ -166,8 +151,6 @@ bool has_another_solver(const StudyResults& other, const StudyResults& study) {
 struct Others {
   std::vector<JudgedStudy> judged = {};
   JudgedStudies companions = {}, same_targets_given = {}, same_limits_too = {};  // of these
-  PerturbedCopies perturbed = {};
-  Doubts plan_changes = {};  // of companions that one test judges with the study
 };
 
 Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const JudgedStudy& study,
@@ -177,18 +160,8 @@ Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, co
   for (const StudyEntry& entry : entries) {
     if (entry.name == study.name || entry.series.empty()) continue;
     StudyResults other = store.study(entry);
-    if (other.facts.perturbed > 0) {
-      result.perturbed.push_back(std::move(other));
-      continue;
-    }
     const bool is_collected = is_companion(other.name, study, collection), is_beside = same_targets(study, other);
     if (!is_collected && !is_beside) continue;
-    if (collection.is_together) {
-      for (Doubt& doubt : plan_changes(entry, store.sessions(), solves_of_sessions(other))) {
-        doubt.studies.push_back(entry.name);
-        result.plan_changes.push_back(std::move(doubt));
-      }
-    }
     const JudgedStudy& judged = result.judged.emplace_back(judged_by(study.plan, std::move(other)));
     if (is_collected) result.companions.push_back(judged);
     if (!is_beside) continue;
@@ -201,29 +174,21 @@ Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, co
   return result;
 }
 
-// The studies of the store that are neither the reported one, nor its companions, nor copies.
+// The studies of the store that are neither the reported one nor its companions.
 std::vector<std::string> further_studies(const std::vector<StudyEntry>& entries, const Reported& reported) {
   std::vector<std::string> names;
-  const auto is_named = [](const auto& studies, const std::string& name) {
-    return std::ranges::any_of(studies, [&](const StudyResults& each) { return each.name == name; });
-  };
   for (const StudyEntry& entry : entries) {
-    if (entry.name != reported.study.name && !is_named(reported.companions, entry.name) &&
-        !is_named(reported.perturbed, entry.name))
-      names.push_back(entry.name);
+    const bool is_companion = std::ranges::any_of(
+        reported.companions, [&](const StudyResults& companion) { return companion.name == entry.name; });
+    if (entry.name != reported.study.name && !is_companion) names.push_back(entry.name);
   }
   return names;
 }
 
-// The study's collection: its paper's, if it names one. An empty one if there is none.
+// The paper that the study names; an empty one if there is none.
 const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
   static const Collection none;
-  const auto is_of = [&](const Collection& collection) {
-    if (collection.is_together) return true;  // the command named it
-    if (!study.facts.published.empty() || collection.paper) return collection.name == study.facts.published;
-    return std::ranges::count(collection.studies, study.name, &CollectedStudy::name) > 0;
-  };
-  const auto found = std::ranges::find_if(collections, is_of);
+  const auto found = std::ranges::find(collections, study.facts.published, &Collection::name);
   return found == collections.end() ? none : *found;
 }
 
@@ -269,7 +234,7 @@ Doubts paper_doubts(const StudyResults& study, std::span<const Collection> colle
   if (study.facts.published.empty() || !collection_of(study, collections).name.empty()) return {};
   Doubt doubt{.kind = DoubtKind::unknown_paper, .what = study.facts.published};
   for (const Collection& collection : collections) {
-    if (collection.paper) doubt.who.push_back(collection.name);
+    doubt.who.push_back(collection.name);
   }
   return {doubt};
 }
@@ -301,34 +266,20 @@ Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
 }
 
 // Adds the sentences of `seen` for the pieces of any study.
-void add_seen_in_boxes(const JudgedStudy& study, const std::string& prefix, ReportContent& content) {
+void add_seen_in_boxes(const JudgedStudy& study, ReportContent& content) {
   for (const Metric metric : shown_metrics(study)) {
     if (study.solves.empty() || !is_comparable(study, metric)) continue;
-    content.seen.emplace(fmt::format("{}{}-boxes", prefix, info_of(metric).slug),
+    content.seen.emplace(fmt::format("{}-boxes", info_of(metric).slug),
                          words_of(leader_sentence(study, metric, average_estimand(metric))));
   }
 }
 
 }  // namespace
 
-PerturbedCopies copies_of(const StudyResults& study, const Reported& reported) {
-  PerturbedCopies copies;
-  std::ranges::copy_if(reported.perturbed, std::back_inserter(copies),
-                       [&](const StudyResults& copy) { return is_copy_of(copy, study.name); });
-  return copies;
-}
-
 StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
-  const bool has_own = collection.paper && collection.paper->pieces;
-  StudyPieces pieces = has_own ? collection.paper->pieces(reported) : study_pieces(reported.study);
+  const Paper& paper = collection.paper;
+  StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(reported.study);
   add_rates(pieces, reported, collection.rates);
-  if (collection.is_together) add_together(pieces, reported);
-  if (collection.paper && collection.paper->rows) {
-    StudyPieces rows = collection.paper->rows(reported);
-    if (!rows.tables.empty()) pieces.results = rows.tables.front().name;
-    std::ranges::move(rows.tables, std::back_inserter(pieces.tables));
-    for (Sentence& sentence : rows.verdict) add(pieces.verdict, std::move(sentence));
-  }
   return pieces;
 }
 
@@ -340,18 +291,13 @@ Report write_report(const Store& store, const ReportRequest& request) {
   check_drawn(entry, style);
   CheckedStore checked(store, request, looks_of(entry, entries, style), style.solvers);
   const std::vector<Session>& sessions = checked.sessions();
-  StudyResults stored = checked.reported(entry, together_with(entry, entries, request));
+  StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
   const Collection& collection = collection_of(study, request.collections);
-  const Paper paper = collection.paper.value_or(Paper());
+  const Paper& paper = collection.paper;
   const Others others = others_of(checked, entries, study, collection);
-  const Reported reported{.study = study,
-                          .companions = others.companions,
-                          .repetitions = request.repetitions,
-                          .perturbed = others.perturbed,
-                          .are_seeds = collection.are_seeds};
-  const PerturbedCopies copies = copies_of(study, reported);
+  const Reported reported{study, others.companions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
@@ -363,68 +309,37 @@ Report write_report(const Store& store, const ReportRequest& request) {
   std::ranges::move(pieces.tables, std::back_inserter(tables));
   if (others.same_limits_too.size() > 1) tables.push_back(baselines_table(others.same_limits_too));
   if (std::optional<Table> table = limits_table(others.same_targets_given)) tables.push_back(std::move(*table));
-  if (!copies.empty()) tables.push_back(last_bits_table(study, copies));
   std::ranges::copy(request.extra_tables, std::back_inserter(tables));
   std::ranges::copy(request.extra_figures, std::back_inserter(figures));
 
-  ReportContent content{.study = collection.is_together ? collection.name : study.name,
-                        .kind = collection.is_together ? "Report of the collection" : "Report of the study",
-                        .title = !collection.title.empty()   ? collection.title
-                                 : study.facts.title.empty() ? study.name
-                                                             : study.facts.title,
+  ReportContent content{.study = study.name,
+                        .title = study.facts.title.empty() ? study.name : study.facts.title,
                         .studied = studied(study, paper),
                         .claims = paper.claims ? paper.claims(reported) : std::vector<Claim>(),
-                        .summary = summary(reported, paper),
+                        .summary = summary(study),
                         .command = command_of(study, sessions),
                         .plan = std::move(plan),
                         .path = pieces.path,
                         .seen = pieces.seen};
-  if (collection.is_together) {
-    content.studied = {fmt::format("{}: {}", study.name, fmt::join(content.studied, " "))};
-    for (const StudyResults& companion : others.companions)
-      content.studied.push_back(fmt::format("{}: {}", companion.name, fmt::join(studied(companion, paper), " ")));
-  }
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
   content.warnings =
       of_points + wrong_claims(study) + paper_doubts(study, request.collections) + missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
-      plan_changes(entry, sessions, solves_of_sessions(study)) + others.plan_changes +
-      fairness_doubts(study, reported.companions);
-  if (!pieces.verdict.empty()) {
-    std::ranges::move(words_of(pieces.verdict), std::back_inserter(content.summary));
-    content.seen.emplace("Verdict", paragraph_of(pieces.verdict));
-  }
-  for (Figure& figure : convergence_figures(study)) {
-    if (collection.is_together)
-      figure.caption = fmt::format(words::of_study, fmt::arg("study", study.name), fmt::arg("what", figure.caption));
-    figures.push_back(std::move(figure));
-  }
-  const std::vector<Sentence> own =
+      plan_changes(entry, sessions, solves_of_sessions(study)) + fairness_doubts(study, reported.companions);
+  std::ranges::move(convergence_figures(study), std::back_inserter(figures));
+  std::vector<Sentence> own =
       study.solves.empty() ? std::vector<Sentence>() : own_verdict(study, !content.claims.empty());
   if (!content.claims.empty()) {  // they are the verdict
     const std::vector<std::string> sentences = words_of(own);
     content.summary.insert(content.summary.begin(), sentences.begin(), sentences.end());
   } else {
-    content.answer = pieces.verdict;
-    if (!pieces.verdict.empty()) {
-      content.answer.push_back({"", collection.is_together
-                                        ? fmt::format(words::together_alone, fmt::arg("study", study.name))
-                                        : fmt::format(words::of_one_arm, fmt::arg("arm", study.facts.robot))});
-    }
-    std::ranges::copy(own, std::back_inserter(content.answer));
+    content.answer = std::move(own);
   }
-  add_seen_in_boxes(study, "", content);
-  if (collection.is_together) {
-    for (const JudgedStudy& companion : others.companions) add_seen_in_boxes(companion, prefix_of(companion), content);
-  }
+  add_seen_in_boxes(study, content);
   if (!request.shares.empty()) content.seen.emplace("multiverse", request.shares.front().sentence);
   const Table results = *std::ranges::find(tables, pieces.results, &Table::name);
-  if (collection.is_together) content.assessments = together_assessments(reported);
-  for (Assessment& assessment : assessments_of(study, paper, request)) {
-    if (collection.is_together) assessment.study = study.name;
-    content.assessments.push_back(std::move(assessment));
-  }
+  content.assessments = assessments_of(study, paper, request);
   content.motion = moving_arm(entry, study);
   if (request.progress) {
     figure_options.progress = [&](std::int64_t done, std::int64_t all) {
@@ -434,14 +349,6 @@ Report write_report(const Store& store, const ReportRequest& request) {
   Report report = publish(std::move(content), std::move(tables), std::move(figures), request.folder, figure_options);
   report.results = results;
   report.answers = no_answer_sentences(study);
-  if (collection.is_together) {
-    for (const JudgedStudy& companion : others.companions) {
-      for (const std::string& sentence : no_answer_sentences(companion))
-        report.answers.push_back(
-            fmt::format(words::of_study, fmt::arg("study", companion.name), fmt::arg("what", sentence)));
-    }
-  }
-  if (!copies.empty()) report.answers.push_back(last_bits_sentence(study, copies));
   std::erase(report.answers, "");
   if (!study.solves.empty()) {
     report.findings = findings_of(study.evidence(Metric::position_error_cm, primary_estimand(study)));

@@ -32,7 +32,6 @@ struct ReportRequest {
   std::span<const Collection> collections = {};     // the study's own collection, if among them, shapes the report
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
-  std::vector<RepeatedSolver> repetitions = {};     // the study solved with other seeds
   std::vector<ClaimShares> shares = {};             // shares of the paper's claims over all interpretations
   // Told how far a step is. May be empty.
   std::function<void(ReportStep step, std::int64_t done, std::int64_t all)> progress = {};

@@ -68,10 +68,7 @@ std::string seen_at(const Piece& piece, const ReportContent& content) {
 }
 
 std::vector<std::string> answers_of(const ReportContent& content) {
-  if (content.claims.empty()) return words_of(content.answer);
-  std::vector<std::string> answers{tally(content.claims)};
-  if (const auto seen = content.seen.find("Verdict"); seen != content.seen.end()) answers.push_back(seen->second);
-  return answers;
+  return content.claims.empty() ? words_of(content.answer) : std::vector{tally(content.claims)};
 }
 
 void arrange(std::vector<Piece> pieces, ReportContent& content) {
@@ -92,10 +89,7 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
         {"Environment", "The machine, the compiler and the load.", {}, {"environment"}},
         {"Outcome of every solve", "How the solves ended, and what was wrong with them.", {}, {"status"}}},
        content.circumstances);
-  fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates"}},
-        {"Printed rows", "", {"rows-*"}},
-        {"Last bits", "", {"last-bits"}}},
-       content.results);
+  fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates"}}}, content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
   fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}}},

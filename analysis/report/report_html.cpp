@@ -50,40 +50,34 @@ constexpr std::size_t largest_sum = 1'500'000;        // bytes of all figures to
 constexpr std::size_t most_page_rows = 60;            // most rows of a table on the page; its files have all
 
 constexpr std::string_view colour_of(Nearness nearness) {
-  constexpr std::array<std::string_view, 4> colours{"", "agrees", "close", "differs"};
+  constexpr std::array<std::string_view, 3> colours{"", "agrees", "differs"};
   return colours[static_cast<std::size_t>(nearness)];
 }
 
 // Explains cells with two numbers; empty if there are none.
 std::string legend_of(const Table& table) {
-  bool has_any = false, has_colours = false;
+  bool has_any = false;
   for (const std::vector<Cell>& row : table.rows) {
     for (const Cell& cell : row) {
-      const auto* const beside = std::get_if<OursAndPrinted>(&cell);
-      has_any = has_any || beside != nullptr;
-      has_colours = has_colours || (beside != nullptr && beside->nearness != Nearness::unknown);
+      has_any = has_any || std::holds_alternative<OursAndPrinted>(cell);
     }
   }
-  if (has_any && !table.legend.empty()) return std::string(words::legend) + table.legend;
-  return !has_any ? "" : std::string(words::legend) + (has_colours ? std::string(words::legend_of_colours) : "");
+  return has_any ? std::string(words::legend) + table.legend : "";
 }
 
 Json cell_json(const Cell& cell, bool is_left) {
   constexpr std::size_t short_text = 16;  // such as a solver's label: not broken at its hyphens
   if (const auto* beside = std::get_if<OursAndPrinted>(&cell)) {
-    return {{"text", own_digits(*beside)},
+    return {{"text", short_number(beside->ours)},
             {"number", computable(cell)},
             {"printed", beside->printed},
-            {"nearness", colour_of(beside->nearness)},
-            {"words", beside->words}};
+            {"nearness", colour_of(beside->nearness)}};
   }
   const std::string text = readable(cell);
-  const auto* graded = std::get_if<Graded>(&cell);
-  const bool is_words = graded || std::holds_alternative<std::string>(cell) || is_empty(cell);
+  const bool is_words = std::holds_alternative<std::string>(cell) || is_empty(cell);
   return {{"text", text},
           {"right", !is_left},
           {"short", is_left && character_count(text) <= short_text},
-          {"verdict", graded && graded->nearness != Nearness::unknown ? Json(colour_of(graded->nearness)) : Json()},
           {"number", is_words ? Json() : Json(computable(cell))}};
 }
 

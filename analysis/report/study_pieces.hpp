@@ -10,7 +10,6 @@
 #include "analysis/inference/metrics.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/report_content.hpp"
-#include "analysis/report/sentence.hpp"
 #include "analysis/report/table.hpp"
 
 namespace ikbench::report {
@@ -31,7 +30,6 @@ struct StudyPieces {
   std::vector<SectionPlan> sections = {};  // places them; empty: the paper does
   std::string results = "results";         // the table that a terminal shows
   std::string path = "path";               // the figure that replaces the animated view
-  std::vector<Sentence> verdict = {};      // what the verdict of the report says besides
   // A sentence on what a piece shows, by its name; may be empty.
   std::map<std::string, std::string> seen = {};
 };

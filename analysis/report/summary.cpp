@@ -225,12 +225,9 @@ std::string times_sentence(const StudyResults& study) {
   return fmt::format(words::times_not_ranked, "why"_a = times_not_judged);
 }
 
-std::vector<std::string> summary(const Reported& reported, const Paper& paper) {
-  const StudyResults& study = reported.study;
+std::vector<std::string> summary(const StudyResults& study) {
   if (study.solves.empty()) return {std::string(words::no_solves)};
   std::vector<std::string> sentences{departures_sentence(study), limits_sentence(study), times_sentence(study)};
-  if (paper.summary) std::ranges::move(paper.summary(reported), std::back_inserter(sentences));
-  sentences.push_back(last_bits_sentence(study, copies_of(study, reported)));
   sentences.push_back(no_tolerance_sentence(study));
   std::ranges::move(status_notes(study), std::back_inserter(sentences));
   std::erase(sentences, "");

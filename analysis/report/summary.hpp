@@ -20,7 +20,7 @@ Sentence leader_sentence(const inference::JudgedStudy& study, inference::Metric 
 std::vector<Sentence> own_verdict(const inference::JudgedStudy& study, bool has_claims = false);
 
 // Sentences, the most important first; plain text.
-std::vector<std::string> summary(const Reported& reported, const Paper& paper);
+std::vector<std::string> summary(const inference::StudyResults& study);
 // One sentence each: whose paper, what of the paper was not reproduced, and what was run.
 std::vector<std::string> studied(const inference::StudyResults& study, const Paper& paper);
 

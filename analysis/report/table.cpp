@@ -107,19 +107,14 @@ std::string readable(const Cell& cell) {
           },
           [](Range range) { return fmt::format("{} to {}", readable_end(range.low), readable_end(range.high)); },
           [](const OursAndPrinted& beside) {
-            return fmt::format("{} (printed {}{}{})", own_digits(beside), beside.printed,
-                               beside.words.empty() ? "" : ": ", beside.words);
+            return fmt::format("{} (printed {})", short_number(beside.ours), beside.printed);
           },
-          [](const Graded& graded) { return graded.words; }, [](const Id& id) { return text_of(named(id.id)); }},
+          [](const Id& id) { return text_of(named(id.id)); }},
       cell);
 }
 
 Range range_of(const statistics::Estimate& of) {
   return std::isfinite(of.low) && std::isfinite(of.high) ? Range{of.low, of.high} : Range{};
-}
-
-std::string own_digits(const OursAndPrinted& beside) {
-  return beside.decimals < 0 ? short_number(beside.ours) : fmt::format("{:.{}f}", beside.ours, beside.decimals);
 }
 
 std::string readable_end(double of_range) { return rounded_number(of_range, 3); }
@@ -133,8 +128,7 @@ bool is_number(const Cell& cell) {
 bool is_left(const Table& table, std::size_t column) {
   return std::ranges::any_of(table.rows, [column](const std::vector<Cell>& row) {
     const auto* text = std::get_if<std::string>(&row[column]);
-    return text ? !number_from(*text)
-                : std::holds_alternative<Graded>(row[column]) || std::holds_alternative<Id>(row[column]);
+    return text ? !number_from(*text) : std::holds_alternative<Id>(row[column]);
   });
 }
 

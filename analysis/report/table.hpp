@@ -25,22 +25,12 @@ struct Range {
 
 Range range_of(const statistics::Estimate& of);  // without ends unless both are finite
 
-// Our number beside a printed one, shown as "0.73 (printed 0.4075: 1.8 times, outside our range 0.6872 to 0.7583)"; two
-// columns in CSV, the second "... printed".
-enum class Nearness { unknown, within, near, far };  // a page shows it as a colour
+// Our number beside a printed one, shown as "0.73 (printed 0.4075)"; two columns in CSV, the second "... printed".
+enum class Nearness { unknown, within, far };  // a page shows it as a colour
 
 struct OursAndPrinted {
   double ours;
   std::string printed;  // its digits
-  Nearness nearness = Nearness::unknown;
-  std::string words = {};  // remark; may be empty
-  int decimals = -1;       // of our number as it is shown; -1: three digits
-};
-std::string own_digits(const OursAndPrinted& beside);
-
-// Words on how near our number is to a printed one.
-struct Graded {
-  std::string words;
   Nearness nearness = Nearness::unknown;
 };
 
@@ -51,7 +41,7 @@ struct Id {
 
 // A double or p-value that is not finite shows as "not defined" (an empty field in CSV). std::monostate is an empty
 // cell.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Graded, Id>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, PValue, Range, OursAndPrinted, Id>;
 
 // An empty cell if the number is not defined or infinite.
 Cell or_nothing(double value);

@@ -127,8 +127,6 @@ inline constexpr Template limits =
 
 // The page.
 inline constexpr Template legend = "Large: ours. Small: as printed.";
-inline constexpr Template legend_of_colours =
-    " Green: the printed number is where 95 % of our repetitions are. Yellow: outside, but near. Red: far.";
 inline constexpr Template figure_beside = "One figure is not on this page, to keep it small: a link leads to it.";
 inline constexpr Template figures_beside =
     "{count} figures are not on this page, to keep it small: a link leads to each.";
@@ -196,56 +194,6 @@ inline constexpr Template as_measured =
 inline constexpr Template inside_limits = "Every answer is inside the joint limits.";
 inline constexpr Template outside_limits =
     "{outside} of {answers} answers are outside the joint limits ({list}); the worst joint is outside by {worst}.";
-inline constexpr Template legend_of_rows =
-    " Green: equal to the last printed digit. Yellow: within the range of rounding or of chance. Red: outside.";
-inline constexpr Template range_of_chance =
-    "A number agrees if ours rounds to its digits. Range of chance: where the number lies in 95 % of repetitions with other "
-    "targets, by a bootstrap of the targets. The most searches hang on a single target and have no such range.";
-inline constexpr Template range_of_chance_of_shares =
-    "A number agrees if ours rounds to its digits. Range of chance: Wilson's 95 % interval of our share.";
-inline constexpr Template last_bits_note =
-    "Solved {copies} times more with targets (and drawn starts) that differ in the last bit of each number, up or down at "
-    "random. exact: the mean is the same in all digits shown; stable: it differs, and no solve has another status; chaotic: "
-    "it differs, and solves have another status. The smallest and the largest mean, of the study and its copies, are the range of rounding.";
-inline constexpr Template last_bits = "Last bits of the targets, changed {copies} times.";
-inline constexpr Template exact_solvers = " Exact in every metric: {solvers}.";
-inline constexpr Template stable_solvers = " Stable, with other numbers and the same statuses: {solvers}.";
-inline constexpr Template chaotic_solvers =
-    " Chaotic: {solvers}. There last bits decide the status of solves, so nobody can repeat such numbers to the last digit.";
-inline constexpr Template rows_agree =
-    "{digits} of {attempted} repeated rows of the printed tables agree in every digit. Of the others {rounding} are within the "
-    "range of rounding, {chance} within the range of chance and {outside} outside. {missing} rows were not attempted.";
-inline constexpr Template lock_caption = "Which set-up of {study} is nearest to the printed numbers";
-inline constexpr Template lock_note =
-    "Solved without a store, with {solvers}, whose numbers do not depend on last bits. Integers are counted apart, because "
-    "a mean can agree by chance. The range of chance is Wilson's 95 % interval of our share.";
-inline constexpr Template together_caption = "{studies} {noun} together: the position error of each solver";
-inline constexpr Template together = "Over {studies} {noun} together, by {quantity}";
-inline constexpr Template together_study = "{study}: {arm}, path {path}, runs: {runs}, points of each: {points}.";
-inline constexpr Template together_alone =
-    "What follows is about the study {study} alone; the tables and figures of each study are below.";
-inline constexpr Template all_studies = "All studies";
-inline constexpr Template why_undecided = " Undecided{pairs}: {reasons}.";
-inline constexpr Template of_study = "{study}: {what}";
-inline constexpr Template over_arms_caption = "Solved poses over {arms} arms: the difference of two solvers";
-inline constexpr Template over_arms = "Most solved poses over {arms} arms";
-inline constexpr Template of_one_arm = "What follows is about {arm} alone.";
-inline constexpr Template over_arms_note =
-    "An arm is one observation, so that poses of one arm do not count as many. interval: of the mean over arms. a new arm: where the "
-    "difference of one more such arm lies, if differences are normal. arms that decide: without one of them the verdict is another.";
-inline constexpr Template over_arms_population =
-    "The verdict is about serial arms like these: {arms}. It is not about mobile or parallel ones.";
-inline constexpr Template lock =
-    "Of {set_ups} set-ups that the text allows, {keys} {have} the most {what}, {agreeing} of {integers}: {where}.";
-inline constexpr Template every_digit = "every digit";
-inline constexpr Template row_by_rounding = "{agree} of {numbers} numbers agree; within the range of rounding";
-inline constexpr Template row_by_chance = "{agree} of {numbers} numbers agree; within the range of chance";
-inline constexpr Template row_outside = "{agree} of {numbers} numbers agree; outside the range of chance";
-inline constexpr Template within_rounding = "rounding gives {range}";
-inline constexpr Template within_chance = "chance gives {range}";
-inline constexpr Template ratios_of_times =
-    "Printed times belong to another machine, so both are divided by the time of one solver. They are not judged.";
-inline constexpr Template outside_chance = "outside, chance gives {range}";
 inline constexpr Template times_not_ranked = "Computing times are not ranked or tested: {why} (see the warnings).";
 inline constexpr Template no_solves = "This study has no solves yet.";
 inline constexpr Template departs_judged = " Only claims that it has the solvers for can be judged.";

@@ -21,20 +21,8 @@ using namespace report;
 
 namespace {
 
-// Says for the first lines how many printed numbers agree, or what would show it.
-std::string verdict_sentence(const JudgedStudy& study, const std::vector<Agreement>& agreed) {
-  if (printed_table_3(study, Metric::position_error_cm).empty()) return "";
-  return agreed.empty() ? "ikbench reproduce, without --quick, shows what depends on chance and on the interpretation."
-                        : fmt::format("{} of {} printed numbers repeat; {:.0f} should.",
-                                      std::ranges::count(agreed, true, &Agreement::is_expected), agreed.size(),
-                                      expected_to_agree(agreed));
-}
-
-std::map<std::string, std::string> seen(const Reported& reported) {
-  const JudgedStudy& study = reported.study;
-  std::map<std::string, std::string> sentences{
-      {"Verdict", verdict_sentence(study, agreements(study, reported.repetitions))},
-      {"figure-9", limits_sentence(study)}};
+std::map<std::string, std::string> seen(const JudgedStudy& study) {
+  std::map<std::string, std::string> sentences{{"figure-9", limits_sentence(study)}};
   for (const auto& [metric, anova, curves, boxes] : paper_metrics) {
     const bool is_judged = is_comparable(study, metric);
     sentences[fmt::format("figure-{}", boxes)] =
@@ -54,20 +42,16 @@ void add_of_companion(std::vector<Piece> pieces, std::vector<Piece>& all) {
 }
 
 StudyPieces pieces(const Reported& reported) {
-  StudyPieces all{.tables = paper_tables(reported.study, reported.repetitions),
+  StudyPieces all{.tables = paper_tables(reported.study),
                   .figures = paper_figures(reported.study),
                   .results = "table-3",
                   .path = "figure-5"};
-  if (!reported.study.solves.empty()) all.seen = seen(reported);
+  if (!reported.study.solves.empty()) all.seen = seen(reported.study);
   for (const StudyResults& companion : reported.companions) {
     add_of_companion(paper_tables(companion), all.tables);
     add_of_companion(paper_figures(companion), all.figures);
   }
   return all;
-}
-
-std::vector<std::string> summary(const Reported& reported) {
-  return {agreement_sentence(agreements(reported.study, reported.repetitions))};
 }
 
 ReportPlan sections() {
@@ -95,7 +79,6 @@ ReportPlan sections() {
 void complete(Paper& paper) {
   paper.pieces = pieces;
   paper.sections = sections();
-  paper.summary = summary;
 }
 
 }  // namespace ikbench::slim2023

@@ -12,7 +12,6 @@
 #include "analysis/inference/times.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/statistics/descriptive.hpp"
-#include "analysis/statistics/predictive_study.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
 
@@ -27,14 +26,7 @@ using namespace report;
 
 namespace {
 
-constexpr double predictive_level = 0.95;
-constexpr double near_ratio = 1.5;  // limit of ours by the printed, in both directions
 constexpr double real_time_ms = 50;
-
-Nearness nearness_of(const Agreement& agreement) {
-  if (agreement.is_expected) return Nearness::within;
-  return agreement.ratio < near_ratio && agreement.ratio > 1 / near_ratio ? Nearness::near : Nearness::far;
-}
 
 Table anova_beside_printed(const StudyResults& study, const PaperMetric& paper) {
   Table table = anova_table(study, paper.metric);
@@ -64,110 +56,23 @@ std::optional<PrintedRow> printed_row(const StudyResults& study, std::string_vie
   return row == rows.end() ? std::nullopt : std::optional(*row);
 }
 
-std::string words_of(const Agreement& agreement) {
-  if (agreement.is_expected) return "";
-  const std::string times = std::isfinite(agreement.ratio) ? rounded_number(agreement.ratio, 2) + " times, " : "";
-  const double printed = number_from(agreement.printed).value_or(not_defined);
-  const auto [value, low, high] = agreement.expected;
-  constexpr int fewest = 3, most = 12;
-  int digits = fewest;
-  const auto looks_printed = [&](double end) {
-    const std::string shown = rounded_number(end, digits);
-    return shown == rounded_number(printed, digits) || shown == rounded_number(printed, fewest);
-  };
-  while (digits < most && (looks_printed(low) || looks_printed(high))) ++digits;
-  return fmt::format("{}outside our range {} to {}", times, rounded_number(low, digits), rounded_number(high, digits));
-}
-
-std::vector<Agreement> agreements(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
-  std::vector<Agreement> result;
-  for (const auto& [metric, of_seeds] : {std::pair(Metric::position_error_cm, &RepeatedSolver::error_cm),
-                                         std::pair(Metric::variation_deg, &RepeatedSolver::variation_deg)}) {
-    const std::vector<Sample> all = samples(study, metric);
-    for (const PrintedRow& row : printed_table_3(study, metric)) {
-      const auto repeated = std::ranges::find(repetitions, row.algorithm, &RepeatedSolver::label);
-      const auto sample = std::ranges::find(all, row.algorithm, &Sample::solver);
-      if (repeated == repetitions.end() || sample == all.end() || sample->values.empty()) continue;
-      std::vector<Description> seeds;
-      for (const std::vector<double>& runs : (*repeated).*of_seeds) seeds.push_back(describe(runs));
-      const Description ours = describe(sample->values);
-      for (std::size_t s = 0; s < printed_statistics.size(); ++s) {
-        const auto& [name, field] = printed_statistics[s];
-        std::vector<double> values;
-        for (const Description& seed : seeds) values.push_back(seed.*field);
-        const Estimate expected = predictive_interval(values, predictive_level);
-        const double printed = row.printed.*field;
-        result.push_back({.solver = row.algorithm,
-                          .metric = metric,
-                          .statistic = name,
-                          .printed = row.digits[s],
-                          .ours = ours.*field,
-                          .ratio = printed == 0 ? not_defined : ours.*field / printed,
-                          .expected = expected,
-                          .is_expected = can_be(expected.low, expected.high, row.digits[s])});
-      }
-    }
-  }
-  return result;
-}
-
-double expected_to_agree(const std::vector<Agreement>& agreements) {
-  return predictive_level * static_cast<double>(agreements.size());
-}
-
-std::string agreement_sentence(const std::vector<Agreement>& agreements) {
-  if (agreements.empty()) return "";
-  std::string means;
-  for (const Agreement& each : agreements) {
-    if (each.is_expected || each.statistic != "mean") continue;
-    means +=
-        fmt::format("{}{} {} ({})", means.empty() ? "" : "; ", each.solver, info_of(each.metric).slug, words_of(each));
-  }
-  return fmt::format(
-      "{} of {} printed errors and variations lie where 95 % of our repetitions do; {:.0f} would if everything were the "
-      "same. Means that do not: {}.",
-      std::ranges::count(agreements, true, &Agreement::is_expected), agreements.size(), expected_to_agree(agreements),
-      means.empty() ? "none" : means);
-}
-
-Table table_3(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
+Table table_3(const StudyResults& study) {
   std::array<Metric, paper_metrics.size()> metrics;
   std::ranges::transform(paper_metrics, metrics.begin(), &PaperMetric::metric);
   Table table = results_table(study, metrics);
   table.name = "table-3";
   table.number = 3;
   table.caption = "position error, angles variation and computing time";
-  const std::vector<Agreement> agreed = agreements(study, repetitions);
   for (std::vector<Cell>& cells : table.rows) {
     const std::string solver = std::get<std::string>(cells[0]);
     const Metric metric =
         *std::ranges::find(metrics, std::get<Id>(cells[1]).id, [](Metric each) { return std::string(name_of(each)); });
     const std::optional<PrintedRow> printed = printed_row(study, solver, metric);
     for (std::size_t s = 0; printed && s < printed_statistics.size(); ++s) {
-      OursAndPrinted cell{.ours = std::get<double>(cells[2 + s]), .printed = printed->digits[s]};
-      const auto found = std::ranges::find_if(agreed, [&](const Agreement& each) {
-        return each.solver == solver && each.metric == metric && each.statistic == printed_statistics[s].first;
-      });
-      if (found != agreed.end()) {
-        cell.nearness = nearness_of(*found);
-        cell.words = words_of(*found);
-      }
-      cells[2 + s] = cell;
+      cells[2 + s] = OursAndPrinted{std::get<double>(cells[2 + s]), printed->digits[s]};
     }
   }
   if (printed_table_3(study, Metric::seconds).empty()) return table;
-  if (!agreed.empty()) {
-    const auto outside = std::ranges::count_if(
-        agreed, [](const Agreement& of) { return of.ours < of.expected.low || of.ours > of.expected.high; });
-    table.notes.push_back(agreement_sentence(agreed));
-    table.notes.push_back(fmt::format(
-        "The printed digits are the paper's. Our range holds that statistic in 95 % of studies like ours: it is the "
-        "predictive range of one more of them, by order statistics of {} seeds. Where the printed number lies outside, "
-        "there is our number divided by the printed one, and the range; near is less than {} times as much or as little. "
-        "Of our own {} numbers, which are those of one seed, {} {} outside; by chance {:.0f} would.",
-        repetitions.front().error_cm.size(), near_ratio, agreed.size(), outside, outside == 1 ? "lies" : "lie",
-        (1 - predictive_level) * static_cast<double>(agreed.size())));
-  }
   table.notes.emplace_back("The printed times are of another machine and language: only their ratios can be compared.");
   return table;
 }
@@ -242,8 +147,8 @@ std::optional<Table> table_8(const StudyResults& study) {
   return table;
 }
 
-std::vector<Table> paper_tables(const StudyResults& study, std::span<const RepeatedSolver> repetitions) {
-  std::vector<Table> tables{table_3(study, repetitions)};
+std::vector<Table> paper_tables(const StudyResults& study) {
+  std::vector<Table> tables{table_3(study)};
   for (const PaperMetric& metric : paper_metrics) tables.push_back(anova_beside_printed(study, metric));
   for (std::optional<Table>& table : std::array{table_7(study), table_8(study)}) {
     if (table) tables.push_back(std::move(*table));

@@ -5,8 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,38 +33,11 @@ std::vector<claims::PrintedRow> printed_table_3(const inference::StudyResults& s
 std::optional<claims::PrintedRow> printed_row(const inference::StudyResults& study, std::string_view solver,
                                               inference::Metric metric);
 
-// A printed number of error or variation of Table 3: would a repetition of our study, with other random numbers, print
-// this? The range is the 95 % predictive one of that statistic, from our study with other seeds.
-struct Agreement {
-  std::string solver;
-  inference::Metric metric;
-  std::string_view statistic;  // "mean", as a column of the printed table
-  std::string printed;         // its digits
-  double ours = statistics::not_defined;
-  double ratio = statistics::not_defined;  // ours by the printed; not defined if that is 0
-  statistics::Estimate expected = {};
-  bool is_expected = false;  // a number that rounds to the printed digits is in the range
-};
-
-// "1.8 times, outside our range 0.621 to 0.825"; empty in our range.
-std::string words_of(const Agreement& agreement);
-
-// The agreement of each printed number of the repeated solvers. `repetitions` are the run means of the study by seed;
-// empty if there are none.
-std::vector<Agreement> agreements(const inference::StudyResults& study,
-                                  std::span<const report::RepeatedSolver> repetitions);
-
-// The number that would agree if everything were as in the paper.
-double expected_to_agree(const std::vector<Agreement>& agreements);
-// The number of agreements in our range, and the ratios of the other means; empty if there are none.
-std::string agreement_sentence(const std::vector<Agreement>& agreements);
-
-report::Table table_3(const inference::StudyResults& study, std::span<const report::RepeatedSolver> repetitions = {});
+report::Table table_3(const inference::StudyResults& study);
 std::optional<report::Table> table_7(const inference::StudyResults& study);
 std::optional<report::Table> table_8(const inference::StudyResults& study);
 
 // All of them that the study has, in the paper's order.
-std::vector<report::Table> paper_tables(const inference::StudyResults& study,
-                                        std::span<const report::RepeatedSolver> repetitions = {});
+std::vector<report::Table> paper_tables(const inference::StudyResults& study);
 
 }  // namespace ikbench::slim2023

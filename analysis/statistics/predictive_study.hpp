@@ -23,9 +23,4 @@ using PredictedRanges = std::array<Estimate, predicted_statistics>;
 // or for fewer than `fewest_predicting` values.
 PredictedRanges predicted_ranges(std::span<const double> values, std::size_t runs, const Resampling& settings);
 
-// Contains the next value with probability `level`: among n exchangeable values a further one is below the k-th with
-// probability k / (n + 1), which means quantiles of Hyndman and Fan's type 6. No wider than the values themselves, in
-// any order.
-Estimate predictive_interval(std::span<const double> values, double level);
-
 }  // namespace ikbench::statistics

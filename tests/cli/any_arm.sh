@@ -50,12 +50,6 @@ has_no "$(<theirs/figures/joints.gp)" "joint 2 [cm]"
 awk '/^[0-9]/ { if ($2 < -0.001 || $2 > 38.616) bad = 1; if ($2 > 1) moved = 1 } END { exit bad || !moved }' \
   theirs/figures/joints.dat || fail "the torso is elsewhere than between 0 and 38.6 cm"
 
-# Every arm of the library with six joints or more has a study of its own, but those of two papers alone.
-for study in $("$program" list studies | awk '$1 ~ /^arms/ { print $1 }'); do
-  "$program" list studies "$study" | sed -n "s/^robot = '\([^']*\)'.*/\1/p"
-done | sort >studied
-"$program" list robots | awk 'NR > 1 && $2 >= 6 { print $1 }' | grep -v -x -e franka_panda_hand -e ur5_toolbox -e kuka_iiwa7_endless -e kuka_kr6 | sort | diff studied - || fail "these have no study, or two"
-
 # A path from a program that writes poses: who keeps up.
 cat >rectangle.toml <<'E2'
 name = "rectangle"

@@ -39,7 +39,7 @@ succeeds run slim2023 --set runs=1 --set stop.iterations=20 --set population=10 
 if [ -n "${IKBENCH_REPRODUCTION:-}" ]; then
   cp -r "$IKBENCH_REPRODUCTION" whole
 else
-  succeeds reproduce --runs 2 --readings 1 --repetitions 3 --out whole
+  succeeds reproduce --runs 2 --readings 1 --out whole
 fi
 # One of somebody's own, without a paper.
 cat >own.toml <<'E2'

@@ -52,7 +52,7 @@ fits_a_column() {
 }
 
 # With two jobs, times are not judged, and have fewer tables.
-succeeds reproduce --runs 2 --jobs 2 --readings 1 --repetitions 2 --no-figures --out paper
+succeeds reproduce --runs 2 --jobs 2 --readings 1 --no-figures --out paper
 [ "$(ls paper/tables/*.tex | wc -l)" -gt 30 ] || fail "paper/tables has few tables: $(ls paper/tables)"
 compiles paper/tables
 ! grep -h -E '\$-[0-9.]+ to ' paper/tables/*.tex || fail "words in mathematics"

@@ -28,21 +28,6 @@ cmp folder/series.csv again/series.csv || fail "other series after a cut"
 for file in tables/multiverse.csv tables/multiverse-alternatives.csv figures/multiverse.dat; do
   cmp "folder/$file" "again/$file" || fail "another $file"
 done
-# Each alternative alone, from the same series: what is there is not solved again.
-tiny=(--set runs=2 --set path.points=3 --set stop.iterations=5)
-succeeds multiverse --verbose slim2023 "${tiny[@]}" --one-at-a-time --jobs 2 --out alone
-quiet
-has "$out" "DE.bounds=reflect"
-has "$out" "most_accurate "
-for type in md csv tex; do [ -s "alone/tables/multiverse-one-at-a-time.$type" ] || fail "no one-at-a-time.$type"; done
-cp alone/tables/multiverse-one-at-a-time.csv first.csv
-lines=$(wc -l <alone/series.csv)
-succeeds multiverse --verbose slim2023 "${tiny[@]}" --dimensions search --out alone --no-figures
-[ "$(wc -l <alone/series.csv)" = "$lines" ] || fail "solved again what was solved"
-succeeds multiverse --verbose slim2023 "${tiny[@]}" --one-at-a-time --out again-alone
-cmp again-alone/tables/multiverse-one-at-a-time.csv first.csv || fail "other numbers with one job"
-succeeds multiverse --verbose slim2023 --one-at-a-time --dimensions bounds,DE.bounds --list
-has "$out" "6 interpretations of 2 dimensions: 3 choices for the study, 21 series for a seed"
 
 refused 'unknown dimension "bound"' multiverse slim2023 --dimensions bound
 refused 'is given twice' multiverse slim2023 --dimensions bounds,bounds
@@ -51,7 +36,6 @@ refused 'did you mean "slim2023"' multiverse slim2024
 refused 'seeds 1 to --seeds' multiverse slim2023 --set seed=77
 refused 'population is a dimension that varies' multiverse slim2023 --dimensions population --set population=20
 refused 'excludes' multiverse slim2023 --small --dimensions bounds
-refused 'excludes' multiverse slim2023 --small --one-at-a-time
 refused '--set runs: runs is 0' multiverse slim2023 --set runs=0 --list
 sed -i '2s/,.*,/,-1,/' again/series.csv
 refused "series.csv:2: column position_error_cm, run 1: '-1', expected a number from 0, or Inf; the file was edited: remove this line" \

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "experiments/orientation.hpp"
-#include "numerics/numpy_random.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 
@@ -174,7 +173,7 @@ TEST_CASE("a path has so many targets as it says, of finite numbers, and each is
   }
 }
 
-TEST_CASE("drawn targets differ from stream to stream, and others know no stream, and only NumPy's the arm", "[path]") {
+TEST_CASE("drawn targets differ from stream to stream, others know no stream, and neither the arm", "[path]") {
   const Robot arm = robot("kuka_iiwa14"), other_arm = robot("planar_2");
   for (const Path& path : with_points(5)) {
     INFO(path->name());
@@ -184,28 +183,8 @@ TEST_CASE("drawn targets differ from stream to stream, and others know no stream
     CHECK(same_poses(path->poses(arm, other), poses) == !path->is_drawn());
     CHECK((other.uniform() == untouched.uniform()) == !path->is_drawn());
     Random third(Key(1));
-    CHECK(same_poses(path->poses(other_arm, third), poses) == (!path->is_drawn() && path->name() != "numpy"));
+    CHECK(same_poses(path->poses(other_arm, third), poses) == !path->is_drawn());
   }
-}
-
-TEST_CASE("targets of a NumPy program are those of its legacy generator", "[path]") {
-  // numpy.random.seed(0); numpy.random.rand(3), of NumPy 1.24.2
-  const std::vector<double> of_numpy{0.5488135039273248, 0.7151893663724195, 0.6027633760716439};
-  NumpyRandom random(0, 0), later(0, 2);
-  for (const double number : of_numpy) CHECK(random.uniform() == number);
-  CHECK(later.uniform() == of_numpy[2]);
-  CHECK(NumpyRandom(10, 0).uniform() == 0.771320643266746);
-
-  const Robot arm = robot("planar_2");
-  const std::vector<Path> kinds = paths();
-  const Path path = *std::ranges::find(kinds, "numpy", [](const Path& kind) { return kind->name(); });
-  Random unused(Key(1));
-  const Configuration q = path->solutions(arm, unused).front();
-  for (Eigen::Index j = 0; j < 2; ++j) {
-    const double lower = arm.limits.lower[j], upper = arm.limits.upper[j];
-    CHECK(q[j] == lower + (upper - lower) * of_numpy[static_cast<std::size_t>(j)]);
-  }
-  CHECK(same_poses({path->poses(arm, unused).front()}, {arm.chain.forward(q)}));
 }
 
 TEST_CASE("a copy of a path is another path", "[path]") {

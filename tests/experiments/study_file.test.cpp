@@ -171,7 +171,6 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
 TEST_CASE("a path of any kind comes back as it was", "[study]") {
   const std::vector<Path> all{path_of({"points=3"}), path_of({"kind=circle", "radius_cm=7.3", "points=9", "tool=eq27"}),
                               path_of({"kind=random", "points=7", "set=edge", "beyond_percent=20"}),
-                              path_of({"kind=numpy", "points=7", "numpy_seed=10", "skipped=3"}),
                               path_through({Pose::Identity()})};
   CHECK(all.size() + 1 == paths().size());  // poses of a CSV file: pose_csv.test.cpp
   for (const Path& path : all) {

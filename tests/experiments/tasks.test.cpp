@@ -205,38 +205,3 @@ TEST_CASE("every solver starts where the study says, run after run and from a st
     CHECK(same_numbers(store.solves(study.name), whole));
   }
 }
-
-TEST_CASE("a perturbed copy of a study has targets and drawn starts that differ in their last bits", "[tasks]") {
-  const std::string path = "start = \"random\"\nruns = 2\n[path]\nkind = \"random\"\npoints = 3\n";
-  const Study study = study_of_robot("ur5e", path), copy = study_of_robot("ur5e", "perturbed = 1\n" + path),
-              other = study_of_robot("ur5e", "perturbed = 2\n" + path);
-  CHECK(configuration_key(study, study.solvers[0]) != configuration_key(copy, copy.solvers[0]));
-  CHECK(configuration_key(copy, copy.solvers[0]) != configuration_key(other, other.solvers[0]));
-  const Robot arm = arm_of(study);
-  const auto is_next = [](double a, double b) {
-    return b == std::nextafter(a, 1e9) || b == std::nextafter(a, -1e9) || (a == 0 && b == 0);
-  };
-  for (const int run : {1, 2}) {
-    const std::vector<Pose> drawn = targets(study, arm, run), moved = targets(copy, arm, run);
-    CHECK(targets(copy, arm, run).front().matrix() == moved.front().matrix());
-    int up = 0, differ = 0;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      for (Eigen::Index row = 0; row < 4; ++row) {
-        for (Eigen::Index column = 0; column < 4; ++column) {
-          const double a = drawn[i].matrix()(row, column), b = moved[i].matrix()(row, column);
-          CHECK((row == 3 ? a == b : is_next(a, b)));
-          up += b > a ? 1 : 0;
-          differ += b != targets(other, arm, run)[i].matrix()(row, column) ? 1 : 0;
-        }
-      }
-    }
-    CHECK(up > 8);
-    CHECK(up < 28);  // of 36 numbers
-    CHECK(differ > 8);
-    const std::vector<Configuration> from = starts(study, arm, run), near = starts(copy, arm, run);
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      for (Eigen::Index j = 0; j < from[i].size(); ++j) CHECK(is_next(from[i][j], near[i][j]));
-      CHECK(arm.limits.violation(near[i]) == 0);
-    }
-  }
-}

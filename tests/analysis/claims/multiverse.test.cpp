@@ -13,6 +13,7 @@
 #include "results/published.hpp"
 #include "tests/analysis/cells.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 
 using namespace ikbench;
 using namespace ikbench::inference;

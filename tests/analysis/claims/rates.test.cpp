@@ -28,6 +28,14 @@ JudgedStudy study_of(const std::string& robot, int solved_by_kdl, int solved_wit
   return JudgedStudy(make_study(robot, std::move(solves)));
 }
 
+StudyPieces pieces_with(const JudgedStudy& first, JudgedStudies companions = {}) {
+  return pieces_of({first, std::move(companions)}, analysis::collection("beeson2015"));
+}
+
+const Table& rates_in(const StudyPieces& pieces) {
+  return *std::ranges::find(pieces.tables, "solve-rates", &Table::name);
+}
+
 std::vector<Verdict> verdicts(const JudgedStudy& study, JudgedStudies companions = {}) {
   std::vector<Verdict> verdicts;
   for (const Claim& claim : analysis::paper("beeson2015").claims({study, std::move(companions)}))
@@ -36,6 +44,30 @@ std::vector<Verdict> verdicts(const JudgedStudy& study, JudgedStudies companions
 }
 
 }  // namespace
+
+TEST_CASE("each printed arm that is solved has a row, with the printed share, ours and Wilson's interval",
+          "[beeson2015]") {
+  const JudgedStudy iiwa = study_of("kuka_iiwa14", 800, 1000), panda = study_of("franka_panda", 0, 500),
+                    other = study_of("stanford", 1, 1),
+                    none(make_study("beeson2015-baxter", std::vector<SolveRecord>{}));
+  const StudyPieces pieces = pieces_with(iiwa, {panda, other, none});
+  CHECK(pieces.results == "solve-rates");
+  CHECK(std::ranges::count(pieces.figures, "solve-rates-figure", &figures::Figure::name) == 1);
+  const Table& table = rates_in(pieces);
+  CHECK(table.columns == std::vector<std::string>{"arm", "KDL, printed", "KDL, here", "KDL, interval",
+                                                  "KDL-RR, printed", "KDL-RR, here", "KDL-RR, interval",
+                                                  "TRAC-IK, printed"});
+  REQUIRE(table.rows.size() == 2);
+  CHECK(readable(table.rows[0][0]) == "KUKA LBR iiwa 14 R820");
+  CHECK(readable(table.rows[1][0]) == "Franka Emika Panda");
+  CHECK(std::get<double>(table.rows[0][1]) == Approx(37.64));
+  CHECK(std::get<double>(table.rows[0][2]) == Approx(80));
+  CHECK(std::get<double>(table.rows[1][2]) == 0);
+  // Wilson's score interval, z = 2.575829: of 1000 of 1000 from 1 / (1 + z^2 / 1000); of 0 of 1000 its mirror image.
+  CHECK(std::get<Range>(table.rows[0][6]).low == Approx(99.3408835).epsilon(1e-8));
+  CHECK(std::get<Range>(table.rows[1][3]).high == Approx(0.65911649).epsilon(1e-6));
+  CHECK(std::ranges::count(pieces_with(none).tables, "solve-rates", &Table::name) == 0);
+}
 
 TEST_CASE("a printed solve rate holds within the 99 % interval of ours", "[beeson2015]") {
   using enum Verdict;
