@@ -57,9 +57,9 @@ void check(const Robot& arm, const SolveRecord& solve) {
 }  // namespace
 
 SolveCheck recheck_of(const StudyEntry& study) {
-  std::optional<Robot> arm = stored_arm(study.definition);
-  if (!arm) return nullptr;
-  return [arm = std::make_shared<const Robot>(std::move(*arm))](const SolveRecord& solve) { check(*arm, solve); };
+  std::optional<Robot> stored = stored_arm(study.definition);
+  if (!stored) return nullptr;
+  return [arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) { check(*arm, solve); };
 }
 
 }  // namespace ikbench::experiments
