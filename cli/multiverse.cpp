@@ -5,15 +5,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/collections.hpp"
+#include "analysis/inference/make_study.hpp"
 #include "analysis/report/report.hpp"
+#include "analysis/statistics/quantile.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/plan_options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 
@@ -35,6 +40,27 @@ struct MultiverseArguments {
   bool list = false, small = false, without_figures = false;
   OutputArguments output;
 };
+
+RunMeans run_means(const Study& study, std::vector<SolveRecord> solves) {
+  const StudyResults results = make_study(study.name, std::move(solves));
+  const auto means = [&](Metric metric) {
+    std::vector<double> values = samples(results, metric).front().values;
+    for (double& value : values) value = std::isfinite(value) ? value : statistics::worse_than_every_number;
+    return values;
+  };
+  return {.error_cm = means(Metric::position_error_cm), .variation_deg = means(Metric::variation_deg)};
+}
+
+// Shows progress. After Ctrl-C returns the series before the first missing one.
+std::vector<RunMeans> solved(const std::vector<Study>& series, const SeriesArguments& arguments) {
+  SeriesMeans kept(arguments.folder / "series.csv");
+  ProgressBar bar(arguments.title);
+  return solve_series(series, kept,
+                      {.means_of = run_means,
+                       .jobs = arguments.jobs,
+                       .progress = [&](const Progress& progress) { bar.show(progress); },
+                       .cancelled = arguments.cancelled});
+}
 
 Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
   Multiverse multiverse{.dimensions = plan.dimensions, .solvers = plan.solvers, .studies = {}};
@@ -169,7 +195,12 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
-  add_series_options(*command, arguments->seeds, arguments->jobs);
+  command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
+      ->check(whole_number({1, 1000}))
+      ->capture_default_str();
+  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
+      ->check(whole_number({1, 1024}))
+      ->capture_default_str();
   command->add_option("--set", arguments->overrides, "change a key in every interpretation: runs=5, path.points=10")
       ->allow_extra_args(false);
   command

@@ -2,15 +2,24 @@
 // reproduce`.
 #pragma once
 
+#include <atomic>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/inference/multiverse.hpp"
-#include "cli/series.hpp"
 #include "experiments/multiverse.hpp"
+#include "experiments/series_means.hpp"
 
 namespace ikbench::cli {
+
+struct SeriesArguments {
+  std::string title;             // title of the progress
+  std::filesystem::path folder;  // folder of series.csv, which keeps finished series
+  int jobs = 1;
+  const std::atomic<bool>* cancelled = nullptr;
+};
 
 struct SolvedMultiverse {
   inference::Multiverse multiverse;
