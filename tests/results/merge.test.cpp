@@ -193,37 +193,6 @@ TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged
   }
 }
 
-TEST_CASE("solves have any rowids", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1, 2, 3});
-  edit(folder.path / "a", "UPDATE solves SET rowid = -9223372036854775807 - 1 WHERE run = 3");
-  edit(folder.path / "a", "UPDATE solves SET rowid = 9223372036854775807 WHERE run = 1");
-  CHECK(merge(folder.path / "out", {folder.path / "a"}).added == 3);
-}
-
-TEST_CASE("where a solve differs, all stores that have its session are named", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "out", "one", {1, 2});
-  for (const char* name : {"a", "b"}) fs::copy_file(folder.path / "out", folder.path / name);
-  edit(folder.path / "a", "DELETE FROM solves WHERE run = 1");
-  edit(folder.path / "b", "UPDATE solves SET evaluations = 7 WHERE run = 1");
-  CHECK_THAT(complaint<std::invalid_argument>([&] {
-               merge(folder.path / "out", {folder.path / "a", folder.path / "b"});
-             }),
-             ContainsSubstring("other bits in " + quoted(folder.path / "a") + " or " + quoted(folder.path / "b") +
-                               " than in " + quoted(folder.path / "out")));
-}
-
-TEST_CASE("ten thousand sessions are merged, and merged again", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1});
-  edit(folder.path / "a",
-       "WITH RECURSIVE n(i) AS (SELECT 2 UNION ALL SELECT i + 1 FROM n WHERE i < 10000) "
-       "INSERT INTO sessions SELECT i, '2026-01-01T00:00:00Z' FROM n");
-  for (int time = 0; time < 2; ++time) merge(folder.path / "out", {folder.path / "a"});
-  CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 10'000);
-}
-
 TEST_CASE("a store that a kill left half-written is left out and named, and the rest is merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 3});

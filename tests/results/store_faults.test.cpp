@@ -162,26 +162,6 @@ TEST_CASE("a value that is not of its column's type is damage", "[store][faults]
   }
 }
 
-TEST_CASE("a trigger that is made while the store is open does not run", "[store][faults]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  Store store(file, Store::Mode::write);
-  SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
-      .exec("CREATE TRIGGER t BEFORE INSERT ON solves BEGIN SELECT raise(IGNORE); END");
-  store.append({sample_record()});
-  CHECK(series_of(store, "key-a").size() == 1);
-}
-
-TEST_CASE("a value larger than any of ours is refused", "[store][faults][.slow]") {
-  const ScratchFolder folder;
-  const auto file = folder.path / "a.ikb";
-  write_store(file);
-  SQLite::Database(file.string(), SQLite::OPEN_READWRITE)
-      .exec("UPDATE solves SET trace_cm = CAST(zeroblob(257000000) AS TEXT) WHERE run = 1 AND series = 'key-a'");
-  CHECK_THAT(complaint<std::invalid_argument>([&] { read_everything(file); }),
-             ContainsSubstring("cannot store a value of more than 256 MB"));
-}
-
 TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
   std::mt19937 random(9);
   for (int trial = 0; trial < 8; ++trial) {

@@ -144,12 +144,6 @@ inline robots::Candidates drawn_uniforms(numerics::Random& random, int rows, int
   return out;
 }
 
-inline robots::Candidates drawn_normals(numerics::Random& random, int rows, int columns) {
-  robots::Candidates out(rows, columns);
-  random.normals(out);
-  return out;
-}
-
 inline Eigen::VectorXd drawn_vector(numerics::Random& random, int size) {
   Eigen::VectorXd out(size);
   random.uniforms(out);
