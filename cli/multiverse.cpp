@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/statistics/quantile.hpp"
 #include "cli/commands.hpp"
@@ -185,7 +185,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<MultiverseArguments>();
   CLI::App* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every combination of what it leaves open");
-  add_paper_option(*command, arguments->paper, [](const Collection& of) { return bool(of.paper.multiverse); });
+  add_paper_option(*command, arguments->paper, [](const Paper& of) { return bool(of.multiverse); });
   command->add_flag("--list", arguments->list, "list the dimensions and the size, without solving");
   CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer dimensions: what `ikbench reproduce` shows");

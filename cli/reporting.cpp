@@ -12,8 +12,8 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/analysis_plan.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/assessment_words.hpp"
 #include "analysis/report/report.hpp"
 #include "cli/console.hpp"
@@ -150,12 +150,12 @@ CLI::Validator not_empty() {
   return CLI::Validator([](const std::string& text) { return text.empty() ? "the name is empty" : ""; }, "");
 }
 
-void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const Collection& of)) {
+void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const Paper& of)) {
   std::vector<std::string> names;
-  for (const Collection& each : analysis::collections()) {
+  for (const Paper& each : analysis::papers()) {
     if (is_offered(each)) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
   }
-  paper = analysis::collections().front().name;
+  paper = analysis::papers().front().name;
   command.add_option("PAPER", paper, fmt::format("one of: {}", fmt::join(names, ", ")))->capture_default_str();
 }
 
@@ -238,7 +238,7 @@ void write_and_announce(const Store& store, WrittenReport wanted) {
        .plan = plan,
        .style = styled(figure_style_of(entry), wanted.arguments),
        .figures = {.render = !wanted.arguments.without_figures, .program = program_name()},
-       .collections = analysis::collections(),
+       .papers = analysis::papers(),
        .extra_tables = std::move(wanted.tables),
        .extra_figures = std::move(wanted.figures),
        .shares = std::move(wanted.shares),

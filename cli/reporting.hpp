@@ -26,8 +26,8 @@ namespace ikbench::cli {
 // Refuses an empty folder name: it comes from an unset variable of a script.
 CLI::Validator not_empty();
 
-// Adds PAPER, the name of a collection of studies; the first by default. The help names the offered ones.
-void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const report::Collection& of));
+// Adds PAPER, the name of a paper; the first by default. The help names the offered ones.
+void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const report::Paper& of));
 
 struct ReportArguments {
   std::string unit = {};    // replaces the study's

@@ -14,8 +14,8 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/multiverse.hpp"
@@ -82,19 +82,19 @@ std::vector<std::string> words_on(const std::vector<Fingerprints>& all, bool is_
   return lines;
 }
 
-// Prints the collection's table of results from its first study; with --verbose also the other tables of its first
+// Prints the paper's table of results from its first study; with --verbose also the other tables of its first
 // `solved` studies, except those already `shown`.
-void show_tables(const Store& store, const Collection& collection, std::size_t solved, const OutputArguments& output,
+void show_tables(const Store& store, const Paper& paper, std::size_t solved, const OutputArguments& output,
                  std::set<std::string>& shown) {
   if (output.is_json || (!output.is_verbose && solved > 1)) return;
   std::vector<inference::JudgedStudy> studies;
   for (std::size_t i = 0; i < solved; ++i) {
-    const std::string& name = collection.studies[i].name;
+    const std::string& name = paper.studies[i].name;
     studies.emplace_back(inference::read_study(store, store.study(name)));
   }
-  const StudyPieces pieces = pieces_of({studies.front(), {studies.begin() + 1, studies.end()}}, collection);
+  const StudyPieces pieces = pieces_of({studies.front(), {studies.begin() + 1, studies.end()}}, paper);
   std::vector<std::string> names{pieces.results};
-  const auto sections = output.is_verbose ? collection.paper.sections.further : std::vector<SectionPlan>();
+  const auto sections = output.is_verbose ? paper.sections.further : std::vector<SectionPlan>();
   for (const SectionPlan& section : sections) {
     std::ranges::copy(section.names, std::back_inserter(names));
     std::ranges::copy(section.folded, std::back_inserter(names));
@@ -107,11 +107,11 @@ void show_tables(const Store& store, const Collection& collection, std::size_t s
   }
 }
 
-// The collection's studies, each with the overrides that it takes.
-std::vector<std::pair<std::string, Overrides>> studies_of(const Collection& collection, const Overrides& of_all,
+// The paper's studies, each with the overrides that it takes.
+std::vector<std::pair<std::string, Overrides>> studies_of(const Paper& paper, const Overrides& of_all,
                                                           const std::string& runs) {
   std::vector<std::pair<std::string, Overrides>> studies;
-  for (const CollectedStudy& study : collection.studies) {
+  for (const PaperStudy& study : paper.studies) {
     Overrides& overrides = studies.emplace_back(study.name, of_all).second;
     if (study.takes_runs) overrides.push_back(runs);
   }
@@ -157,27 +157,27 @@ bool solve_besides(const Arguments& arguments, const Paper& paper, WrittenReport
   return !signals.end();
 }
 
-// True if an option applies to a collection.
-bool takes(const Collection& collection, std::string_view option) {
-  if (option == "--readings") return bool(collection.paper.multiverse);
-  return std::ranges::any_of(collection.studies, &CollectedStudy::takes_runs);
+// True if an option applies to a paper.
+bool takes(const Paper& paper, std::string_view option) {
+  if (option == "--readings") return bool(paper.multiverse);
+  return std::ranges::any_of(paper.studies, &PaperStudy::takes_runs);
 }
 
-// Names the collections that the option applies to, for its help.
-std::string collections_with(std::string_view option) {
+// Names the papers that the option applies to, for its help.
+std::string papers_with(std::string_view option) {
   std::vector<std::string> names;
-  for (const Collection& each : analysis::collections()) {
+  for (const Paper& each : analysis::papers()) {
     if (takes(each, option)) names.push_back(each.name);
   }
   return fmt::format("{}: ", fmt::join(names, ", "));
 }
 
-void refuse_others(const CLI::App& command, const Collection& collection) {
+void refuse_others(const CLI::App& command, const Paper& paper) {
   for (const char* option : {"--runs", "--readings"}) {
-    if (command.count(option) == 0 || takes(collection, option)) continue;
+    if (command.count(option) == 0 || takes(paper, option)) continue;
     throw std::invalid_argument(
         fmt::format("{} is not an option of {}; leave it out (of one study: ikbench run {} --set runs=10)", option,
-                    collection.name, collection.studies.front().name));
+                    paper.name, paper.studies.front().name));
   }
 }
 
@@ -187,16 +187,15 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
-  add_paper_option(*command, arguments->paper, [](const Collection&) { return true; });
+  add_paper_option(*command, arguments->paper, [](const Paper&) { return true; });
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, collections_with("--runs") + "runs of each solver on the helix")
+  command->add_option("--runs", arguments->runs, papers_with("--runs") + "runs of each solver on the helix")
       ->check(whole_number({1, 1'000'000}))
       ->capture_default_str();
   command
-      ->add_option(
-          "--readings", arguments->seeds,
-          collections_with("--readings") + "number of seeds for the multiverse of the interpretations; 0: skip it")
+      ->add_option("--readings", arguments->seeds,
+                   papers_with("--readings") + "number of seeds for the multiverse of the interpretations; 0: skip it")
       ->check(whole_number({0, 1000}))
       ->capture_default_str();
   command->add_flag("--quick", arguments->is_quick, "skip the interpretations");
@@ -211,13 +210,13 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, command, &invocation] {
     refuse_points(arguments->report);
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
-    const Collection& collection = analysis::collection(arguments->paper);
-    refuse_others(*command, collection);
-    const std::string& first = collection.studies.front().name;
+    const Paper& paper = analysis::paper(arguments->paper);
+    refuse_others(*command, paper);
+    const std::string& first = paper.studies.front().name;
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(first) : std::filesystem::path(arguments->run.out);
     const auto studies =
-        studies_of(collection, {fmt::format("seed={}", arguments->seed)}, fmt::format("runs={}", arguments->runs));
+        studies_of(paper, {fmt::format("seed={}", arguments->seed)}, fmt::format("runs={}", arguments->runs));
     const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};
     const auto is_stopped = [&](const Study& study) {
       if (run_and_tell(study, folder, request, arguments->report.output) != Ended::stopped) return false;
@@ -229,11 +228,10 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       const auto& [name, overrides] = studies[i];
       if (is_stopped(load_study(name, overrides))) return;
       if (i == 0 || i + 1 == studies.size()) {
-        show_tables(checked_store(store_in(folder)), collection, i + 1, arguments->report.output, shown);
+        show_tables(checked_store(store_in(folder)), paper, i + 1, arguments->report.output, shown);
       }
     }
     WrittenReport wanted{.study = first, .folder = folder, .arguments = arguments->report};
-    const Paper& paper = collection.paper;
     if (!solve_besides(*arguments, paper, wanted)) {
       say("Stopped before the report. The solves are kept; run the same command again to continue.");
       invocation.exit_code = cancelled_exit_code();

@@ -45,7 +45,7 @@ std::map<std::string, Names> folders_and_papers() {
        {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
       {"analysis/claims",
        {"numerics", "results", "analysis/statistics", "analysis/inference", "analysis/figures", "analysis/report"}},
-      // the registry of the collections, which alone knows the folders of papers
+      // the registry of the papers, which alone knows the folders of papers
       {"analysis", {"numerics", "analysis/report", "analysis/claims"}},
       {"cli",
        {"numerics", "robots", "solvers", "results", "experiments", "analysis/statistics", "analysis/inference",
@@ -66,7 +66,7 @@ const std::map<std::string, Names>& may_know() {
 }
 
 // CMake writes these into the build folder of those that include them.
-const Names generated{"arms.inc",   "build_info.hpp",       "collections.inc",    "multiverse.inc",
+const Names generated{"arms.inc",   "build_info.hpp",       "paper_files.inc",    "multiverse.inc",
                       "papers.inc", "published_tables.inc", "source_digests.inc", "studies.inc",
                       "style.inc",  "templates.inc"};
 

@@ -52,22 +52,23 @@ double parsed(std::string_view text) {
   return number ? *number : throw std::runtime_error(fmt::format("'{}' is no number", text));
 }
 
-}  // namespace
-
+// Digits after the point: 4 of "1.7824e-4".
 int decimals_of(std::string_view printed) {
   const std::string_view mantissa = parts_of(printed).first;
   const std::size_t point = mantissa.find('.');
   return point == std::string_view::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
 }
 
+}  // namespace
+
 double half_unit(std::string_view printed) {
   parsed(printed);  // refuses other texts as they are
   return parsed(fmt::format("0.5e-{}", decimals_of(printed))) * parsed(fmt::format("1{}", parts_of(printed).second));
 }
 
-bool agrees(double ours, std::string_view printed, double slack) {
+bool agrees(double ours, std::string_view printed) {
   constexpr double room = 1 + 1e-9;  // 2.5 printed as 2 is half a unit off, and doubles are not exact
-  return std::abs(ours - parsed(printed)) <= (half_unit(printed) + slack) * room;
+  return std::abs(ours - parsed(printed)) <= half_unit(printed) * room;
 }
 
 bool can_be(double low, double high, std::string_view printed) {
@@ -116,18 +117,15 @@ std::optional<AnovaTable> comparable_anova(const StudyResults& study, const std:
   return printed;
 }
 
-const std::string& word(const Words& words, std::string_view name) {
-  const auto found = words.find(name);
-  if (found == words.end()) throw std::runtime_error(fmt::format("no column {{{}}}", name));
-  return found->second;
-}
-
 std::string filled(const std::string& text, const Words& words) {
   std::string result;
   std::size_t end = 0;
   for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', end)) {
     const std::size_t close = std::min(text.find('}', open), text.size() - 1);
-    result += text.substr(end, open - end) + word(words, text.substr(open + 1, close - open - 1));
+    const std::string name = text.substr(open + 1, close - open - 1);
+    const auto found = words.find(name);
+    if (found == words.end()) throw std::runtime_error(fmt::format("no column {{{}}}", name));
+    result += text.substr(end, open - end) + found->second;
     end = close + 1;
   }
   return result + text.substr(end);

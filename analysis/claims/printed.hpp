@@ -18,11 +18,10 @@
 namespace ikbench::claims {
 
 // The functions of printed digits throw std::runtime_error for a text that is no number.
-int decimals_of(std::string_view printed);  // digits after the point: 4 of "1.7824e-4"
 // Half a unit of the last printed digit: the possible rounding error of "1.7824e-4".
 double half_unit(std::string_view printed);
-// Returns whether our number rounds to the printed digits, or may be `slack` off.
-bool agrees(double ours, std::string_view printed, double slack = 0);
+// Returns whether our number rounds to the printed digits.
+bool agrees(double ours, std::string_view printed);
 // Returns whether a number of the range rounds to the printed digits.
 bool can_be(double low, double high, std::string_view printed);
 
@@ -60,6 +59,5 @@ std::optional<statistics::AnovaTable> comparable_anova(const inference::StudyRes
 // Fills the names in "{word} of {n}"; throws std::runtime_error for an unknown name.
 using Words = std::map<std::string, std::string, std::less<>>;
 std::string filled(const std::string& text, const Words& words);
-const std::string& word(const Words& words, std::string_view name);
 
 }  // namespace ikbench::claims

@@ -22,16 +22,27 @@ struct MultiverseReport {
   std::vector<figures::Figure> figures = {};  // "multiverse"
 };
 
-// A study with its companions: the collection's other studies that the store has. The study's plan judges all.
+// A study with its companions: the paper's other studies that the store has. The study's plan judges all.
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
 };
 
+// A built-in study that `ikbench reproduce` runs.
+struct PaperStudy {
+  std::string name;
+  bool takes_runs = false;  // takes the command's --runs
+};
+
 struct Paper {
+  std::string name = {};      // in a study's `published` and in results/published
+  std::string in_short = {};  // short description for --help
+  // The first is the paper's own study; "first-part" is its companion, as "mine-part" is of a study "mine".
+  std::vector<PaperStudy> studies = {};
   std::string citation = {};        // a sentence with the DOI
   std::string kind = {};            // a sentence: what kind of reproduction this is
   std::string not_reproduced = {};  // a sentence
+  RatesPlan rates = {};
   std::function<std::vector<Claim>(const Reported&)> claims = {};
   std::function<StudyPieces(const Reported&)> pieces = {};  // replaces study_pieces(), whose result it may extend
   ReportPlan sections = {};  // places the pieces; without results, the pieces place themselves
@@ -40,22 +51,7 @@ struct Paper {
   std::function<MultiverseReport(const inference::Multiverse&, const results::AnalysisPlan&)> multiverse = {};
 };
 
-// A built-in study that `ikbench reproduce` runs.
-struct CollectedStudy {
-  std::string name;
-  bool takes_runs = false;  // takes the command's --runs
-};
-
-struct Collection {
-  std::string name;           // in a study's `published` and in results/published
-  std::string in_short = {};  // short description for --help
-  // The first is the collection's own study; "first-part" is its companion, as "mine-part" is of a study "mine".
-  std::vector<CollectedStudy> studies = {};
-  RatesPlan rates = {};
-  Paper paper = {};
-};
-
-// The tables and figures of the study itself and of the collection.
-StudyPieces pieces_of(const Reported& reported, const Collection& collection);
+// The tables and figures of the study itself and of the paper.
+StudyPieces pieces_of(const Reported& reported, const Paper& paper);
 
 }  // namespace ikbench::report

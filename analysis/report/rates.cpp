@@ -41,7 +41,7 @@ int most_iterations(const StudyResults& study) {
 Rate rate_of(const StudyResults& study, const std::string& solver, double printed, const RatesPlan& plan) {
   Rate rate{.solver = solver, .printed = printed, .ours = solve_rate(study, solver, plan.level)};
   const int most = most_iterations(study);
-  const int longest = std::min(most, plan.iterations.back());
+  const int longest = std::min(most, plan.iterations);
   for (int iterations = 1; iterations <= longest; ++iterations) {
     const Rate shorter{
         .solver = solver, .printed = printed, .ours = rate_within(study, solver, iterations, plan.level)};

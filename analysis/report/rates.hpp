@@ -15,11 +15,11 @@ namespace ikbench::report {
 struct Reported;
 
 struct RatesPlan {
-  double level = 0;                    // level of the intervals; 0: no rates are reported
-  std::string caption = {};            // caption of the figure, without the level
-  std::string paper = {}, table = {};  // source of the printed shares [%], one row per arm
-  std::string note = {};               // describes the printed shares
-  std::vector<int> iterations = {};    // within how many of these the shares of the same solves are as printed
+  double level = 0;                                 // level of the intervals; 0: no rates are reported
+  std::string caption = {};                         // caption of the figure, without the level
+  std::string paper = {}, table = {};               // source of the printed shares [%], one row per arm
+  std::string note = {};                            // describes the printed shares
+  int iterations = 0;                               // up to how many are tried for the printed share
   std::map<std::string, std::string> rows = {};     // our arm to its name in the printed table's column `arm`
   std::map<std::string, std::string> columns = {};  // solver to its printed column
 };

@@ -53,11 +53,10 @@ JudgedStudy judged_by(const AnalysisPlan& plan, StudyResults other) {
   return JudgedStudy(std::move(other));
 }
 
-// Returns whether the name is that of a companion: the reported study's name plus the ending of a study of the
-// collection.
-bool is_companion(const std::string& name, const StudyResults& study, const Collection& collection) {
-  return std::ranges::any_of(collection.studies, [&](const CollectedStudy& other) {
-    const std::string part = other.name.substr(collection.studies.front().name.size());
+// Returns whether the name is that of a companion: the reported study's name plus the ending of a study of the paper.
+bool is_companion(const std::string& name, const StudyResults& study, const Paper& paper) {
+  return std::ranges::any_of(paper.studies, [&](const PaperStudy& other) {
+    const std::string part = other.name.substr(paper.studies.front().name.size());
     return !part.empty() && name == study.name + part;
   });
 }
@@ -154,13 +153,13 @@ struct Others {
 };
 
 Others others_of(CheckedStore& store, const std::vector<StudyEntry>& entries, const JudgedStudy& study,
-                 const Collection& collection) {
+                 const Paper& paper) {
   Others result{.same_targets_given = {study}, .same_limits_too = {study}};
   result.judged.reserve(entries.size());  // the lists refer to its elements
   for (const StudyEntry& entry : entries) {
     if (entry.name == study.name || entry.series.empty()) continue;
     StudyResults other = store.study(entry);
-    const bool is_collected = is_companion(other.name, study, collection), is_beside = same_targets(study, other);
+    const bool is_collected = is_companion(other.name, study, paper), is_beside = same_targets(study, other);
     if (!is_collected && !is_beside) continue;
     const JudgedStudy& judged = result.judged.emplace_back(judged_by(study.plan, std::move(other)));
     if (is_collected) result.companions.push_back(judged);
@@ -186,10 +185,10 @@ std::vector<std::string> further_studies(const std::vector<StudyEntry>& entries,
 }
 
 // The paper that the study names; an empty one if there is none.
-const Collection& collection_of(const StudyResults& study, std::span<const Collection> collections) {
-  static const Collection none;
-  const auto found = std::ranges::find(collections, study.facts.published, &Collection::name);
-  return found == collections.end() ? none : *found;
+const Paper& paper_of(const StudyResults& study, std::span<const Paper> papers) {
+  static const Paper none;
+  const auto found = std::ranges::find(papers, study.facts.published, &Paper::name);
+  return found == papers.end() ? none : *found;
 }
 
 // Assesses a paper's printed summaries by the same methods.
@@ -230,11 +229,11 @@ Doubts out_of_reach_doubts(const StudyResults& study) {
            .what = study.facts.wrist ? "the wrist's centre would be" : "it is"}};
 }
 
-Doubts paper_doubts(const StudyResults& study, std::span<const Collection> collections) {
-  if (study.facts.published.empty() || !collection_of(study, collections).name.empty()) return {};
+Doubts paper_doubts(const StudyResults& study, std::span<const Paper> papers) {
+  if (study.facts.published.empty() || !paper_of(study, papers).name.empty()) return {};
   Doubt doubt{.kind = DoubtKind::unknown_paper, .what = study.facts.published};
-  for (const Collection& collection : collections) {
-    doubt.who.push_back(collection.name);
+  for (const Paper& paper : papers) {
+    doubt.who.push_back(paper.name);
   }
   return {doubt};
 }
@@ -276,10 +275,9 @@ void add_seen_in_boxes(const JudgedStudy& study, ReportContent& content) {
 
 }  // namespace
 
-StudyPieces pieces_of(const Reported& reported, const Collection& collection) {
-  const Paper& paper = collection.paper;
+StudyPieces pieces_of(const Reported& reported, const Paper& paper) {
   StudyPieces pieces = paper.pieces ? paper.pieces(reported) : study_pieces(reported.study);
-  add_rates(pieces, reported, collection.rates);
+  add_rates(pieces, reported, paper.rates);
   return pieces;
 }
 
@@ -294,15 +292,14 @@ Report write_report(const Store& store, const ReportRequest& request) {
   StudyResults stored = checked.reported(entry);
   if (request.plan) stored.plan = *request.plan;
   const JudgedStudy study(std::move(stored));
-  const Collection& collection = collection_of(study, request.collections);
-  const Paper& paper = collection.paper;
-  const Others others = others_of(checked, entries, study, collection);
+  const Paper& paper = paper_of(study, request.papers);
+  const Others others = others_of(checked, entries, study, paper);
   const Reported reported{study, others.companions};
 
   std::vector<Table> tables{definition_table(entry), options_table(entry),
                             plan_table(entry, study.plan, plan_notes(entry, sessions, solves_of_sessions(study))),
                             environment_table(study, sessions), status_table(study)};
-  StudyPieces pieces = pieces_of(reported, collection);
+  StudyPieces pieces = pieces_of(reported, paper);
   ReportPlan plan = paper.sections;
   if (plan.results.empty()) plan.results = std::move(pieces.sections);
   std::vector<Figure> figures = std::move(pieces.figures);
@@ -324,7 +321,7 @@ Report write_report(const Store& store, const ReportRequest& request) {
   join(content.claims, request.shares);
   const Doubts of_points = study.plan.unit == Unit::point ? Doubts{{DoubtKind::points_as_observations}} : Doubts{};
   content.warnings =
-      of_points + wrong_claims(study) + paper_doubts(study, request.collections) + missing_doubts(study) +
+      of_points + wrong_claims(study) + paper_doubts(study, request.papers) + missing_doubts(study) +
       with_companions(out_of_reach_doubts(study) + times_doubts(study) + load_doubts(study), reported.companions) +
       plan_changes(entry, sessions, solves_of_sessions(study)) + fairness_doubts(study, reported.companions);
   std::ranges::move(convergence_figures(study), std::back_inserter(figures));

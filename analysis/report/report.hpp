@@ -29,7 +29,7 @@ struct ReportRequest {
       {};  // replaces the study's own plan, and its companions'; the report says so
   std::optional<results::FigureStyle> style = {};   // replaces the look of the study's figures
   figures::RenderOptions figures = {};              // without a look
-  std::span<const Collection> collections = {};     // the study's own collection, if among them, shapes the report
+  std::span<const Paper> papers = {};               // the study's own, if among them, shapes the report
   std::vector<Table> extra_tables = {};             // written and shown with the others (report_content.cpp says where)
   std::vector<figures::Figure> extra_figures = {};  // likewise
   std::vector<ClaimShares> shares = {};             // shares of the paper's claims over all interpretations

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "analysis/claims/rules.hpp"
-#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "tests/analysis/folder.hpp"
 #include "tests/analysis/synthetic.hpp"

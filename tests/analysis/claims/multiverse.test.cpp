@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analysis/claims/printed.hpp"
-#include "analysis/collections.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/predictive_study.hpp"
 #include "results/published.hpp"

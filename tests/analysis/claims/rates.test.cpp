@@ -1,8 +1,8 @@
 // The rules on solve rates, with the claims of beeson2015 and studies with given numbers of solves that are ok.
 #include <algorithm>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "results/published.hpp"
 #include "tests/catch.hpp"
 
@@ -29,7 +29,7 @@ JudgedStudy study_of(const std::string& robot, int solved_by_kdl, int solved_wit
 }
 
 StudyPieces pieces_with(const JudgedStudy& first, JudgedStudies companions = {}) {
-  return pieces_of({first, std::move(companions)}, analysis::collection("beeson2015"));
+  return pieces_of({first, std::move(companions)}, analysis::paper("beeson2015"));
 }
 
 const Table& rates_in(const StudyPieces& pieces) {

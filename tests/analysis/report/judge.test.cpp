@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/variant_comparison.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/report/summary.hpp"
 #include "results/store.hpp"
@@ -84,8 +84,7 @@ Judged told_at(const Significance& at) {
   save_solves(store, "own", at.study, "recorded");
   save_solves(store, "own-limits", at.companion, "enforced");
   const std::filesystem::path out = folder.path / "report";
-  ReportRequest request{
-      .study = "own", .folder = out, .figures = {.render = false}, .collections = analysis::collections()};
+  ReportRequest request{.study = "own", .folder = out, .figures = {.render = false}, .papers = analysis::papers()};
   if (at.given) request.plan = AnalysisPlan{.significance = *at.given, .margin = 0};
   write_report(store, request);
   Judged told;

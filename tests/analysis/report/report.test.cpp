@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "results/csv.hpp"
 #include "results/files.hpp"
 #include "tests/analysis/folder.hpp"
@@ -53,7 +53,7 @@ void save(Store& store, const Example& example) {
 }
 
 Report written_report(const Store& store, ReportRequest request) {
-  request.collections = analysis::collections();
+  request.papers = analysis::papers();
   return write_report(store, request);
 }
 

@@ -1,12 +1,12 @@
 // Another program that has the processor for a moment changes no verdict on times: whichever solve it met.
 #include <fmt/format.h>
 
-#include "analysis/collections.hpp"
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/estimand.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/inference/make_study.hpp"
 #include "analysis/inference/times.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/summary.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"

@@ -1,9 +1,9 @@
-#include "analysis/collections.hpp"
+#include "analysis/papers.hpp"
 
 #include <stdexcept>
 #include <string>
 
-#include "analysis/claims/collection_file.hpp"
+#include "analysis/claims/paper_file.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/names.hpp"
 
@@ -22,14 +22,14 @@ using namespace report;
 namespace {
 
 constexpr EmbeddedFile files[]{
-#include "collections.inc"
+#include "paper_files.inc"
 };
 
-std::vector<Collection> read_all() {
-  std::vector<Collection> all = claims::read_collections(files);
+std::vector<Paper> read_all() {
+  std::vector<Paper> all = claims::read_papers(files);
   const auto complete = [&](std::string_view name, void (*add)(Paper&)) {
-    const auto own = std::ranges::find(all, name, &Collection::name);
-    add(own->paper);
+    const auto own = std::ranges::find(all, name, &Paper::name);
+    add(*own);
     std::rotate(all.begin(), own, own + 1);
   };
 #define PAPER(name) complete(#name, name::complete);
@@ -40,20 +40,18 @@ std::vector<Collection> read_all() {
 
 }  // namespace
 
-const std::vector<Collection>& collections() {
-  static const std::vector<Collection> all = read_all();
+const std::vector<Paper>& papers() {
+  static const std::vector<Paper> all = read_all();
   return all;
 }
 
-const Collection& collection(std::string_view name) {
+const Paper& paper(std::string_view name) {
   std::vector<std::string> names;
-  for (const Collection& each : collections()) {
+  for (const Paper& each : papers()) {
     if (each.name == name) return each;
     names.push_back(each.name);
   }
   throw std::invalid_argument(unknown_name("paper", name, names));
 }
-
-const Paper& paper(std::string_view name) { return collection(name).paper; }
 
 }  // namespace ikbench::analysis

@@ -1,4 +1,4 @@
-#include "analysis/claims/collection_file.hpp"
+#include "analysis/claims/paper_file.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -24,9 +24,7 @@ RatesPlan read_rates(TomlReader reader, const std::string& name) {
   reader.text("caption", rates.caption, "");
   reader.text("table", rates.table, "");
   reader.text("note", rates.note, "");
-  Eigen::VectorXd iterations;
-  reader.numbers("iterations", iterations, 1, 0, "");
-  for (const double each : iterations) rates.iterations.push_back(static_cast<int>(each));
+  reader.whole("iterations", rates.iterations, {1, 1'000'000}, "");
   read_texts(reader, "rows", rates.rows);
   read_texts(reader, "columns", rates.columns);
   reader.refuse_unknown_keys();
@@ -53,51 +51,40 @@ void add_claims(Paper& paper, ClaimsFile file) {
   };
 }
 
-Paper read_paper(TomlReader reader, const Collection& of, std::span<const EmbeddedFile> files) {
-  Paper paper;
+Paper read_paper(const std::string& name, const EmbeddedFile& file, std::span<const EmbeddedFile> files) {
+  const toml::table table = parse_toml(file.text, file.name);
+  TomlReader reader(table, file.name, "");
+  Paper paper{.name = name};
+  std::vector<std::string> studies, with_runs;
+  reader.text("in_short", paper.in_short, "");
+  reader.texts("studies", studies, "");
+  reader.texts("runs", with_runs, "");
+  for (const std::string& study : studies) paper.studies.push_back({study, std::ranges::count(with_runs, study) > 0});
   read_prose(reader, "citation", paper.citation);
   read_prose(reader, "not_reproduced", paper.not_reproduced);
   std::string_view kind;
   reader.choice("kind", kind, kinds, "");
   paper.kind = kind;
+  if (const toml::table* const rates = reader.subtable("rates")) {
+    paper.rates = read_rates(reader.nested(*rates, "rates."), name);
+  }
   reader.refuse_unknown_keys();
-  if (const EmbeddedFile* const claims = find_embedded(files, of.name + "/claims")) {
-    ClaimsFile file = read_claims(of.name, claims->text, claims->name);
-    file.rates = of.rates;
-    add_claims(paper, std::move(file));
+  if (const EmbeddedFile* const claims = find_embedded(files, name + "/claims")) {
+    ClaimsFile claimed = read_claims(name, claims->text, claims->name);
+    claimed.rates = paper.rates;
+    add_claims(paper, std::move(claimed));
   }
   return paper;
 }
 
-Collection read_collection(const std::string& name, const EmbeddedFile& file, std::span<const EmbeddedFile> files) {
-  const toml::table table = parse_toml(file.text, file.name);
-  TomlReader reader(table, file.name, "");
-  Collection collection{.name = name};
-  std::vector<std::string> studies, with_runs;
-  reader.text("in_short", collection.in_short, "");
-  reader.texts("studies", studies, "");
-  reader.texts("runs", with_runs, "");
-  for (const std::string& study : studies) {
-    collection.studies.push_back({study, std::ranges::count(with_runs, study) > 0});
-  }
-  if (const toml::table* const rates = reader.subtable("rates")) {
-    collection.rates = read_rates(reader.nested(*rates, "rates."), name);
-  }
-  if (const toml::table* const paper = reader.subtable("paper")) {
-    collection.paper = read_paper(reader.nested(*paper, "paper."), collection, files);
-  }
-  reader.refuse_unknown_keys();
-  return collection;
-}
-
 }  // namespace
 
-std::vector<Collection> read_collections(std::span<const EmbeddedFile> files) {
-  std::vector<Collection> all;
+std::vector<Paper> read_papers(std::span<const EmbeddedFile> files) {
+  std::vector<Paper> all;
   for (const EmbeddedFile& file : files) {
     const std::string_view stem = file.stem();
-    if (!stem.ends_with("/collection")) continue;
-    all.push_back(read_collection(std::string(stem.substr(0, stem.find('/'))), file, files));
+    if (!stem.ends_with("/paper")) continue;
+    all.push_back(read_paper(std::string(stem.substr(0, stem.find('/'))), file, files));
   }
   return all;
 }
