@@ -249,7 +249,7 @@ void StoreFile::check_pages() {
   if (std::filesystem::file_size(name_) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
     throw Damage("it is truncated");
   const std::string found = sqlite_.execAndGet("PRAGMA quick_check(1)").getString();
-  if (found != "ok") throw Damage(found);
+  if (found != "ok") throw Damage(found.substr(found.rfind('\n') + 1));
 }
 
 }  // namespace ikbench::results
