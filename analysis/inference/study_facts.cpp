@@ -34,12 +34,6 @@ std::vector<std::string> texts_at(const Json& all, const std::string& path) {
   return texts;
 }
 
-// The members of an object; none if it is no object.
-Json members_at(const Json& all, const std::string& path) {
-  Json value = value_at(all, path);
-  return value.is_object() ? value : Json::object();
-}
-
 std::set<std::size_t> slides_of(const Json& links) {
   std::set<std::size_t> slides;
   for (std::size_t joint = 0; links.is_array() && joint < links.size(); ++joint) {

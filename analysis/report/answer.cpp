@@ -66,13 +66,6 @@ std::string at_most(double p) {
   return rounded_number(std::ceil(p / unit) * unit, 2);
 }
 
-// " for FD vs PSO": the open pairs; empty if all are open.
-std::string open_pairs_words(const Evidence& evidence, const Pairs& open) {
-  std::vector<std::string> names;
-  for (const Finding* pair : open) names.push_back(pair_words(evidence, *pair));
-  return open.size() == evidence.contrasts.size() ? "" : fmt::format(words::open_pairs, "pairs"_a = listed(names));
-}
-
 std::size_t better_of(const Finding& pair) { return pair.relation == Relation::worse ? pair.second : pair.first; }
 std::size_t other_than(std::size_t group, const Finding& pair) {
   return pair.first == group ? pair.second : pair.first;

@@ -55,7 +55,6 @@ inline constexpr Template by_claims = "its claims";
 inline constexpr Template interval_against = "the interval of the {of} {includes} {none}";
 inline constexpr Template favour_other = "{measures} {favour} the other";
 inline constexpr Template sound_observations = "observations without the flaw";
-inline constexpr Template open_pairs = " for {pairs}";
 inline constexpr Template more_than_two = "more than two observations of each group that are not all equal";
 inline constexpr Template another_measure =
     "another measure, because the mean, the median or ranks favour another group";

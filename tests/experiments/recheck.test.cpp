@@ -34,7 +34,7 @@ Study study_with(const std::string& robot) {
 }
 
 // The complaint about the solves; empty if there is none.
-std::string complaint(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
+std::string refused_row(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
   const SolveCheck check = recheck_of(entry);
   try {
     for (const SolveRecord& solve : solves) check(solve);
@@ -50,7 +50,7 @@ TEST_CASE("the solves of a study as they are made follow from their answers", "[
   for (const char* robot : {"kuka_iiwa14", "dobot_magician", "stanford", "kinova_gen3", "abb_irb120"}) {
     INFO(robot);
     const Study study = study_with(robot);
-    CHECK(complaint(entry_of(study), solves_of(study)) == "");
+    CHECK(refused_row(entry_of(study), solves_of(study)) == "");
   }
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("an arm from a URDF file, verified by its origins and axes, is checked
     study.robot_of_file = std::make_shared<const robots::Robot>(robots::load_robot(file));
     study.robot = file;
     const StudyEntry entry = entry_of(study);
-    if (recheck_of(entry)) CHECK(complaint(entry, solves_of(study)) == "");
+    if (recheck_of(entry)) CHECK(refused_row(entry, solves_of(study)) == "");
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
   for (const auto& [what, change] : changes) {
     std::vector<SolveRecord> solves = good;
     change(solves[4]);
-    CHECK_THAT(complaint(entry_of(study), solves),
+    CHECK_THAT(refused_row(entry_of(study), solves),
                ContainsSubstring(fmt::format("study {}, {}, run {}, point {}: ", study.name, solves[4].solver,
                                              solves[4].run, solves[4].point)) &&
                    ContainsSubstring(what));

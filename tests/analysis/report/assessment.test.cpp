@@ -66,17 +66,6 @@ const Finding& contrast(const Evidence& found, const std::string& first, const s
   return *it;
 }
 
-std::string text_of(const Evidence& found) {
-  std::string text;
-  for (const std::string& sentence : words_of(sentences_of(found))) text += sentence + '\n';
-  return text;
-}
-
-bool says(const Evidence& found, const std::string& words) {
-  INFO(text_of(found));
-  return text_of(found).find(words) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("PlantGrowth is judged as R judges it", "[assessment]") {
