@@ -14,8 +14,8 @@ names=(
   junit bencher 'benchmark_json' 'paper\.tex' 'article\.tex' conda codemeta help2man 'docs/commands'
   'docs/(man|package|scale|gate-rate|gate-repeats|same-bits|renew-reference|error-rates|between-markers)\b'
   '--sequential' '--perturb' '--repetitions' '--one-at-a-time' '--max-runs' '--alone' '--dark'
-  perturbed 'last.bits' 'round_trips' 'transport_seconds' 'waited_seconds' 'not_verified' manipulability
-  'group.sequential' 'shapiro' bartlett 'critical.difference' 'performance profile' 'critical-difference' 'cluster bootstrap'
+  perturbed 'last-bits' 'round_trips' 'transport_seconds' 'waited_seconds' 'not_verified' manipulability
+  'group.sequential' 'shapiro' 'critical.difference' 'performance profile' 'critical-difference' 'cluster bootstrap'
   'runs to decide' 'expected running time' 'runs_to_decide' 'memory forecast' 'writer mark' 'instructions counted'
 )
 pages=(README.md CONTRIBUTING.md)
