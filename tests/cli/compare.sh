@@ -81,9 +81,9 @@ has "$out" "A report judges each metric over the pairs of all 6 solvers"
 succeeds compare K-ABC BA --store $base --metric evaluations
 answers "BA against K-ABC: better in evaluations, and no worsening beyond 5 %. "
 
-# Of two labels the first words are that nothing is decided, and what would decide; the settings, which are many, stand below the table.
+# Of two labels the first words are that nothing is decided; the settings, which are many, stand below the table.
 succeeds compare BA IK-BA --store $base --metric position_error_cm
-answers "IK-BA against BA: undecided in position_error_cm (a difference of the margin takes "
+answers "IK-BA against BA: undecided in position_error_cm. "
 [[ $(flat "$out") == *"B: IK-BA, against A: BA"*"label "*"B differs from A in "* ]] || fail "the settings are told above the table: $out"
 
 # Readers see first what is worse, then what is open; files for programs keep their order.

@@ -89,7 +89,7 @@ mkdir none
 head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'solver,error\nA,1\n' >table.csv
 : >empty.sqlite
-for command in report export fingerprint; do
+for command in report export; do
   refused "'none.sqlite' does not exist" $command none.sqlite
   refused "'made' is a folder; expected a store file, such as 'made/store.sqlite'" $command made
   refused "'.' is a folder; expected a store file, such as './empty.sqlite', './made/store.sqlite', './truncated.sqlite'" $command .

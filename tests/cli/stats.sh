@@ -386,7 +386,7 @@ has "$out" "nothing can be judged, because no group has more than one observatio
 printf 'A,B,C\n1,2,3\n4,,5\n' >block.csv
 succeeds stats --verbose block.csv --wide --rows-are-blocks --no-figures --out block
 has "$out" "Values are missing: 1 of 2 blocks of B; these blocks are left out"
-has "$out" "not defined: one block; two or more are needed"
+has "$out" "nothing can be judged, because no group has more than one observation"
 
 # Two hundred groups: the pairs with the best alone.
 { echo solver,error && for i in {1..200}; do printf 'g%d,%d\ng%d,%d\ng%d,%d\n' $i $i $i $((i + 1)) $i $((i + 3)); done; } >many.csv

@@ -34,6 +34,6 @@ TEST_CASE("times that are not compared say whose, and other studies in which it 
   doubt.studies = {"s", "t"};
   CHECK(
       words_of(Doubts{doubt, {.kind = DoubtKind::no_plan}}) ==
-      "Times are not comparable: 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running. The same holds for s, t. The "
+      "Times are not comparable: of A, 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running. The same holds for s, t. The "
       "study has no analysis plan; this is the default plan.");
 }
