@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/statistics/studentized_range.hpp"
 #include "analysis/statistics/tails.hpp"
 
 namespace ikbench::statistics {
@@ -36,10 +35,6 @@ Reason group_obstacle(const GroupSummary& group, std::size_t index) {
   return {};
 }
 
-std::string too_many(std::size_t groups) {
-  return groups > 1000 ? fmt::format("{} groups: the studentized range is computed for 1000 at most", groups) : "";
-}
-
 // Adds the interval of a pair with q and p; `reach` is in standard errors.
 void add_interval(MeanDifference& pair, double reach) {
   auto& [value, low, high] = pair.difference;
@@ -50,14 +45,6 @@ void add_interval(MeanDifference& pair, double reach) {
   pair.undefined = "the difference or its spread is too large for double precision";
 }
 
-// Computes q, p and interval of a pair whose standard error and df are known.
-void judge(MeanDifference& pair, const StudentizedRange& range, double critical) {
-  pair.q = std::abs(pair.difference.value) / pair.standard_error * root_two;
-  pair.p = range.upper_tail(pair.q, pair.df);
-  pair.p_alone = 2 * t_upper_tail(pair.q / root_two, pair.df);
-  add_interval(pair, critical / root_two);
-}
-
 // Pairs with the standard errors and degrees of freedom of Welch's test, if these are defined.
 std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> groups,
                                                std::optional<std::size_t> only_with) {
@@ -65,7 +52,6 @@ std::vector<MeanDifference> with_own_variances(std::span<const GroupSummary> gro
   for (MeanDifference& pair : pairs) {
     const GroupSummary& a = groups[pair.first];
     const GroupSummary& b = groups[pair.second];
-    pair.undefined = too_many(groups.size());
     for (const std::size_t index : {pair.first, pair.second}) {
       if (pair.undefined.empty()) pair.undefined = group_obstacle(groups[index], index);
       if (pair.undefined.empty() && groups[index].n < 2) {
@@ -93,49 +79,6 @@ std::vector<MeanDifference> pairs_of(std::size_t groups, std::optional<std::size
       if (!only_with || first == *only_with || second == *only_with)
         pairs.push_back({.first = first, .second = second});
     }
-  }
-  return pairs;
-}
-
-std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
-                                  std::optional<std::size_t> only_with) {
-  check_level(level);
-  std::vector<MeanDifference> pairs = differences(groups, only_with);
-  Reason undefined = too_many(groups.size());
-  double df = 0, largest = 0;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (undefined.empty()) undefined = group_obstacle(groups[i], i);
-    df += groups[i].n - 1;
-    if (groups[i].n > 1) largest = std::max(largest, groups[i].std);
-  }
-  if (undefined.empty() && df < 1) undefined = "every group has a single value, so there is no spread to compare with";
-  if (undefined.empty() && !(largest > 0)) undefined = "every group is constant, so there is no spread to compare with";
-  if (!undefined.empty()) {
-    for (MeanDifference& pair : pairs) pair.undefined = undefined;
-    return pairs;
-  }
-  double squares = 0;  // in units of the largest standard deviation, so that no square overflows or vanishes
-  for (const GroupSummary& group : groups) {
-    if (group.n > 1) squares += (group.n - 1) * (group.std / largest) * (group.std / largest);
-  }
-  const double pooled = largest * std::sqrt(squares / df);
-  const StudentizedRange range(static_cast<double>(groups.size()));
-  const double critical = range.quantile(level, df);
-  for (MeanDifference& pair : pairs) {
-    pair.standard_error = pooled * std::sqrt(1.0 / groups[pair.first].n + 1.0 / groups[pair.second].n);
-    pair.df = df;
-    judge(pair, range, critical);
-  }
-  return pairs;
-}
-
-std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
-                                         std::optional<std::size_t> only_with) {
-  check_level(level);
-  std::vector<MeanDifference> pairs = with_own_variances(groups, only_with);
-  const StudentizedRange range(static_cast<double>(groups.size()));
-  for (MeanDifference& pair : pairs) {
-    if (pair.undefined.empty()) judge(pair, range, range.quantile(level, pair.df));
   }
   return pairs;
 }

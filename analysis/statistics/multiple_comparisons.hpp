@@ -1,7 +1,5 @@
-// All pairs of means compared at one level for the whole family: Tukey-Kramer (Kramer, Biometrics 12 (1956) 307), which
-// pools the variances; Games-Howell (J. Educational Statistics 1 (1976) 113) and Tamhane's T2 (JASA 74 (1979) 471),
-// which do not. With few values Games-Howell finds too much; T2 finds no more than Welch's test of each pair, corrected
-// by Sidak's inequality. Of two groups both are Welch's test (Biometrika 34 (1947) 28).
+// All pairs of means compared at one level for the whole family by Tamhane's T2 (JASA 74 (1979) 471), which does not
+// pool the variances: Welch's test (Biometrika 34 (1947) 28) of each pair, corrected by Sidak's inequality.
 #pragma once
 
 #include <cstddef>
@@ -30,15 +28,9 @@ struct MeanDifference {
 // pairs with that group.
 std::vector<MeanDifference> pairs_of(std::size_t groups, std::optional<std::size_t> only_with = std::nullopt);
 
-// Pairs first < second in order; `only_with` keeps the pairs with that group, still corrected for all pairs. Up to 1000
-// groups. Throws std::invalid_argument if `level` is not between 0 and 1 or there is no such group.
-//
-// Tukey: a group of one value uses the variance of the others; if a group's mean or spread is not defined, no pair is.
-// The others: each pair stands for itself, so only the pairs of such groups are not defined.
-std::vector<MeanDifference> tukey(std::span<const GroupSummary> groups, double level,
-                                  std::optional<std::size_t> only_with = std::nullopt);
-std::vector<MeanDifference> games_howell(std::span<const GroupSummary> groups, double level,
-                                         std::optional<std::size_t> only_with = std::nullopt);
+// Pairs first < second in order; `only_with` keeps the pairs with that group, still corrected for all pairs. Each pair
+// stands for itself, so only the pairs of groups whose mean or spread is not defined are not defined. Throws
+// std::invalid_argument if `level` is not between 0 and 1 or there is no such group.
 std::vector<MeanDifference> tamhane(std::span<const GroupSummary> groups, double level,
                                     std::optional<std::size_t> only_with = std::nullopt);
 

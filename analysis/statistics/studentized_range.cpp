@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/log1p.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "analysis/statistics/descriptive.hpp"
 
@@ -167,29 +163,6 @@ double StudentizedRange::upper_tail(double q, double df) const {
   const double sum = sum_over_the_line(
       start, step, [&](double x) { return std::exp(df * log_density_shape(x)) * range_tail(q * std::exp(x)); });
   return std::min(1.0, scale * sum);
-}
-
-double StudentizedRange::quantile(double p, double df) const {
-  if (!valid(k_, df) || !(p >= 0 && p <= 1)) return not_defined;
-  if (p == 0) return 0;
-  if (p == 1) return std::numeric_limits<double>::infinity();
-  constexpr double resolved = 1e-9;
-  if (p < resolved) return not_defined;
-  constexpr double least = 1e-300;
-  const auto surprise =
-      [&](double q) {  // falls with q; the logarithm of the smaller side is nearest to a straight line
-        const double tail = upper_tail(q, df);
-        if (p > 0.5) return std::log(std::max(tail, least) / (1 - p));
-        return std::log(p / std::max(1 - tail, least));
-      };
-  // Bonferroni's bound on k (k - 1) / 2 t-tests, from above.
-  const double bound =
-      boost::math::quantile(boost::math::complement(boost::math::students_t(df), (1 - p) / (k_ * (k_ - 1))));
-  std::uintmax_t evaluations = 100;
-  const auto [low, high] = boost::math::tools::bracket_and_solve_root(
-      surprise, std::max(bound * boost::math::constants::root_two<double>(), 1e-6), 1.25, false,
-      boost::math::tools::eps_tolerance<double>(48), evaluations);
-  return (low + high) / 2;
 }
 
 }  // namespace ikbench::statistics

@@ -8,7 +8,7 @@
 
 namespace ikbench::statistics {
 
-// Tails and quantiles for k groups, k a whole number from 2 to 1000, and df from 1 to infinity. The range of k normal
+// Tails for k groups, k a whole number from 2 to 1000, and df from 1 to infinity. The range of k normal
 // variables is tabulated once (some tenths of a millisecond; to k = 6 once for all), after which a tail costs some
 // microseconds. Tails are summed from positive terms, never as 1 - cdf, so small ones have their digits too: relative
 // error below 1e-10 to k = 400 and 3e-10 to k = 1000 down to tails of 1e-250; below some 1e-265 they are 0.
@@ -17,8 +17,6 @@ class StudentizedRange {
   explicit StudentizedRange(double k);
   // P(Q > q); 1 for q <= 0, NaN for a k or df out of range.
   double upper_tail(double q, double df) const;
-  // The q with P(Q <= q) = p, 0 <= p <= 1; NaN outside, and for 0 < p < 1e-9, which 1 - p does not resolve.
-  double quantile(double p, double df) const;
 
  private:
   static constexpr std::size_t terms = 24;

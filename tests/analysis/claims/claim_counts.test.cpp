@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/statistics/multiple_comparisons.hpp"
+#include "analysis/statistics/studentized_range.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench;
@@ -80,9 +81,10 @@ Multiverse small_multiverse() {
 
 using ByAlternative = std::map<std::pair<std::size_t, std::size_t>, UniverseCounts>;
 
-// Universe by universe, each judged by the test that a study's plan has for all pairs.
+// Universe by universe, each judged by Games and Howell's test of all pairs.
 ByAlternative listed(const Multiverse& multiverse, const std::string& rival, UniverseCounts& all) {
   ByAlternative counts;
+  const StudentizedRange range(3);
   for (const Multiverse::OfStudy& study : multiverse.studies) {
     for (const Multiverse::ChosenSolver& a : study.solvers[0]) {
       for (const Multiverse::ChosenSolver& b : study.solvers[1]) {
@@ -91,10 +93,11 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, Uni
             const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
                                                    summarise(c.error_cm[seed])};
             int better = 0, worse = 0, rivals = 0;
-            for (const MeanDifference& pair : games_howell(groups, 1 - usual_plan.significance, 0)) {
+            for (const MeanDifference& pair : tamhane(groups, 1 - usual_plan.significance, 0)) {
               if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
               ++rivals;
-              if (pair.p < usual_plan.significance) ++(pair.difference.value < 0 ? better : worse);
+              if (range.upper_tail(pair.q, pair.df) < usual_plan.significance)
+                ++(pair.difference.value < 0 ? better : worse);
             }
             const double weight = study.weight / (2 * 4);
             const UniverseCounts one{.holds = better == rivals ? weight : 0,
