@@ -273,14 +273,6 @@ SweptValues swept_values(EntryPlace first, EntryPlace end) {
   return axes;
 }
 
-// Adds which settings of solvers come from a sweep.
-void add_origins(nlohmann::ordered_json& json, const Study& study) {
-  for (const SolverEntry& entry : study.solvers) {
-    if (!entry.family.empty())
-      json["swept"][entry.label] = {{"family", entry.family}, {"settings", nlohmann::ordered_json(entry.swept)}};
-  }
-}
-
 }  // namespace
 
 std::string to_toml(Path path) {
@@ -354,7 +346,6 @@ std::string to_json(const Study& study) {
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
   add_departures(json, study);
-  add_origins(json, study);
   if (const std::vector<Unreachable> found = unreachable(study); !found.empty()) {
     const Unreachable& farthest = *std::ranges::max_element(found, {}, &Unreachable::distance);
     json["out_of_reach"] = {{"points", found.size()},

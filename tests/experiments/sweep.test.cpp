@@ -5,7 +5,6 @@
 
 #include "experiments/study_overrides.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/json.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 
@@ -92,9 +91,6 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
   CHECK(to_toml(again) == text);
   CHECK(to_json(again) == to_json(study));
   CHECK(labels_in(again) == labels_in(study));
-  const auto json = numerics::parsed_json(to_json(study));
-  CHECK(json["swept"]["BA population=10"] ==
-        numerics::parsed_json(R"({"family":"BA","settings":{"population":"10"}})"));
 }
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
