@@ -21,7 +21,8 @@ KDL::Chain kdl_chain(const Chain& chain) {
   return same;
 }
 
-void kdl(benchmark::State& state, const Reach& reach) {
+void kdl(benchmark::State& state) {
+  const Reach reach = flange_reach();
   constexpr int size = 50;
   const Candidates candidates = drawn_candidates(reach.problem, size);
   const KDL::Chain chain = kdl_chain(reach.chain);
@@ -47,11 +48,7 @@ void kdl(benchmark::State& state, const Reach& reach) {
   count_candidates(state, size, reach.chain.joints());
 }
 
-void kdl_of_iiwa(benchmark::State& state) { kdl(state, flange_reach()); }
-void kdl_of_joints(benchmark::State& state) { kdl(state, snake_reach(static_cast<int>(state.range(0)))); }
-
-BENCHMARK(kdl_of_iiwa)->Name("forward_kinematics/kdl");
-BENCHMARK(kdl_of_joints)->Name("forward_kinematics/kdl_joints")->Apply(numbers_of_joints);
+BENCHMARK(kdl)->Name("forward_kinematics/kdl");
 
 }  // namespace
 

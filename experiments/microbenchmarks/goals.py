@@ -2,9 +2,8 @@
 """Prints the table of goals (goals.csv) from the JSON files of one run of the benchmark programs.
 
 A row of goals.csv is a goal. `measure` says what is held against its bound:
-  time       the time of the benchmark `over`, in the unit of the row
   ratio      the time of `over` / that of `under`
-  counter    the counter `under` of `over`; in %, a hundred times that
+  counter    the counter `under` of `over`
   largest    the largest of the counters `under` of all benchmarks `over`
   different  how many values the text `under` has in all benchmarks `over`
   growth     the time of `over` by its counter `under`: the largest / the smallest of all these benchmarks
@@ -16,7 +15,6 @@ whole interval misses it.
 import argparse
 import csv
 import json
-import subprocess
 import sys
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -91,15 +89,13 @@ def growth(*costs):
 
 def measured(goal, runs):
     """A number and its interval; None where it was not measured."""
-    over, under, unit = goal["over"], goal["under"], goal["unit"]
+    over, under = goal["over"], goal["under"]
     names = runs.names(over)
     match goal["measure"]:
-        case "time":
-            return estimate(float, [time / NANOSECONDS[unit] for time in runs.nanoseconds(over)])
         case "ratio":
             return estimate(quotient, runs.nanoseconds(over), runs.nanoseconds(under))
         case "counter":
-            return estimate(float, [value * (100 if unit == "%" else 1) for value in runs.values(over, under)])
+            return estimate(float, runs.values(over, under))
         case "largest":
             values = [value for name in names for key in under.split() for value in runs.values(name, key)]
             return (max(values),) * 3 if values else None
@@ -124,7 +120,7 @@ def why_not(goal, runs):
 def verdict(goal, low, high, bound, runs):
     """Whether the goal is met, or why the measured times do not say it."""
     meets = [value >= bound if goal["bound"] == ">=" else value <= bound for value in (low, high)]
-    if goal["measure"] in ("time", "ratio", "growth") and min(map(runs.repetitions, runs.names(goal["over"]))) < ENOUGH:
+    if goal["measure"] in ("ratio", "growth") and min(map(runs.repetitions, runs.names(goal["over"]))) < ENOUGH:
         return "too few repetitions"
     for name in (goal["over"], goal["under"]):
         for needed, free in zip(runs.values(name, "needed_cores"), runs.values(name, "free_cores")):
@@ -197,66 +193,6 @@ def times_as_markdown(runs):
     return text
 
 
-def by_last_part(runs, pattern):
-    """Pairs for a curve: the last part of a benchmark's name and the name."""
-    return [(name.rpartition("/")[2], name) for name in runs.names(pattern)]
-
-
-def curve(runs, named):
-    """Points of a curve for pairs of x and a benchmark: x, its time per candidate [ns] and that time's range."""
-    points = []
-    for x, name in named:
-        each = [1e9 * value for value in runs.values(name, "per_candidate")]
-        if each:
-            points.append((int(x), median(each), min(each), max(each)))
-    return "".join("{} {} {} {}\n".format(*point) for point in sorted(points))
-
-
-def picture(runs):
-    """A gnuplot script: the time of forward kinematics per candidate by joints and by candidates in a batch; None where it
-    was not measured."""
-    fk = "forward_kinematics/"
-
-    def by_joints(pattern):
-        return curve(runs, by_last_part(runs, fk + pattern))
-
-    panels = [
-        ("joints (a general chain, 50 candidates)", "4,8,16,32", "3:42",
-         [("ours", by_joints("joints/*")), ("KDL", by_joints("kdl_joints/*")),
-          ("4x4 products, Eigen", by_joints("eigen_joints/*"))]),
-        ("candidates in a batch (iiwa, 7 joints)", "1,50,500,5000,50000", "0.6:110000",
-         [("ours", curve(runs, [(1, fk + "one_at_a_time"), *by_last_part(runs, fk + "population/*")])),
-          ("KDL", curve(runs, [(1, fk + "kdl")])), ("4x4 products, Eigen", curve(runs, [(1, fk + "eigen_products")])),
-          ("limit: a kernel for this arm", curve(runs, [(50, fk + "limit")]))])]
-    if not panels[0][-1][0][1]:
-        return None
-    colours = ["#0072b2", "#d55e00", "#7f7f7f", "#009e73"]
-    script = ('set terminal svg size 900,420 font "Liberation Sans,15" background "#ffffff"\nset encoding utf8\n'
-              "set multiplot layout 1,2\nset logscale xy\nset grid ytics lc rgb '#dddddd' lt 1\nset border 3\nset tics nomirror\n"
-              "set yrange [4:30000]\nset key top left reverse Left samplen 2\n")
-    for k, (label, ticks, span, series) in enumerate(panels):
-        script += f'set xlabel "{label}"\nset xtics ({ticks})\nset xrange [{span}]\n'
-        script += 'set ylabel "time per candidate [ns]"\n' if k == 0 else "unset ylabel\n"
-        plots = []
-        for i, (title, points) in enumerate(series):
-            if points:
-                script += f"$data{k}{i} << END\n{points}END\n"
-                plots.append(f"$data{k}{i} using 1:2:3:4 with yerrorlines pt 7 ps 0.5 lw 1.5 lc rgb '{colours[i]}' title \"{title}\"")
-        script += "plot " + ", ".join(plots) + "\n"
-    return script
-
-
-def replace_run(path, instruction_set, tables):
-    """What stands between the markers of a run of this instruction set gives way to the tables."""
-    text = path.read_text()
-    opening, closing = f"<!-- run {instruction_set} -->\n", "<!-- end of run -->"
-    before, found, rest = text.partition(opening)
-    _, ended, after = rest.partition(closing)
-    if not found or not ended:
-        sys.exit(f"goals: {path}: has no markers for a run of {instruction_set}")
-    path.write_text(before + opening + tables + closing + after)
-
-
 def rows_of(runs):
     with open(Path(__file__).with_name("goals.csv"), newline="") as file:
         return [row(goal, runs) for goal in csv.DictReader(file)]
@@ -266,7 +202,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help="JSON files of one run")
     parser.add_argument("--markdown", action="store_true", help="print Markdown, with the median times")
-    parser.add_argument("--docs", type=Path, help="also write the Markdown into this document, between its markers")
     arguments = parser.parse_args()
     runs = Measurements()
     for file in arguments.files:
@@ -276,13 +211,6 @@ def main():
             sys.exit(f"goals: {file}: {fault}")
     rows = rows_of(runs)
     tables = f"{machine(runs)}\n\n{as_markdown(rows)}\n{times_as_markdown(runs)}"
-    if arguments.docs:
-        instruction_set = runs.context.get("instruction_set")
-        script, drawn = picture(runs), arguments.docs.with_name(f"performance-{instruction_set}.svg")
-        if script:
-            drawn.write_bytes(subprocess.run(["gnuplot"], input=script.encode(), capture_output=True, check=True).stdout)
-            tables = f"![Time of forward kinematics per candidate, by joints and by batch]({drawn.name})\n\n" + tables
-        replace_run(arguments.docs, instruction_set, tables)
     print(tables if arguments.markdown else f"{machine(runs)}\n\n{as_text(rows)}", end="")
 
 

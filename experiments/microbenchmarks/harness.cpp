@@ -8,7 +8,6 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/study.hpp"
-#include "robots/spherical_wrist.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -59,17 +58,6 @@ int run(int argc, char** argv) {
   return 0;
 }
 
-Reach wrist_reach(int population) {
-  const Robot iiwa = robot("kuka_iiwa14");
-  const SphericalWrist wrist(iiwa.chain);
-  return {wrist.arm(),
-          wrist.centre(targets(Study{}, 1).front()),
-          {.start = Eigen::VectorXd::Zero(4),
-           .lower = iiwa.limits.lower.head(4),
-           .upper = iiwa.limits.upper.head(4),
-           .population = population}};
-}
-
 Reach flange_reach() {
   const Robot iiwa = robot("kuka_iiwa14");
   return {iiwa.chain,
@@ -88,10 +76,6 @@ Reach snake_reach(int joints, bool slides) {
           {.start = Eigen::VectorXd::Zero(joints),
            .lower = Eigen::VectorXd::Constant(joints, -2),
            .upper = Eigen::VectorXd::Constant(joints, 2)}};
-}
-
-void numbers_of_joints(benchmark::internal::Benchmark* of) {
-  for (const int joints : {4, 7, 8, 16, 32}) of->Arg(joints);
 }
 
 Candidates drawn_candidates(const Problem& problem, int count) {

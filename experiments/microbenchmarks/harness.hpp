@@ -1,4 +1,4 @@
-// Common to all benchmark programs: a main function, the two problems that they solve, and a check of the peers.
+// Common to all benchmark programs: a main function, the problems that they solve, and a check of the peers.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -19,16 +19,12 @@ struct Reach {
   solvers::Problem problem;
 };
 
-// The first point of the paper's helix with the iiwa: the wrist's centre by four joints, the flange by all seven.
-Reach wrist_reach(int population = 50);
+// The flange of the iiwa, by all seven joints, at the first point of the paper's helix.
 Reach flange_reach();
 
 // A chain without shortcuts: no joint can be left out, and no length is 0. Its target is half of the stretched arm
 // away. If `slides`, every third joint slides.
 Reach snake_reach(int joints, bool slides = false);
-
-// The numbers of joints with which a benchmark of snakes runs.
-void numbers_of_joints(benchmark::internal::Benchmark* of);
 
 // Draws candidates within the limits, always the same ones.
 robots::Candidates drawn_candidates(const solvers::Problem& problem, int count);

@@ -1,5 +1,5 @@
-// Prints the fingerprints of the built-in studies without a time budget, as `ikbench export --format fingerprint` makes them, in the
-// form of a benchmark's result: result_hash THREADS RUNS.
+// Prints the fingerprints of the built-in studies without a time budget, as `ikbench export --format fingerprint` makes
+// them, in the form of a benchmark's result: result_hash THREADS RUNS.
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
