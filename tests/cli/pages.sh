@@ -6,15 +6,12 @@ source "$(dirname "$0")/common.sh"
 command -v python3 >/dev/null || exit 77
 root=$(realpath "$scripts/../..")
 
-# Studies and papers that take minutes are cut short: a paper other than slim2023 has only to be there.
+# Studies that take minutes are cut short.
 mkdir bin
 cat >bin/ikbench <<END
 #!/usr/bin/env bash
 case "\$1 \${2:-}" in
-  "reproduce slim2023") set -- "\$@" --quick --runs 2 --no-figures ;;
-  "reproduce "*) "$program" list studies | grep -q "^\$2 " && exit ;;
   "run baselines"*) set -- "\$@" --set runs=1 --no-report ;;
-  "multiverse "*) set -- "\$@" --set runs=1 --small --no-figures ;;
   "run my_ur5e.toml") set -- "\$@" --set runs=3 --set stop.evaluations=200 --no-figures ;;
   "run my.toml") set -- "\$@" --set runs=3 --set stop.iterations=20 --no-figures ;;
 esac
@@ -37,10 +34,8 @@ run_block() {
 check_page() {
   local line block="" text="" is_left_out=""
   page=$1
-  [ -f "$root/$page" ] || return 0
   mkdir -p "$work/$page" && cd "$work/$page" || fail "$page: no folder"
   ln -s "$root/docs" docs
-  ln -s "$root/results" results
   ln -s "$root/cli" cli
   [[ $# == 1 ]] || bash -e -c "$2" >/dev/null 2>&1 || fail "$page: not prepared by: $2"
   while IFS= read -r line; do
@@ -70,7 +65,7 @@ check_page() {
   cd "$work" || exit 1
 }
 
-for name in tutorial which-solver is-my-variant-better figures-for-my-paper repeat-a-paper sweeps; do
+for name in tutorial which-solver is-my-variant-better figures-for-my-paper; do
   check_page "docs/$name.md"
 done
 check_page README.md
