@@ -25,9 +25,6 @@ std::vector<ColumnInfo> columns();
 // True if the column has no value: nobody counted the evaluations.
 bool is_uncounted(std::string_view column, const SolveRecord& record);
 
-// The solve as an object with a member a column; null stands for a number that is not finite, or that nobody counted.
-std::string to_json(const SolveRecord& record);
-
 // Passes solves on one by one, as often as it is called.
 using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
 

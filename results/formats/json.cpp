@@ -15,6 +15,7 @@ using namespace numerics;
 
 namespace {
 
+// The solve as an object with a member a column; null stands for a number that is not finite, or that nobody counted.
 OrderedJson json_of(const SolveRecord& record) {
   OrderedJson object = OrderedJson::object();
   for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*member, std::string_view) {
@@ -29,8 +30,6 @@ OrderedJson json_of(const SolveRecord& record) {
 }
 
 }  // namespace
-
-std::string to_json(const SolveRecord& record) { return text_of(json_of(record), 2); }
 
 void json_text(const Exported& exported, const Write& write) {
   OrderedJson head;
