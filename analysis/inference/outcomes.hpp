@@ -1,5 +1,5 @@
 // Outcomes: observations that are 0 or 1 each, such as whether a solve succeeded. Their mean is a share, which has
-// intervals and tests of its own; tests of means, of normality and of ranks do not apply.
+// intervals and tests of its own; tests of means and of ranks do not apply.
 #pragma once
 
 #include <span>

@@ -11,9 +11,9 @@
 #include "analysis/inference/text.hpp"
 #include "analysis/report/json.hpp"
 #include "analysis/report/moving_arm.hpp"
-#include "analysis/report/page_data.hpp"
 #include "analysis/report/report_content.hpp"
 #include "analysis/report/words.hpp"
+#include "numerics/embedded_file.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::report {
@@ -39,6 +39,43 @@ std::string sha256_in_base64(std::string_view bytes) {
   std::array<char, SHA256_DIGEST_LENGTH> digest{};
   SHA256(bytes_of(bytes), bytes.size(), reinterpret_cast<unsigned char*>(digest.data()));
   return base64({digest.data(), digest.size()});
+}
+
+constexpr numerics::EmbeddedFile templates[]{
+#include "templates.inc"
+};
+
+std::string_view template_named(std::string_view name) {
+  return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
+}
+
+// Data of the template, which escapes texts. What is null or an empty text is false; "has_NAME" says that the list NAME
+// is not empty.
+kainjow::mustache::data page_data(const Json& json) {
+  using Data = kainjow::mustache::data;
+  if (json.is_string() && !json.get_ref<const std::string&>().empty()) return Data(one_line(json.get<std::string>()));
+  if (json.is_array()) {
+    Data list(Data::type::list);
+    for (const Json& item : json) list.push_back(page_data(item));
+    return list;
+  }
+  if (!json.is_object()) return Data(json.is_boolean() && json.get<bool>());
+  Data object;
+  for (const auto& [key, value] : json.items()) {
+    object.set(key, page_data(value));
+    if (value.is_array()) object.set("has_" + key, Data(!value.empty()));
+  }
+  return object;
+}
+
+// Makes a name safe as an id, in a link and as a file, even if a foreign table brings it.
+std::string id_of(std::string_view name) {
+  std::string id;
+  for (const char c : name) {
+    const bool is_safe = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+    id += is_safe ? c : '-';
+  }
+  return id;
 }
 
 const std::string_view report_html = template_named("report.html"), report_css = template_named("report.css"),

@@ -63,7 +63,7 @@ inline constexpr Template smaller_margin = "a margin below {margin}, because a s
 inline constexpr Template other_conditions = "other targets, arms, budgets or settings";
 inline constexpr Template undecided_is_not_equal = "undecided does not mean equal: a difference remains possible";
 inline constexpr Template flawed_p = "with flawed observations the p-values are no evidence";
-inline constexpr Template only_summaries = "summaries do not show distributions: no ranks, no medians, no normality";
+inline constexpr Template only_summaries = "summaries do not show distributions: no ranks and no medians";
 inline constexpr Template only_these_conditions =
     "the results hold for these conditions only, not for other targets, arms, budgets or settings; each quantity is judged "
     "separately";
