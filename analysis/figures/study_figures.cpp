@@ -100,10 +100,11 @@ Figure path_figure(const StudyResults& all, const std::string& name, View view) 
 }
 
 Figure curves_figure(const StudyResults& measured, Metric metric, const std::string& name,
-                     const std::map<int, std::vector<double>>& printed) {
+                     const std::map<int, std::vector<double>>& printed, Curves shown) {
   const StudyResults study = drawn_part(measured);
   const bool is_path = !study.facts.draws_targets;
-  const bool has_bands = is_path && study.runs > 1 && study.solvers.size() <= most_bands;
+  const bool has_means = shown == Curves::means && study.runs > 1;
+  const bool has_bands = is_path && study.runs > 1 && study.solvers.size() <= most_bands && !has_means;
   Figure figure{.name = name};
   std::vector<Curve> curves;
   std::vector<double> all;
@@ -114,31 +115,42 @@ Figure curves_figure(const StudyResults& measured, Metric metric, const std::str
     for (const std::vector<double>& values : values_by_point(study, solver, metric)) {
       const std::vector<double> ranked = ranked_values(values);
       const auto quartile = [&](double p) { return quantile(ranked, p, QuantileType{study.plan.quartiles}); };
-      const Estimate average{quartile(0.5), quartile(0.25), quartile(0.75)};
+      const Estimate average = has_means ? Estimate{mean(values), quartile(0.5), quartile(0.5)}
+                                         : Estimate{quartile(0.5), quartile(0.25), quartile(0.75)};
       curve.add(static_cast<double>(curve.count + 1), average);
       all.push_back(average.value);
-      if (has_bands) all.insert(all.end(), {average.low, average.high});
+      if (has_bands || has_means) all.insert(all.end(), {average.low, average.high});
       has_any = has_any || std::isfinite(average.value);
     }
     curves.push_back(has_any ? curve : Curve());
   }
   std::vector<std::string> clauses;
+  for (std::size_t i = 0; has_means && i < curves.size(); ++i) {
+    clauses.push_back(fmt::format("data index {} using (shown_x($1)):(shown($3)) with lines ls {} lw 0.5 dt 3", i,
+                                  style_of(study, study.solvers[i])));
+  }
   if (!printed.empty()) {
     for (const auto& [point, values] : printed) all.insert(all.end(), values.begin(), values.end());
     const std::string source = fmt::format("data index {} using 1:(shown($2)) with", curves.size());
-    clauses = {source + " lines lw 0.7 dt 2 lc rgb '#808080'",
-               fmt::format("{} points dt 1 {} title 'as printed'", source, grey_rings)};
+    clauses.push_back(source + " lines lw 0.7 dt 2 lc rgb '#808080'");
+    clauses.push_back(fmt::format("{} points dt 1 {} title 'as printed'", source, grey_rings));
   }
   const Axis axis =
       value_axis(all, with_unit(metric), metric == Metric::position_error_cm ? Scale::logarithmic : Scale::by_spread,
                  info_of(metric).rounding);
-  figure.caption = with_notes(
-      fmt::format("{}: {} at each point.{}{}", capitalised(axis.quantity),
-                  study.runs > 1 ? "median over the runs" : "that of the run",
-                  has_bands ? " Bands: the middle half of the runs." : "", printed.empty() ? "" : " Grey: as printed."),
-      study, metric, axis);
+  figure.caption = with_notes(fmt::format("{}: {} at each point.{}{}", capitalised(axis.quantity),
+                                          has_means        ? "average over the runs"
+                                          : study.runs > 1 ? "median over the runs"
+                                                           : "that of the run",
+                                          has_means   ? " Dotted: the median."
+                                          : has_bands ? " Bands: the middle half of the runs."
+                                                      : "",
+                                          printed.empty() ? "" : " Grey: as printed."),
+                              study, metric, axis);
   figure.settings = axis.settings + point_axis(study.points);
-  figure.data = fmt::format("# point; {}: median over the runs, and their quartiles\n", quantity(metric));
+  figure.data = fmt::format(
+      "# point; {}: {}\n", quantity(metric),
+      has_means ? "average over the runs, and their median, twice" : "median over the runs, and their quartiles");
   std::vector<std::string> labels = add_curves(figure, study, curves, clauses, is_path ? "linespoints" : "points");
   if (!printed.empty()) {
     labels.emplace_back("as printed");

@@ -17,9 +17,11 @@ namespace ikbench::figures {
 // reached; with the arm at the first target, or at up to three of them.
 enum class View { with_arm, with_three_arms, from_above };
 Figure path_figure(const inference::StudyResults& study, const std::string& name, View view = View::with_arm);
-// `printed` is drawn in grey, by point.
+// Medians over the runs with the middle half of them, or means with the median thin beside. `printed` is drawn in grey,
+// by point.
+enum class Curves { medians, means };
 Figure curves_figure(const inference::StudyResults& study, inference::Metric metric, const std::string& name,
-                     const std::map<int, std::vector<double>>& printed = {});
+                     const std::map<int, std::vector<double>>& printed = {}, Curves shown = Curves::medians);
 struct JointLimits {
   std::size_t joint;  // from 1
   double lower, upper;

@@ -30,7 +30,7 @@ namespace {
 
 // figure-6, 7, 8. The printed times are of another machine: their ratios can be compared.
 Figure curves_beside_printed(const StudyResults& study, const PaperMetric& paper) {
-  Figure figure = curves_figure(study, paper.metric, fmt::format("figure-{}", paper.curves_figure));
+  Figure figure = curves_figure(study, paper.metric, fmt::format("figure-{}", paper.curves_figure), {}, Curves::means);
   const std::optional<PrintedRow> reference = printed_row(study, own_solver, Metric::seconds);
   if (paper.metric != Metric::seconds || !reference) return figure;
   std::vector<std::string> ratios;
