@@ -46,12 +46,6 @@ std::vector<SolverInfo> all_solvers() { return Registry().solvers; }
 
 std::vector<MissingPeer> missing_peers() { return Registry().missing; }
 
-std::vector<SolverInfo> solvers_for(const robots::Chain& arm, GoalKind goal) {
-  std::vector<SolverInfo> some = all_solvers();
-  std::erase_if(some, [&](const SolverInfo& info) { return !info.why_not(arm, goal).empty(); });
-  return some;
-}
-
 SolverInfo solver(std::string_view name) {
   Registry registry;
   std::vector<std::string> names;

@@ -31,8 +31,6 @@ struct SolverInfo {
 };
 
 std::vector<SolverInfo> all_solvers();
-// The solvers that can solve for this arm.
-std::vector<SolverInfo> solvers_for(const robots::Chain& arm, GoalKind goal);
 // Finds a solver; std::invalid_argument lists the names, or names the package that a peer lacks.
 SolverInfo solver(std::string_view name);
 

@@ -6,6 +6,7 @@
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
+#include "tests/solvers_for.hpp"
 
 using namespace ikbench;
 using namespace ikbench::solvers;

@@ -7,6 +7,7 @@
 #include "solvers/bounds.hpp"
 #include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
+#include "tests/solvers_for.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;

@@ -8,6 +8,7 @@
 #include "tests/solvers/allocations.hpp"
 #include "tests/solvers/objectives.hpp"
 #include "tests/solvers/pseudo_inverse.hpp"
+#include "tests/solvers_for.hpp"
 
 using namespace ikbench;
 using namespace ikbench::numerics;
