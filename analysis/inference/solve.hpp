@@ -34,7 +34,6 @@ struct Solve {
   std::uint32_t problem = 0;  // index of its target and start in SolveData::problems
   std::uint32_t answer = 0;   // digest of answer_rad; no_digest if it is empty or has a NaN
   std::uint32_t iterations = 0;
-  std::uint16_t restarts = 0;
   std::uint16_t solver = 0;   // index in SolveData::labels
   std::uint16_t session = 0;  // index in SolveData::sessions
   results::Status status = results::Status::ok;

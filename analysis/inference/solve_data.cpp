@@ -176,8 +176,6 @@ Solve StudyMaker::condensed(const SolveRecord& record, std::uint16_t solver) {
               .answer = digest_of(record.answer_rad),
               .iterations = static_cast<std::uint32_t>(
                   std::clamp<std::int64_t>(record.iterations, 0, std::numeric_limits<std::uint32_t>::max())),
-              .restarts = static_cast<std::uint16_t>(
-                  std::clamp<int>(record.restarts, 0, std::numeric_limits<std::uint16_t>::max())),
               .solver = solver,
               .session = session_number(record.session),
               .status = record.status,
