@@ -53,7 +53,7 @@ struct Table {
   std::vector<std::string> columns = {};
   std::vector<std::vector<Cell>> rows = {};  // each as long as columns
   std::vector<std::string> notes = {};       // remarks for the reader; not in the CSV
-  std::string legend = {};                   // what the colours of a page mean, if not how our repetitions agree
+  std::string legend = {};                   // what the colours of a page mean
   int number = 0;                            // number in its paper; 0: none
   std::vector<std::string> times = {};       // columns of times [s], besides those of a metric of times
 };
