@@ -137,6 +137,7 @@ std::string words_of(const Doubt& doubt) {
                            : fmt::format("Times of {} are not compared, because {}", who, text);
   }
   if (doubt.errors_too) text += " Solves end by their wall time, so that errors depend on that too.";
+  if (!doubt.study.empty()) text = fmt::format("{}: {}", doubt.study, text);
   if (!doubt.studies.empty()) text += fmt::format(" The same holds for {}.", fmt::join(doubt.studies, ", "));
   return text;
 }

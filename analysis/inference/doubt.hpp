@@ -62,6 +62,7 @@ struct Doubt {
   std::string what = {};                  // a file, a change, a place
   bool is_of_all = false;                 // for times: none can be compared; false: those of `who` are left out
   bool errors_too = false;                // errors are affected too, because solves end by wall time
+  std::string study = {};                 // the study that it is about, if that is another than the reported one
   std::vector<std::string> studies = {};  // other studies with the same doubt
 };
 using Doubts = std::vector<Doubt>;

@@ -250,13 +250,17 @@ Doubts missing_doubts(const StudyResults& study) {
   return doubts;
 }
 
-// Adds the companions' doubts. A kind that exists already only gains the companion's name.
+// Adds the companions' doubts. One that the study has too, of the same solvers, only gains the companion's name.
 Doubts with_companions(Doubts doubts, const JudgedStudies& companions) {
   for (const StudyResults& companion : companions) {
     for (Doubt& doubt : out_of_reach_doubts(companion) + times_doubts(companion) + load_doubts(companion)) {
-      auto same = std::ranges::find(doubts, title_of(doubt.kind), [](const Doubt& d) { return title_of(d.kind); });
-      if (same == doubts.end()) same = doubts.insert(same, std::move(doubt));
-      if (std::ranges::find(same->studies, companion.name) == same->studies.end()) {
+      const auto same = std::ranges::find_if(doubts, [&](const Doubt& each) {
+        return each.study.empty() && title_of(each.kind) == title_of(doubt.kind) && each.who == doubt.who;
+      });
+      if (same == doubts.end()) {
+        doubt.study = companion.name;
+        doubts.push_back(std::move(doubt));
+      } else if (std::ranges::find(same->studies, companion.name) == same->studies.end()) {
         same->studies.push_back(companion.name);
       }
     }

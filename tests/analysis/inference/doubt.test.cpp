@@ -30,6 +30,9 @@ TEST_CASE("times that are not compared say whose, and other studies in which it 
   CHECK(
       words_of(doubt) ==
       "Times of A are not compared, because 3 of 20 solves took more than 1.1 times their CPU time, so other programs were running.");
+  doubt.study = "of-another";
+  CHECK(words_of(doubt).starts_with("of-another: Times of A are not compared, because 3 of 20"));
+  doubt.study = "";
   doubt.is_of_all = true;
   doubt.studies = {"s", "t"};
   CHECK(
