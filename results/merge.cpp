@@ -148,7 +148,10 @@ class MergedStore {
                       "as the other is, or leave one store out",
                       study.name, known.place, place, why));
     const auto runs_of = [](const StudyEntry& of) {
-      return numerics::parsed_json(of.definition).at("runs").get<int>();
+      const auto definition = numerics::parsed_json(of.definition);
+      const bool is_whole = definition.contains("runs") && definition["runs"].is_number_integer();
+      if (!is_whole) throw Damage(fmt::format("the definition of study {} has no runs", excerpt(of.name)));
+      return definition["runs"].get<std::int64_t>();
     };
     const bool is_larger = runs_of(study) > runs_of(known.study);
     if (is_larger) known = {study, place};

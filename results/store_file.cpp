@@ -151,6 +151,7 @@ StoreFile::StoreFile(const std::filesystem::path& path, Store::Mode mode)
       number("PRAGMA application_id") == 0)
     sqlite_.exec(create_tables());
   check_header();
+  check_tables();
   check_pages();
   transaction.commit();
   if (mode == Store::Mode::read) return;
@@ -242,6 +243,25 @@ void StoreFile::check_header() {
         name_, version, maker.executeStep() ? ", made by ikbench " + maker.getColumn(0).getString() : "",
         store_version));
   }
+}
+
+// The tables are ours to the letter, so nothing in them calculates, and their keys hold.
+void StoreFile::check_tables() {
+  const auto tables_of = [](SQLite::Database& sqlite) {
+    std::vector<std::string> tables;
+    SQLite::Statement query(sqlite,
+                            "SELECT type || ' ' || name || ' ' || coalesce(sql, '') FROM sqlite_master ORDER BY 1");
+    while (query.executeStep()) tables.push_back(query.getColumn(0).getString());
+    return tables;
+  };
+  SQLite::Database ours(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  ours.exec(create_tables());
+  if (tables_of(sqlite_) != tables_of(ours)) throw Damage("its tables are not those that ikbench makes");
+  if (number("SELECT count(*) FROM studies WHERE length(name) > 1000 OR length(definition) > 1000000") > 0)
+    throw Damage("a study has a name of more than 1000 letters, or a definition of more than 1 MB");
+  if (number("SELECT count(*) FROM series WHERE length(label) > 1000 OR length(options) > 1000000") > 0 ||
+      number("SELECT count(*) FROM (SELECT 1 FROM series GROUP BY study HAVING count(*) > 1000)") > 0)
+    throw Damage("a study has more than 1000 solvers, or one with a label or options that no study may have");
 }
 
 void StoreFile::check_pages() {

@@ -62,6 +62,7 @@ class StoreFile {
  private:
   void distrust();
   void check_header();
+  void check_tables();
   void check_pages();
   bool is_in_place() const;
   void check_place() const;
