@@ -113,7 +113,8 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
   text += said_by_name(fields_of(study.stop), fields_of(StopRule{}), "stop.");
   // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
   // a sweep chose them or not.
-  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family, swept] = entry;
+  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family,
+                                swept] = entry;
   text += fmt::format("\nsolver {} label {}", algorithm, label);
   if (program) text += said_by_name(fields_of(program->choice), fields_of(ProgramChoice{}), "program.");
   for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);

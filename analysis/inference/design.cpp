@@ -196,7 +196,6 @@ void fill_samples(Observations& result, const StudyResults& study, const Quantit
   std::ranges::move(incomplete, std::back_inserter(result.notes));
 }
 
-
 }  // namespace
 
 Doubts why_not_blocked(const StudyResults& study) {

@@ -209,7 +209,8 @@ std::string differences(const Variant& a, const std::vector<Session>& of_a, cons
   if (found.empty()) return "The stores show no difference between A and B except their sessions.";
   const std::size_t named = std::min(found.size(), most_named);
   const std::string more = found.size() == named ? "" : fmt::format(" and {} more", found.size() - named);
-  return fmt::format("B differs from A in {}{}.", fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "), more);
+  return fmt::format("B differs from A in {}{}.",
+                     fmt::join(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(named), ", "), more);
 }
 
 }  // namespace

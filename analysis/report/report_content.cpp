@@ -92,8 +92,7 @@ void arrange(std::vector<Piece> pieces, ReportContent& content) {
   fill({{"Solve rates", "", {"solve-rates-figure", "solve-rates"}}}, content.results);
   fill(content.plan.results, content.results);
   fill(content.plan.further, content.results);
-  fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}}},
-       content.results);
+  fill({{"Multiverse: what the paper leaves open", "", {"multiverse"}, {"multiverse-*"}}}, content.results);
   const bool are_all = content.results.empty();  // a report of data only shows them
   for (const Assessment& assessment : content.assessments) {
     SectionPlan own{heading_of(assessment), "", {}};

@@ -20,8 +20,8 @@ using namespace ikbench::report;
 
 namespace {
 
-const std::string three_wide = "A,B,C\n1,2,3\n2.5,3,4.1\n1.5,2.5,3.25\n", two_wide = "A,B\n1,2\n2.5,3\n1.5,2.5\n1.1,1.2\n",
-                  one_row = "A,B,C\n1,2,3\n",
+const std::string three_wide = "A,B,C\n1,2,3\n2.5,3,4.1\n1.5,2.5,3.25\n",
+                  two_wide = "A,B\n1,2\n2.5,3\n1.5,2.5\n1.1,1.2\n", one_row = "A,B,C\n1,2,3\n",
                   with_blocks =
                       "problem,solver,run,error\np1,A,1,1\np1,B,1,2\np1,C,1,2.5\np2,A,2,2\np2,B,2,3\np2,C,2,3\n",
                   summaries =
