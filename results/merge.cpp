@@ -22,7 +22,6 @@
 #include <system_error>
 #include <utility>
 
-#include "numerics/json.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
 #include "results/same_solves.hpp"
@@ -147,13 +146,7 @@ class MergedStore {
           fmt::format("the study '{}' is not the same in {} and {}: {}; nothing was merged; solve one of them again "
                       "as the other is, or leave one store out",
                       study.name, known.place, place, why));
-    const auto runs_of = [](const StudyEntry& of) {
-      const auto definition = numerics::parsed_json(of.definition);
-      const bool is_whole = definition.contains("runs") && definition["runs"].is_number_integer();
-      if (!is_whole) throw Damage(fmt::format("the definition of study {} has no runs", excerpt(of.name)));
-      return definition["runs"].get<std::int64_t>();
-    };
-    const bool is_larger = runs_of(study) > runs_of(known.study);
+    const bool is_larger = last_of(study).run > last_of(known.study).run;
     if (is_larger) known = {study, place};
     if (is_new || is_larger) write_study(file_.sqlite(), known.study);
   }

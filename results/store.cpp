@@ -10,31 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/json.hpp"
 #include "results/store_codec.hpp"
 #include "results/store_file.hpp"
 #include "results/store_tables.hpp"
 
 namespace ikbench::results {
 namespace {
-
-constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
-
-struct Last {
-  std::int64_t run, point;
-};
-
-// The last run of a study, and its last point if it has one.
-Last last_of(const StudyEntry& study) {
-  const auto definition = numerics::parsed_json(study.definition);
-  const auto number = [&](const char* key, std::int64_t otherwise) {
-    const bool is_number = definition.contains(key) && definition[key].is_number_integer();
-    return is_number ? definition[key].get<std::int64_t>() : otherwise;
-  };
-  const Last last{.run = number("runs", 0), .point = number("points", no_end)};
-  if (last.run < 1) throw Damage(fmt::format("the definition of study {} has no runs", excerpt(study.name)));
-  return last;
-}
 
 // Refuses more solves than anybody can make.
 void refuse_too_many(const StudyEntry& study) {

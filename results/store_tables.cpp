@@ -1,10 +1,23 @@
 #include "results/store_tables.hpp"
 
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/format.h>
 
+#include "numerics/json.hpp"
 #include "results/store_codec.hpp"
 
 namespace ikbench::results {
+
+Last last_of(const StudyEntry& study) {
+  const auto definition = numerics::parsed_json(study.definition);
+  const auto number = [&](const char* key, std::int64_t otherwise) {
+    const bool is_number = definition.contains(key) && definition[key].is_number_integer();
+    return is_number ? definition[key].get<std::int64_t>() : otherwise;
+  };
+  const Last last{.run = number("runs", 0), .point = number("points", no_end)};
+  if (last.run < 1) throw Damage(fmt::format("the definition of study {} has no runs", excerpt(study.name)));
+  return last;
+}
 
 std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study) {
   SQLite::Statement query(sqlite,

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +13,13 @@
 #include "results/store.hpp"
 
 namespace ikbench::results {
+
+constexpr std::int64_t no_end = std::numeric_limits<std::int64_t>::max();
+// The last run of a study, and its last point, or no_end. Throws Damage if the definition has no runs.
+struct Last {
+  std::int64_t run, point;
+};
+Last last_of(const StudyEntry& study);
 
 std::vector<Series> series_in(SQLite::Database& sqlite, const std::string& study);
 std::optional<StudyEntry> study_in(SQLite::Database& sqlite, const std::string& name);
