@@ -61,19 +61,55 @@ UniverseCounts product_of(const std::vector<RivalCounts>& rivals, double weight)
   return {.holds = weight * better, .fails = weight * (all - not_worse), .undecided = weight * (not_worse - better)};
 }
 
-// Counts a claim in all universes of one choice of the study and one of the solver. `relation_to` is its relation to a
-// choice of a rival.
+// Counts of a claim by how many printed numbers the universes explain.
+using CountsByExplained = std::vector<UniverseCounts>;
+
+// Joins another solver's choice, which occurs with each universe before it.
+void add_joined(CountsByExplained& to, const CountsByExplained& before, Relation relation, std::size_t explained) {
+  to.resize(std::max(to.size(), before.size() + explained));
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const auto& [holds, fails, undecided] = before[i];
+    to[i + explained] += relation == Relation::better  ? before[i]
+                         : relation == Relation::worse ? UniverseCounts{.fails = holds + fails + undecided}
+                                                       : UniverseCounts{.fails = fails, .undecided = holds + undecided};
+  }
+}
+
+// The relations of one choice of a solver to the choices of each solver; of the solver itself it has this one only.
+using Relations = std::vector<std::map<std::size_t, Relation>>;
+
+// Counts the universes that fit by folding them solver by solver; each has the weight `weight`.
+UniverseCounts fitting_of(const Relations& relations, const ExplainedUniverses::value_type& explained, int least,
+                          double weight) {
+  CountsByExplained counts{{.holds = weight}};
+  for (std::size_t s = 0; s < relations.size(); ++s) {
+    CountsByExplained next;
+    for (const auto& [choice, relation] : relations[s])
+      add_joined(next, counts, relation, explained[s][choice].count());
+    counts = std::move(next);
+  }
+  UniverseCounts fitting;
+  for (auto i = static_cast<std::size_t>(least); i < counts.size(); ++i) fitting += counts[i];
+  return fitting;
+}
+
+// Counts a claim in all universes of one choice of the study, the one at `place`, and one of the solver. `relation_to`
+// is its relation to a choice of a rival.
 template <class RelationTo>
-void add_universes(ClaimCounts& into, const Multiverse::OfStudy& study, std::size_t seed, std::size_t solver,
-                   const ChosenSolver& own, RelationTo relation_to) {
+void add_universes(ClaimCounts& into, const Multiverse& multiverse, std::size_t place, std::size_t seed,
+                   std::size_t solver, const ChosenSolver& own, const Fit& fit, RelationTo relation_to) {
+  const Multiverse::OfStudy& study = multiverse.studies[place];
   const double weight = study.weight / study.universes();  // of a universe
   std::vector<RivalCounts> rivals(study.solvers.size(), {.all = 1, .better = 1});
   std::vector<std::map<std::pair<std::size_t, std::size_t>, RivalCounts>> by_alternative(rivals.size());
+  Relations relations(rivals.size());
+  relations[solver][static_cast<std::size_t>(&own - study.solvers[solver].data())] = Relation::better;
   for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
     if (rival == solver) continue;
     rivals[rival] = {};
-    for (const ChosenSolver& theirs : study.solvers[rival]) {
-      const Relation relation = relation_to(rival, theirs);
+    for (std::size_t choice = 0; choice < study.solvers[rival].size(); ++choice) {
+      const ChosenSolver& theirs = study.solvers[rival][choice];
+      const Relation relation = relations[rival][choice] = relation_to(rival, theirs);
       rivals[rival] += relation;
       for (const auto& [dimension, alternative] : theirs.chosen)
         by_alternative[rival][{dimension, alternative}] += relation;
@@ -82,6 +118,7 @@ void add_universes(ClaimCounts& into, const Multiverse::OfStudy& study, std::siz
   const UniverseCounts counts = product_of(rivals, weight);
   into.all += counts;
   into.seeds[seed] += counts;
+  if (!fit.explained.empty()) into.fitting += fitting_of(relations, fit.explained[place], fit.least, weight);
   for (const auto* chosen : {&study.chosen, &own.chosen}) {
     for (const auto& [dimension, alternative] : *chosen) into.alternatives[dimension][alternative] += counts;
   }
@@ -114,7 +151,7 @@ bool has_same_bits(const ChosenSolver& one, const ChosenSolver& other, std::size
 }
 
 void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand by, const AnalysisPlan& plan,
-                 ClaimCounts& counts) {
+                 const Fit& fit, ClaimCounts& counts) {
   const std::vector<std::string>& solvers = multiverse.solvers;
   const std::size_t solver = index_of(solvers, claim.solver), only_rival = index_of(solvers, claim.against);
   const bool has_rival = !claim.against.empty(), is_of_effect = !claim.dimension.empty();
@@ -125,7 +162,8 @@ void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand
   const auto relation = [&](const GroupSummary& first, const GroupSummary& second) {
     return relation_between(first, second, range, plan.significance);
   };
-  for (const Multiverse::OfStudy& study : multiverse.studies) {
+  for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
+    const Multiverse::OfStudy& study = multiverse.studies[g];
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
       std::map<const ChosenSolver*, GroupSummary> summaries;
       for (const std::vector<ChosenSolver>& of_solver : study.solvers) {
@@ -133,21 +171,23 @@ void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand
       }
       for (const ChosenSolver& own : study.solvers[solver]) {
         if (!is_of_effect) {
-          add_universes(counts, study, seed, solver, own, [&](std::size_t rival, const ChosenSolver& theirs) {
-            if (has_rival && rival != only_rival) return Relation::better;
-            // With a control, the plan compares only pairs with it.
-            const bool is_compared =
-                plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
-            return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
-          });
+          add_universes(
+              counts, multiverse, g, seed, solver, own, fit, [&](std::size_t rival, const ChosenSolver& theirs) {
+                if (has_rival && rival != only_rival) return Relation::better;
+                // With a control, the plan compares only pairs with it.
+                const bool is_compared =
+                    plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
+                return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
+              });
           continue;
         }
-        const auto place = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
-        const ChosenSolver* const twin = twin_of(study.solvers[solver], own, place);
+        const auto varied = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
+        const ChosenSolver* const twin = twin_of(study.solvers[solver], own, varied);
         if (twin == nullptr) continue;
         const Relation of_default =
             has_same_bits(*twin, own, seed) ? Relation::worse : relation(summaries.at(twin), summaries.at(&own));
-        add_universes(counts, study, seed, solver, own, [&](std::size_t, const ChosenSolver&) { return of_default; });
+        add_universes(counts, multiverse, g, seed, solver, own, fit,
+                      [&](std::size_t, const ChosenSolver&) { return of_default; });
       }
     }
   }
@@ -180,7 +220,7 @@ std::size_t ClaimCounts::deciding() const {
 }
 
 std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector<ClaimEntry>& entries,
-                                 const AnalysisPlan& plan) {
+                                 const AnalysisPlan& plan, const Fit& fit) {
   std::vector<ClaimCounts> all;
   for (const ClaimEntry& entry : entries) {
     for (const Estimand by : entry.universes) {
@@ -190,7 +230,7 @@ std::vector<ClaimCounts> counted(const Multiverse& multiverse, const std::vector
                                        .words = entry.sentence + (is_typical ? " by geometric means" : "")});
       counts.seeds.resize(multiverse.seeds());
       for (const Dimension& each : multiverse.dimensions) counts.alternatives.emplace_back(each.alternatives.size());
-      count_claim(multiverse, entry, by, plan, counts);
+      count_claim(multiverse, entry, by, plan, fit, counts);
     }
   }
   return all;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/claims/claims_file.hpp"
+#include "analysis/claims/explained.hpp"
 #include "analysis/inference/multiverse.hpp"
 #include "results/analysis_plan.hpp"
 
@@ -23,6 +24,7 @@ struct ClaimCounts {
   std::string words;  // "IK-BA is the most accurate"
   UniverseCounts all = {};
   std::vector<UniverseCounts> seeds = {};
+  UniverseCounts fitting = {};  // of `all`, the universes that fit the printed numbers
   // By dimension and alternative; a dimension does not count universes that make no choice in it.
   std::vector<std::vector<UniverseCounts>> alternatives = {};
 
@@ -40,6 +42,6 @@ struct ClaimCounts {
 // A claim with a dimension holds instead if the solver is better with the dimension's default than with another
 // alternative, all else equal. It fails if both give the same bits. Universes with the default are not counted.
 std::vector<ClaimCounts> counted(const inference::Multiverse& multiverse, const std::vector<ClaimEntry>& entries,
-                                 const results::AnalysisPlan& plan);
+                                 const results::AnalysisPlan& plan, const Fit& fit = {});
 
 }  // namespace ikbench::claims

@@ -85,6 +85,7 @@ ClaimsFile read_claims(std::string_view paper, std::string_view text, std::strin
   reader.texts("not_on", file.not_on, "");
   reader.text("implementation", file.implementation, "");
   read_texts(reader, "anovas", file.anovas);
+  reader.whole("fitting", file.fitting, {0, 1000}, "");
   reader.find("claims");
   reader.refuse_unknown_keys();
   for (const TomlReader& each : tables_of(reader, "claims")) {

@@ -46,6 +46,7 @@ struct ClaimsFile {
   std::vector<std::string> not_on;            // kinds of path that this table is not about
   std::string implementation;                 // of the printed times: "MATLAB"
   std::map<std::string, std::string> anovas;  // the printed table, by metric
+  int fitting = 0;                            // an interpretation that fits explains so many printed numbers
   std::vector<ClaimEntry> entries;
   report::RatesPlan rates = {};
 };

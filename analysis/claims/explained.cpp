@@ -11,13 +11,11 @@ namespace {
 
 static_assert(predicted_statistics == printed_statistics.size());
 
-// Lists what each choice of each solver explains, in one choice of the study.
-using ExplainedBySolver = std::vector<std::vector<Explained>>;
 // The numbers of universes by how many numbers they explain.
 using Tally = std::vector<double>;
 
 // Counts the universes of one choice of the study or, with `own`, those with that choice of that solver.
-Tally tally_of(const ExplainedBySolver& solvers, std::size_t solver = 0, const Explained* own = nullptr) {
+Tally tally_of(const ExplainedUniverses::value_type& solvers, std::size_t solver = 0, const Explained* own = nullptr) {
   Tally tally{1};
   for (std::size_t s = 0; s < solvers.size(); ++s) {
     Tally next(tally.size() + numbers_of_solver);
@@ -101,22 +99,29 @@ Explained PrintedSolvers::explained(std::size_t solver, const Multiverse::Chosen
   return explained;
 }
 
-UniverseSupport support_of(const Multiverse& multiverse, PrintedSolvers& printed) {
+ExplainedUniverses explained_in(const Multiverse& multiverse, PrintedSolvers& printed) {
+  ExplainedUniverses explained;
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    auto& of_study = explained.emplace_back(study.solvers.size());
+    for (std::size_t s = 0; s < study.solvers.size(); ++s) {
+      for (const Multiverse::ChosenSolver& own : study.solvers[s]) of_study[s].push_back(printed.explained(s, own));
+    }
+  }
+  return explained;
+}
+
+UniverseSupport support_of(const Multiverse& multiverse, const Fit& fit) {
+  const ExplainedUniverses& explained = fit.explained;
   UniverseSupport support;
   support.numbers.resize(multiverse.solvers.size());
   for (const Multiverse::Dimension& each : multiverse.dimensions) {
     support.alternatives.emplace_back(each.alternatives.size());
   }
-  std::vector<ExplainedBySolver> explained;
   int most = 0;
-  for (const Multiverse::OfStudy& study : multiverse.studies) {
-    ExplainedBySolver& of_study = explained.emplace_back();
+  for (const auto& of_study : explained) {
     int best = 0;
-    for (std::size_t s = 0; s < study.solvers.size(); ++s) {
-      std::vector<Explained>& of_solver = of_study.emplace_back();
-      for (const Multiverse::ChosenSolver& own : study.solvers[s]) of_solver.push_back(printed.explained(s, own));
+    for (const std::vector<Explained>& of_solver : of_study)
       best += static_cast<int>(std::ranges::max(of_solver, {}, &Explained::count).count());
-    }
     most = std::max(most, best);
   }
   for (const auto& of_solver : explained.front()) support.by_default += static_cast<int>(of_solver.front().count());
@@ -130,8 +135,10 @@ UniverseSupport support_of(const Multiverse& multiverse, PrintedSolvers& printed
     };
     add(support.all, tally, study.weight, most);
     count(study.chosen, tally, study.weight);
-    for (std::size_t i = static_cast<std::size_t>(support.by_default) + 1; i < tally.size(); ++i) {
-      support.more += tally[i] * study.weight / study.universes();
+    for (std::size_t i = 0; i < tally.size(); ++i) {
+      const double universes = tally[i] * study.weight / study.universes();
+      support.more += static_cast<int>(i) > support.by_default ? universes : 0;
+      support.fitting += static_cast<int>(i) >= fit.least ? universes : 0;
     }
     for (std::size_t s = 0; s < study.solvers.size(); ++s) {
       const double weight = study.weight / static_cast<double>(study.solvers[s].size());

@@ -44,6 +44,16 @@ class PrintedSolvers {
   std::map<std::pair<std::size_t, std::vector<double>>, statistics::PredictedRanges> known_ = {};
 };
 
+// What each choice of each solver explains: by the choice of the study, by solver, by its own choice.
+using ExplainedUniverses = std::vector<std::vector<std::vector<Explained>>>;
+ExplainedUniverses explained_in(const inference::Multiverse& multiverse, PrintedSolvers& printed);
+
+// The universes that fit are those that explain so many printed numbers at least; without `explained` none is known.
+struct Fit {
+  ExplainedUniverses explained = {};
+  int least = 0;
+};
+
 // Counts universes: how many printed numbers they explain, and the best, which explain the most of all.
 struct Support {
   double explained = 0, weight = 0;  // sum of their explained numbers by their weights, and of the weights
@@ -53,11 +63,12 @@ struct Support {
 
 struct UniverseSupport {
   Support all;
-  double more = 0;  // weight of the universes that explain more numbers than the default
+  double more = 0;     // weight of the universes that explain more numbers than the default
+  double fitting = 0;  // weight of those that fit
   int by_default = 0;
   std::vector<std::vector<Support>> alternatives;               // by dimension
   std::vector<std::array<Support, numbers_of_solver>> numbers;  // of the universes that explain it, by solver
 };
-UniverseSupport support_of(const inference::Multiverse& multiverse, PrintedSolvers& printed);
+UniverseSupport support_of(const inference::Multiverse& multiverse, const Fit& fit);
 
 }  // namespace ikbench::claims

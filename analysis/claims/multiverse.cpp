@@ -67,8 +67,18 @@ std::string words_of_dimension(const Multiverse::Dimension& dimension,
   return fmt::format("{} ({})", dimension.open, fmt::join(words, ", "));
 }
 
-ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
-  const double all = counts.all.all();
+// The printed numbers, and how many of them an interpretation explains that fits.
+struct PrintedNumbers {
+  int all = 0, fitting = 0;
+};
+
+// "those that explain at least 25 of the 60 printed numbers"
+std::string fitting_words(const PrintedNumbers& numbers) {
+  return fmt::format("those that explain at least {} of the {} printed numbers", numbers.fitting, numbers.all);
+}
+
+ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts, const PrintedNumbers& numbers) {
+  const double all = counts.all.all(), fitting = counts.fitting.all();
   ClaimShares shares{.id = counts.id,
                      .holds = counts.all.holds / all,
                      .fails = counts.all.fails / all,
@@ -78,8 +88,16 @@ ClaimShares shares_of(const Multiverse& multiverse, const ClaimCounts& counts) {
     shares.decided_by.push_back(multiverse.dimensions[d].open);
     words.push_back(words_of_dimension(multiverse.dimensions[d], counts.alternatives[d]));
   }
-  shares.sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided).", counts.words,
+  shares.sentence = fmt::format("{} in {} of the interpretations ({} fail, {} undecided)", counts.words,
                                 share_words(shares.holds), share_words(shares.fails), share_words(shares.undecided));
+  if (fitting > 0) {
+    shares.fitting_holds = counts.fitting.holds / fitting;
+    shares.fitting_fails = counts.fitting.fails / fitting;
+    shares.sentence +=
+        fmt::format(", in {} of {} ({} fail, {} undecided)", share_words(shares.fitting_holds), fitting_words(numbers),
+                    share_words(shares.fitting_fails), share_words(counts.fitting.undecided / fitting));
+  }
+  shares.sentence += '.';
   if (!words.empty()) shares.sentence += fmt::format(" It depends most on {}.", fmt::join(words, "; on "));
   return shares;
 }
@@ -95,19 +113,23 @@ Cell seed_difference(const ClaimCounts& counts) {
   return percent_cell(largest, counts.seeds.front().all());
 }
 
-Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan) {
+Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>& all, const AnalysisPlan& plan,
+                   const PrintedNumbers& numbers, const UniverseSupport& support) {
   Table table{.name = "multiverse",
               .caption = "The paper's claims in every interpretation of what the paper leaves open",
-              .columns = {"claim", "holds_percent", "fails_percent", "undecided_percent", "deciding_dimension",
+              .columns = {"claim", "holds_percent", "fails_percent", "undecided_percent", "fitting_holds_percent",
+                          "fitting_fails_percent", "fitting_undecided_percent", "deciding_dimension",
                           "difference_percent", "between_seeds_percent", "id"}};
   for (const ClaimCounts& counts : all) {
-    const double weight = counts.all.all();
+    const double weight = counts.all.all(), fitting = counts.fitting.all();
     const std::size_t deciding = counts.deciding();
     const bool is_decided = deciding < multiverse.dimensions.size();
-    table.rows.push_back(
-        {counts.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
-         percent_cell(counts.all.undecided, weight), is_decided ? Cell(multiverse.dimensions[deciding].open) : Cell(),
-         is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts), counts.id});
+    table.rows.push_back({counts.words, percent_cell(counts.all.holds, weight), percent_cell(counts.all.fails, weight),
+                          percent_cell(counts.all.undecided, weight), percent_cell(counts.fitting.holds, fitting),
+                          percent_cell(counts.fitting.fails, fitting), percent_cell(counts.fitting.undecided, fitting),
+                          is_decided ? Cell(multiverse.dimensions[deciding].open) : Cell(),
+                          is_decided ? percent_cell(counts.difference(deciding)) : Cell(), seed_difference(counts),
+                          counts.id});
   }
   table.notes.push_back(fmt::format(
       "{} interpretations: {} choices for the study, each with every combination of the solvers' own. All are counted. The "
@@ -116,6 +138,12 @@ Table claims_table(const Multiverse& multiverse, const std::vector<ClaimCounts>&
       "better: by Games and Howell's test of the run means at {}, for {} solvers. It stands in for the test of the study's "
       "plan because it needs two solvers at a time, so that pairs can be counted.",
       count_words(multiverse.universes()), multiverse.studies.size(), plan.significance, multiverse.solvers.size()));
+  if (numbers.all > 0) {
+    table.notes.push_back(
+        fmt::format("fitting: of {}, which are {} of all: alternatives that the numbers themselves refute "
+                    "should not decide against the authors.",
+                    fitting_words(numbers), share_words(support.fitting / support.all.weight)));
+  }
   table.notes.emplace_back(
       "deciding dimension: between whose alternatives the share that holds differs most, with that difference. "
       "between seeds: largest difference between two seeds in one of these shares; each seed is a study of its own.");
@@ -187,6 +215,27 @@ Table numbers_table(const Multiverse& multiverse, PrintedSolvers& printed, const
     }
   }
   return table;
+}
+
+// "2 of the 60 are explained by no interpretation: variation of BA (mean, median)."
+std::string unexplained_sentence(const Multiverse& multiverse, PrintedSolvers& printed,
+                                 const UniverseSupport& support) {
+  int count = 0;
+  std::vector<std::string> rows;
+  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
+    for (std::size_t m = 0; printed.is_printed(s) && m < explained_metrics.size(); ++m) {
+      std::vector<std::string_view> names;
+      for (std::size_t i = 0; i < predicted_statistics; ++i) {
+        if (support.numbers[s][m * predicted_statistics + i].weight == 0) names.push_back(printed_statistics[i].first);
+      }
+      count += static_cast<int>(names.size());
+      if (names.empty()) continue;
+      rows.push_back(fmt::format("{} of {} ({})", info_of(explained_metrics[m]).name, multiverse.solvers[s],
+                                 fmt::join(names, ", ")));
+    }
+  }
+  return fmt::format("{} of the {} are explained by no interpretation{}{}.", count, printed.numbers(),
+                     rows.empty() ? "" : ": ", fmt::join(rows, "; "));
 }
 
 // The choices that all best universes share.
@@ -346,24 +395,26 @@ MultiverseReport multiverse_report(const ClaimsFile& file, const Multiverse& mul
   if (std::ranges::count(multiverse.solvers, file.solver) == 0) {
     throw std::invalid_argument(fmt::format("no universe has the solver {}", file.solver));
   }
-  std::vector<ClaimCounts> all = counted(multiverse, file.entries, plan);
-  std::erase_if(all, [](const ClaimCounts& counts) { return counts.all.all() == 0; });
   PrintedSolvers printed(file, multiverse);
-  const int numbers = printed.numbers();
-  const UniverseSupport support = numbers > 0 ? support_of(multiverse, printed) : UniverseSupport();
+  const PrintedNumbers numbers{.all = printed.numbers(), .fitting = file.fitting};
+  const Fit fit{.explained = numbers.all > 0 ? explained_in(multiverse, printed) : ExplainedUniverses(),
+                .least = file.fitting};
+  const UniverseSupport support = numbers.all > 0 ? support_of(multiverse, fit) : UniverseSupport();
+  std::vector<ClaimCounts> all = counted(multiverse, file.entries, plan, fit);
+  std::erase_if(all, [](const ClaimCounts& counts) { return counts.all.all() == 0; });
   MultiverseReport result;
-  for (const ClaimCounts& counts : all) result.claims.push_back(shares_of(multiverse, counts));
-  result.tables = {claims_table(multiverse, all, plan),
-                   alternatives_table(multiverse, all, numbers > 0 ? &support : nullptr, printed.most_runs())};
+  for (const ClaimCounts& counts : all) result.claims.push_back(shares_of(multiverse, counts, numbers));
+  result.tables = {claims_table(multiverse, all, plan, numbers, support),
+                   alternatives_table(multiverse, all, numbers.all > 0 ? &support : nullptr, printed.most_runs())};
   result.figures = {error_curve(multiverse, file.solver)};
-  if (numbers == 0) return result;
+  if (numbers.all == 0) return result;
   result.tables.push_back(numbers_table(multiverse, printed, support));
   result.sentences = {
       fmt::format(
           "Of the {} printed numbers of error and variation the default explains {} (they lie in the 95 % range "
           "of a study of {} runs); {} of the interpretations explain more.",
-          numbers, support.by_default, printed.most_runs(), share_words(support.more / support.all.weight)),
-      best_sentence(multiverse, support)};
+          numbers.all, support.by_default, printed.most_runs(), share_words(support.more / support.all.weight)),
+      best_sentence(multiverse, support), unexplained_sentence(multiverse, printed, support)};
   return result;
 }
 

@@ -56,6 +56,8 @@ struct ClaimShares {
   double holds = 0, fails = 0, undecided = 0;
   std::vector<std::string> decided_by = {};  // dimensions that change the answer most: "who obeys limits"
   std::string sentence = {};                 // how
+  // Of the interpretations that fit the printed numbers; not defined if none does.
+  double fitting_holds = statistics::not_defined, fitting_fails = statistics::not_defined;
 };
 
 // Smallest share of interpretations at which a claim keeps its verdict; below, it depends.

@@ -79,13 +79,33 @@ Multiverse small_multiverse() {
   return multiverse;
 }
 
+// Any two to eight printed numbers are explained by each choice.
+Fit some_fit(const Multiverse& multiverse) {
+  std::mt19937_64 engine(11);
+  Fit fit{.least = 16};
+  for (const Multiverse::OfStudy& study : multiverse.studies) {
+    auto& of_study = fit.explained.emplace_back();
+    for (const auto& of_solver : study.solvers) {
+      auto& explained = of_study.emplace_back();
+      for (std::size_t a = 0; a < of_solver.size(); ++a)
+        explained.emplace_back((1ull << (2 + (engine() >> 11) % 7)) - 1);
+    }
+  }
+  return fit;
+}
+
 using ByAlternative = std::map<std::pair<std::size_t, std::size_t>, UniverseCounts>;
 
 // Universe by universe, each judged by Games and Howell's test of all pairs.
-ByAlternative listed(const Multiverse& multiverse, const std::string& rival, UniverseCounts& all) {
+ByAlternative listed(const Multiverse& multiverse, const std::string& rival, const Fit& fit, UniverseCounts& all,
+                     UniverseCounts& fitting) {
   ByAlternative counts;
   const StudentizedRange range(3);
-  for (const Multiverse::OfStudy& study : multiverse.studies) {
+  for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
+    const Multiverse::OfStudy& study = multiverse.studies[g];
+    const auto explains = [&](std::size_t s, const Multiverse::ChosenSolver& own) {
+      return fit.explained[g][s][static_cast<std::size_t>(&own - study.solvers[s].data())].count();
+    };
     for (const Multiverse::ChosenSolver& a : study.solvers[0]) {
       for (const Multiverse::ChosenSolver& b : study.solvers[1]) {
         for (const Multiverse::ChosenSolver& c : study.solvers[2]) {
@@ -104,6 +124,7 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, Uni
                                      .fails = worse > 0 ? weight : 0,
                                      .undecided = better < rivals && worse == 0 ? weight : 0};
             all += one;
+            if (explains(0, a) + explains(1, b) + explains(2, c) >= static_cast<std::size_t>(fit.least)) fitting += one;
             for (const auto* chosen : {&study.chosen, &a.chosen, &b.chosen, &c.chosen}) {
               for (const Multiverse::Choice& each : *chosen) counts[{each.dimension, each.alternative}] += one;
             }
@@ -124,13 +145,19 @@ bool are_same(const UniverseCounts& one, const UniverseCounts& other) {
 
 TEST_CASE("claims counted by products are those counted universe by universe", "[multiverse]") {
   const Multiverse multiverse = small_multiverse();
+  const Fit fit = some_fit(multiverse);
   for (const std::string rival : {"", "B", "C"}) {
     CAPTURE(rival);
-    UniverseCounts all;
-    ByAlternative expected = listed(multiverse, rival, all);
-    const ClaimCounts counts = counted(multiverse, {claim_of_a(rival)}, usual_plan).front();
+    UniverseCounts all, fitting;
+    ByAlternative expected = listed(multiverse, rival, fit, all, fitting);
+    const ClaimCounts counts = counted(multiverse, {claim_of_a(rival)}, usual_plan, fit).front();
     CHECK(counts.all.all() == Approx(2));  // seeds
     CHECK(are_same(counts.all, all));
+    CHECK(are_same(counts.fitting, fitting));
+    CHECK(fitting.holds > 0);
+    CHECK(fitting.fails > 0);
+    CHECK(fitting.undecided > 0);
+    CHECK(fitting.all() < 1.5);
     // Some of every kind, or this shows little.
     CHECK(all.holds > 0);
     CHECK(all.fails > 0);

@@ -372,7 +372,9 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
                                          0.30,
                                          0.09,
                                          {"who obeys limits", "when a bat is kept", "how many there are"},
-                                         "It holds in 3 % where nobody is clamped, in 90 % where all are."},
+                                         "It holds in 3 % where nobody is clamped, in 90 % where all are.",
+                                         0.90,
+                                         0.04},
                                         {"smallest_variation", 0.02, 0.01, 0.97},
                                         {"better_than_ba", 0.01, 0.96, 0.03, {"how many there are"}},
                                         {"real_arm", 0.5, 0.5, 0},
@@ -381,7 +383,7 @@ TEST_CASE("a claim whose own verdict is not clear over all interpretations depen
   const Claim& accurate = claim_of(all, "most_accurate");
   CHECK(accurate.verdict == Verdict::depends);
   CHECK(verdict_words(accurate) == "depends on who obeys limits etc.");
-  CHECK(accurate.number == "holds in 61 %, fails in 30 %");
+  CHECK(accurate.number == "holds in 61 %, fails in 30 % (of those that fit: 90 %, 4 %)");
   CHECK(evidence_text(accurate).starts_with("By our default: holds. Position error: "));
   CHECK(evidence_text(accurate).ends_with(" It holds in 3 % where nobody is clamped, in 90 % where all are."));
   const Claim& variation = claim_of(all, "smallest_variation");

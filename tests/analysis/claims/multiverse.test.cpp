@@ -186,12 +186,36 @@ TEST_CASE("what universes explain of the printed numbers is what listing them sa
     CHECK(number_at(numbers, i, "of_the_best_percent") == Approx(100 * of_best / best).margin(0.0501));
     CHECK(std::get<std::string>(cell_at(numbers, i, "default")) == (explained[0][i] ? "inside" : "outside"));
   }
-  REQUIRE(report.sentences.size() == 2);
+  std::size_t unexplained = 0;
+  for (std::size_t i = 0; i < 30; ++i) unexplained += number_at(numbers, i, "interpretations_percent") == 0 ? 1 : 0;
+  REQUIRE(report.sentences.size() == 3);
   CHECK_THAT(report.sentences[0], Catch::Matchers::Contains("the default explains " + std::to_string(counts[0])) &&
                                       Catch::Matchers::Contains(share_words(better_than_default)));
   CHECK_THAT(report.sentences[1], Catch::Matchers::StartsWith("The best explain " + std::to_string(most) + ": " +
                                                               std::to_string(static_cast<int>(best)) +
                                                               " interpretation" + (best == 1 ? "," : "s")));
+  CHECK(report.sentences[2].starts_with(std::to_string(unexplained) + " of the 30 are explained by no interpretation"));
+
+  std::vector<int> sorted = counts;
+  std::ranges::sort(sorted);
+  const int least = sorted[sorted.size() / 2];
+  double fitting = 0;
+  for (std::size_t u = 0; u < all.size(); ++u) fitting += counts[u] >= least ? all[u].weight : 0;
+  const MultiverseReport fitted = multiverse_report({.paper = "slim2023",
+                                                     .solver = "IK-BA",
+                                                     .means = "table-3",
+                                                     .fitting = least,
+                                                     .entries = {{.id = "best",
+                                                                  .sentence = "It is the best",
+                                                                  .solver = "IK-BA",
+                                                                  .metrics = {Metric::position_error_cm},
+                                                                  .universes = {Estimand::mean}}}},
+                                                    multiverse, {});
+  const std::string those = "those that explain at least " + std::to_string(least) + " of the 30 printed numbers";
+  CHECK(has_note(table_of(fitted, "multiverse"), those + ", which are " + share_words(fitting) + " of all"));
+  CHECK(fitted.claims[0].fitting_holds == 1);  // as all others
+  CHECK(number_at(table_of(fitted, "multiverse"), 0, "fitting_holds_percent") == 100);
+  CHECK_THAT(fitted.claims[0].sentence, Catch::Matchers::Contains("undecided), in 100 % of " + those));
 }
 
 TEST_CASE("the specification curve is drawn evenly by the weight of the universes", "[multiverse]") {
@@ -250,6 +274,7 @@ TEST_CASE("the claims that every universe judges are those that say so", "[multi
       "IK-BA is the most accurate in 100 % of the interpretations (0 % fail, 0 % "));
   const Table& table = table_of(report, "multiverse");
   CHECK(number_at(table, 0, "holds_percent") == 100);
+  CHECK(is_empty(table, 0, "fitting_holds_percent"));  // no interpretation explains 25 of only 30 numbers
   CHECK(table.rows.size() == ids.size());
   CHECK(has_note(table, "16 interpretations: 3 choices for the study"));
   Multiverse few = near_the_print();
