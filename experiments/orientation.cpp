@@ -1,10 +1,22 @@
 #include "experiments/orientation.hpp"
 
+#include "numerics/units.hpp"
+#include "robots/rotation.hpp"
+
 namespace ikbench::experiments {
 
-void list_tool(Fields& io, Tool& tool) {
+void HeldTool::list_fields(Fields& io) {
   io.choice("tool", tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
             "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
+  io.number("tool_roll_deg", roll, numerics::degree, {-360, 360}, "turns it about its own axis");
+  io.number("tool_yaw_deg", yaw, numerics::degree, {-360, 360}, "then turns it about the vertical");
+}
+
+Eigen::Matrix3d HeldTool::rotation() const {
+  Eigen::Matrix3d R = experiments::rotation(tool);
+  if (roll != 0) R = R * robots::rotation_from_rpy({0, 0, roll});
+  if (yaw != 0) R = robots::rotation_from_rpy({0, 0, yaw}) * R;
+  return R;
 }
 
 Eigen::Matrix3d rotation(Tool tool) {

@@ -12,8 +12,16 @@ namespace ikbench::experiments {
 // tool, as Eq. 27 prints; its other columns are our choice.
 enum class Tool { down, eq27 };
 
-void list_tool(Fields& io, Tool& tool);
 Eigen::Matrix3d rotation(Tool tool);
+
+// A tool that is turned about its own axis, and then about the vertical.
+struct HeldTool {
+  Tool tool = Tool::down;
+  double roll = 0, yaw = 0;  // [rad]
+
+  void list_fields(Fields& io);
+  Eigen::Matrix3d rotation() const;
+};
 
 // Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
 enum class Spacing { k_over_n, k_over_n_minus_1 };

@@ -22,14 +22,19 @@ namespace ikbench::experiments {
 
 // wrist: the solver searches the joints before a spherical wrist, whose angles follow in closed form (Eqs. 15-17).
 // all_joints: it searches all joints for the position alone.
+// flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
 // pose: it searches all joints for position and orientation.
-enum class Search { wrist, all_joints, pose };
+enum class Search { wrist, all_joints, pose, flange };
 
 // The rule that picks one of the wrist's two branches for an answer. nearest: the smaller move. positive, negative: the
 // sign of the middle joint.
 // inside: the nearer of those inside the joint limits, or the nearer of both if none is. With enforced limits, a branch
 // outside always gives way to one inside.
 enum class WristBranch { nearest, positive, negative, inside };
+
+// principal: the wrist's angles are those of the arc tangent, in [-180, 180] deg. nearest: they are turned by whole
+// turns to where they move least.
+enum class WristTurns { principal, nearest };
 
 // Joint limits of candidates: as each solver's own option says, or the same for all solvers with that option.
 enum class StudyBounds { per_solver, initial, clamp };
@@ -90,6 +95,7 @@ struct Study {
   double rotation_weight = 0.25;
   StudyBounds bounds = StudyBounds::per_solver;
   WristBranch wrist_branch = WristBranch::nearest;
+  WristTurns wrist_turns = WristTurns::principal;
   Limits limits = Limits::recorded;
   Wrap wrap = Wrap::no;
   Start start = Start::previous;

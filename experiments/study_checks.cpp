@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "experiments/table_reader.hpp"
+#include "experiments/task.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "solvers/registry.hpp"
@@ -121,6 +122,11 @@ void check_fields(const TomlReader& reader, const Study& study, const Robot& arm
   if (study.search == Search::wrist && !SphericalWrist::fits(arm.chain)) {
     throw at("search", fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or "
                                    "\"pose\"",
+                                   arm.name));
+  }
+  if (study.search == Search::flange && !only_turns_tool(arm.chain)) {
+    throw at("search", fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
+                                   "\"all_joints\" or \"pose\"",
                                    arm.name));
   }
   check_search(reader, study);

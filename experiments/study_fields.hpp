@@ -54,9 +54,13 @@ inline void list_fields(Fields& io, Study& study) {
           InKey::in_text);
   io.choice(
       "search", study.search,
-      Choices<Search>{{"wrist", Search::wrist}, {"all_joints", Search::all_joints}, {"pose", Search::pose}},
+      Choices<Search>{{"wrist", Search::wrist},
+                      {"all_joints", Search::all_joints},
+                      {"pose", Search::pose},
+                      {"flange", Search::flange}},
       "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
-      "joints for the position alone; pose: search all joints for position and orientation",
+      "joints for the position alone; pose: search all joints for position and orientation; flange: search all but the "
+      "last, which only turns the tool, for the position alone",
       InKey::in_text);
   io.number(
       "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
@@ -74,6 +78,10 @@ inline void list_fields(Fields& io, Study& study) {
                                  {"negative", WristBranch::negative},
                                  {"inside", WristBranch::inside}},
             "which of the two wrist branches completes an answer", InKey::in_text);
+  io.choice(
+      "wrist_turns", study.wrist_turns,
+      Choices<WristTurns>{{"principal", WristTurns::principal}, {"nearest", WristTurns::nearest}},
+      "the wrist's angles lie within half a turn of 0, or they are turned by whole turns to where they move least");
   io.choice(
       "limits", study.limits, Choices<Limits>{{"recorded", Limits::recorded}, {"enforced", Limits::enforced}},
       "recorded: answers outside the joint limits are kept and reported; enforced: candidates are clamped, the wrist "

@@ -1,6 +1,7 @@
 #include "experiments/task.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "experiments/environment.hpp"
@@ -12,9 +13,29 @@ using namespace numerics;
 using namespace robots;
 using namespace solvers;
 
-Task::Task(const Study& study, const Robot& arm) : study_(study), arm_(arm) {
-  if (study.search == Search::wrist) wrist_.emplace(arm.chain);
+namespace {
+
+Chain without_last(const Chain& whole) {
+  const std::vector<DhLink>& links = whole.links();
+  return Chain({links.begin(), links.end() - 1}, whole.base(),
+               {.position = {0, 0, links.back().d + whole.tool().position.z()}});
 }
+
+}  // namespace
+
+bool only_turns_tool(const Chain& whole) {
+  const DhLink& last = whole.links().back();
+  return whole.joints() > 1 && last.joint == Joint::turns && last.a == 0 && last.alpha == 0 &&
+         whole.tool().position.head<2>().isZero(0);
+}
+
+Task::Task(const Study& study, const Robot& arm)
+    : study_(study),
+      arm_(arm),
+      wrist_(study.search == Search::wrist ? std::optional<SphericalWrist>(arm.chain) : std::nullopt),
+      searched_(wrist_                           ? wrist_->arm()
+                : study.search == Search::flange ? without_last(arm.chain)
+                                                 : arm.chain) {}
 
 Goal Task::goal(const Pose& target) const {
   if (study_.search == Search::pose) return {target, study_.rotation_weight};
@@ -44,12 +65,21 @@ Configuration Task::completed(const Configuration& found, const Pose& target, co
   Configuration answer = found;
   if (wrist_) {
     const Eigen::Vector3d near = start.tail<3>();
-    const std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
+    std::array<Eigen::Vector3d, 2> branches = wrist_->angles(found, target.linear(), near);
+    for (Eigen::Vector3d& branch : branches) turn_near(branch, near);
     answer.resize(found.size() + 3);
     answer << found, branches[chosen(branches, near)];
+  } else if (study_.search == Search::flange) {
+    answer = start;
+    answer.head(found.size()) = found;
   }
   wrap(answer);
   return answer;
+}
+
+void Task::turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const {
+  if (study_.wrist_turns == WristTurns::principal) return;
+  for (Eigen::Index j = 0; j < 3; ++j) branch[j] = near[j] + std::remainder(branch[j] - near[j], whole_turn);
 }
 
 void Task::wrap(Configuration& answer) const {

@@ -17,12 +17,16 @@ struct Clocked {
   double cpu_seconds;
 };
 
+// True if the last joint turns the tool about its own point, so that it moves that point nowhere.
+bool only_turns_tool(const robots::Chain& whole);
+
 // The search for one target: over all joints, or over those before the wrist.
 class Task {
  public:
   Task(const Study& study, const robots::Robot& arm);
 
-  const robots::Chain& arm() const { return wrist_ ? wrist_->arm() : arm_.chain; }
+  // The joints that are searched, with the point that they place.
+  const robots::Chain& arm() const { return searched_; }
   solvers::Goal goal(const robots::Pose& target) const;
   solvers::Problem problem(const robots::Configuration& start, int population) const;
 
@@ -35,11 +39,14 @@ class Task {
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
                                   const robots::Configuration& start) const;
   void wrap(robots::Configuration& answer) const;
+  // Turns each angle of a branch by whole turns, if the study says so.
+  void turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const;
   std::size_t chosen(const std::array<Eigen::Vector3d, 2>& branches, const Eigen::Vector3d& near) const;
 
   const Study& study_;
   const robots::Robot& arm_;
   std::optional<robots::SphericalWrist> wrist_;
+  robots::Chain searched_;
 };
 
 }  // namespace ikbench::experiments

@@ -19,6 +19,8 @@ class ParticleSwarm final : public Solver {
     double inertia = 0.53514;
     double cognitive = 1.1312;
     double social = 2.0149;
+    double damping = 1;
+    double velocity_limit = 0;
     Coefficients coefficients = Coefficients::permuted;
     Bounds bounds = Bounds::clamp;
 
@@ -26,10 +28,13 @@ class ParticleSwarm final : public Solver {
       list.number("inertia", inertia, {0, 10}, "w, weight of the previous velocity");
       list.number("cognitive", cognitive, {0, 10}, "c1, weight of a particle's own best");
       list.number("social", social, {0, 10}, "c2, weight of the swarm's best");
+      list.number("damping", damping, {0, 1}, "the inertia is multiplied by this after every iteration");
+      list.number("velocity_limit", velocity_limit, {0, 10},
+                  "largest velocity, as a part of a joint's range; 0: no limit");
       list.choice("coefficients", coefficients,
                   {{"permuted", Coefficients::permuted}, {"as_printed", Coefficients::as_printed}},
                   "use the three numbers by name, or as Table 1 labels them: w = cognitive, c1 = social, c2 = inertia "
-                  "(diverges)");
+                  "(diverges unless the inertia is damped)");
       list_bounds(list, bounds);
     }
   };
@@ -44,6 +49,7 @@ class ParticleSwarm final : public Solver {
 
   void start(const Problem& problem, Objective& objective, Random& random) override {
     problem_ = problem;
+    inertia_ = options_.inertia;
     const int particles = problem.population;
     for (Candidates* each : {&x_, &v_, &x_next_, &v_next_, &u1_, &u2_}) each->resize(problem.joints(), particles);
     for (Eigen::VectorXd* each : {&errors_, &found_}) each->resize(particles);
@@ -68,6 +74,7 @@ class ParticleSwarm final : public Solver {
           }
           return best_.improve(x_next_.col(i), found_[i]);  // the next particle sees it already
         });
+    inertia_ *= options_.damping;
     x_.swap(x_next_);
     v_.swap(v_next_);
   }
@@ -78,7 +85,7 @@ class ParticleSwarm final : public Solver {
   void fly(Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       // Shi and Eberhart 1998: v <- w v + c1 u1 (personal best - x) + c2 u2 (best - x);  x <- x + v
-      kernels_.swarm({.inertia = options_.inertia,
+      kernels_.swarm({.inertia = inertia_,
                       .cognitive = options_.cognitive,
                       .social = options_.social,
                       .best = best_.q[j],
@@ -90,11 +97,21 @@ class ParticleSwarm final : public Solver {
                       .x_next = &x_next_(j, first),
                       .v_next = &v_next_(j, first),
                       .count = count});
+      if (options_.velocity_limit > 0) slow_down(j, first, count);
     }
     keep_inside(options_.bounds, problem_, x_next_.middleCols(first, count));
   }
 
+  void slow_down(Eigen::Index j, Eigen::Index first, Eigen::Index count) {
+    const DrawnFrom range(problem_, j);
+    const double most = options_.velocity_limit * (range.upper - range.lower);
+    auto v = v_next_.row(j).segment(first, count);
+    v = v.cwiseMax(-most).cwiseMin(most);
+    x_next_.row(j).segment(first, count) = x_.row(j).segment(first, count) + v;
+  }
+
   Options options_;
+  double inertia_ = 0;
   const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, x_next_, v_next_, personal_, u1_, u2_;

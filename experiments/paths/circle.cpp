@@ -27,7 +27,7 @@ class Circle final : public PathKind {
     io.whole("points", points_, point_counts,
              "point k = 0 ... n - 1 is the centre + radius (cos t, sin t, 0) with t = 360 deg times its fraction");
     list_spacing(io, spacing_);
-    list_tool(io, tool_);
+    tool_.list_fields(io);
     io.number("tool_turns_deg", tool_turns_, degree, {-1e5, 1e5},
               "how far the tool turns about the vertical on the way around");
   }
@@ -42,9 +42,9 @@ class Circle final : public PathKind {
       const double fraction = static_cast<double>(k) / intervals;
       const auto [sine, cosine] = sin_cos(2 * std::numbers::pi * fraction);
       Pose pose = Pose::Identity();
-      pose.linear() = rotation(tool_);
+      pose.linear() = tool_.rotation();
       if (tool_turns_ != 0) {
-        pose.linear() = rotation_from_rpy({0, 0, tool_turns_ * fraction}) * rotation(tool_);
+        pose.linear() = rotation_from_rpy({0, 0, tool_turns_ * fraction}) * tool_.rotation();
       }
       pose.translation() = centre_ + Eigen::Vector3d(radius_ * cosine, radius_ * sine, 0);
       poses.push_back(pose);
@@ -57,7 +57,7 @@ class Circle final : public PathKind {
   double radius_ = 0.07;
   int points_ = 20;
   Spacing spacing_ = Spacing::k_over_n;
-  Tool tool_ = Tool::down;
+  HeldTool tool_;
   double tool_turns_ = 0;
 };
 

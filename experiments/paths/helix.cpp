@@ -34,7 +34,7 @@ class Helix final : public PathKind {
     io.choice("phase", phase_, Choices<Phase>{{"sin_cos", Phase::sin_cos}, {"cos_sin", Phase::cos_sin}},
               "(x, y) relative to the centre: radius (sin t, cos t) or radius (cos t, sin t)");
     list_spacing(io, spacing_);
-    list_tool(io, tool_);
+    tool_.list_fields(io);
   }
 
   bool is_drawn() const override { return false; }
@@ -50,7 +50,7 @@ class Helix final : public PathKind {
       const double first = phase_ == Phase::sin_cos ? sine : cosine;
       const double second = phase_ == Phase::sin_cos ? cosine : sine;
       Pose pose = Pose::Identity();
-      pose.linear() = rotation(tool_);
+      pose.linear() = tool_.rotation();
       pose.translation() = centre_ + Eigen::Vector3d(radius_ * first, radius_ * second, length_ * fraction);
       poses.push_back(pose);
     }
@@ -66,7 +66,7 @@ class Helix final : public PathKind {
   int points_ = 20;
   Phase phase_ = Phase::sin_cos;
   Spacing spacing_ = Spacing::k_over_n;
-  Tool tool_ = Tool::down;
+  HeldTool tool_;
 };
 
 }  // namespace

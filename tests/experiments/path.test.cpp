@@ -228,6 +228,18 @@ TEST_CASE("both tools are rotations, and every point of a path has its tool's", 
   }
 }
 
+TEST_CASE("a tool turns about its own axis, then about the vertical", "[path]") {
+  const auto R = [](std::vector<std::string> fields) -> Eigen::Matrix3d {
+    return poses_of(path_of(fields)).front().linear();
+  };
+  // Rolled by a quarter turn, its x axis is where its y axis was.
+  CHECK(R({"tool_roll_deg=90"}).col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-15));
+  CHECK(R({"tool_roll_deg=90"}).col(2).isApprox(-Eigen::Vector3d::UnitZ(), 1e-15));
+  // Eq. 27 points along y; a quarter turn back about the vertical, it points outward, along x.
+  CHECK(R({"tool=eq27", "tool_yaw_deg=-90"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
+  CHECK(R({"tool=eq27", "tool_yaw_deg=-90", "tool_roll_deg=180"}).col(2).isApprox(Eigen::Vector3d::UnitX(), 1e-15));
+}
+
 TEST_CASE("roll, pitch and yaw turn about x, y and z, in that order about the fixed axes", "[path]") {
   Eigen::Matrix3d expected;
   expected << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // Rx(90 deg): y becomes z

@@ -567,7 +567,7 @@ TEST_CASE("IK-BA draws the Dobot's circle with the angles of Table 8, to errors 
 // ---- answers, judged ----------------------------------------------------------------------------------------------
 
 TEST_CASE("the verified error of every solver is the one it claims", "[runner][solvers]") {
-  for (const Search search : {Search::wrist, Search::all_joints, Search::pose}) {
+  for (const Search search : {Search::wrist, Search::all_joints, Search::pose, Search::flange}) {
     Study study = study_of_every_solver();
     study.search = search;
     for (const SolveRecord& record : solves_of(study)) {
@@ -633,6 +633,40 @@ TEST_CASE("with the wrist in closed form the orientation is exact on either bran
       if (branch == WristBranch::negative) CHECK(record.answer_rad[5] <= 0);
     }
   }
+}
+
+TEST_CASE("a search for the flange leaves the last joint where it is, and finds the same as one of all joints",
+          "[runner]") {
+  Study study = small_study();
+  study.solvers = {{"DLS", "damped_least_squares", {}}};
+  study.initial[6] = 0.3;
+  study.search = Search::flange;
+  const std::vector<SolveRecord> flange = solves_of(study);
+  study.search = Search::all_joints;
+  const std::vector<SolveRecord> all = solves_of(study);
+  REQUIRE(flange.size() == all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(flange[i].answer_rad[6] == 0.3);
+    for (std::size_t j = 0; j < 6; ++j) CHECK(flange[i].answer_rad[j] == Approx(all[i].answer_rad[j]).margin(1e-6));
+  }
+}
+
+TEST_CASE("wrist_turns = nearest turns a wrist angle by whole turns, to at most half a turn from its start",
+          "[runner]") {
+  Study study = small_study();
+  study.wrist_branch = WristBranch::positive;
+  study.initial << 0.1, 0.5, 0.2, -0.9, 3.1, 0.8, -9.0;
+  const Pose target = targets(study, 1)[0];
+  const SolveRecord principal = solve_once(study, study.solvers[0], target);
+  study.wrist_turns = WristTurns::nearest;
+  const SolveRecord nearest = solve_once(study, study.solvers[0], target);
+  for (std::size_t j = 0; j < 7; ++j) {
+    const double turns = (nearest.answer_rad[j] - principal.answer_rad[j]) / (2 * pi);
+    CHECK(turns == Approx(std::round(turns)).margin(1e-12));
+    CHECK(std::abs(principal.answer_rad[j]) <= pi + 1e-12);
+    if (j > 3) CHECK(std::abs(nearest.answer_rad[j] - study.initial[static_cast<Eigen::Index>(j)]) <= pi + 1e-12);
+  }
+  CHECK(std::abs(nearest.answer_rad[6]) > pi);
 }
 
 TEST_CASE("the nearest branch moves the wrist no further than either of the two", "[runner]") {

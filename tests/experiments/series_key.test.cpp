@@ -163,12 +163,12 @@ TEST_CASE("a field that is added to a list is in the key by its name, and by tha
 TEST_CASE("the paper's studies keep their configurations, so that older stores are recognized", "[series][paper]") {
   const std::map<std::string, std::vector<std::string>> known{
       {"slim2023",
-       {"00c779aa319e4f85", "c92c42fd53421031", "e1cebae5a59075c8", "bdf1079f28571d29", "1aa9f79d66899922",
+       {"00c779aa319e4f85", "c92c42fd53421031", "e1cebae5a59075c8", "3a5114fba31a7f06", "1aa9f79d66899922",
         "0413d49a464315ff"}},
       {"slim2023-context", {"16551f0fe3fdccb1", "49655b30adaea76c"}},
       {"slim2023-dobot", {"5b6a3556a7c283be"}},
       {"slim2023-limits",
-       {"90c76883602619ee", "67e036e93916131e", "9a695b849ac99638", "204e1811acac6f2d", "9786333b44c46a42",
+       {"90c76883602619ee", "67e036e93916131e", "9a695b849ac99638", "1793f244a3b461d2", "9786333b44c46a42",
         "51b977bea70594e2"}},
       {"slim2023-time", {"b3b3dc7e2240d90d", "4fb6bcb44411fb5d", "cb69db19d59d18ec", "9f3619126056c5df"}},
   };

@@ -171,6 +171,7 @@ void bat(Loop& loop) {
 // Kennedy and Eberhart 1995 with inertia; each particle sees the swarm's best at once.
 void particle_swarm(Loop& loop) {
   const std::size_t particles = candidates_a_step;
+  const double damping = loop.number("damping"), limit = loop.number("velocity_limit");
   double inertia = loop.number("inertia"), cognitive = loop.number("cognitive"), social = loop.number("social");
   if (loop.is("coefficients", "as_printed")) {  // by Table 1's labels
     std::swap(inertia, social);
@@ -186,6 +187,8 @@ void particle_swarm(Loop& loop) {
       for (std::size_t j = 0; j < loop.joints; ++j) {
         v[i][j] = inertia * v[i][j] + cognitive * (u1[i][j] * (personal[i][j] - x[j])) +
                   social * (u2[i][j] * (loop.best_q(j) - x[j]));
+        const double most = limit * (loop.upper(j) - loop.lower(j));
+        if (limit > 0) v[i][j] = std::clamp(v[i][j], -most, most);
         x[j] += v[i][j];
       }
       if (loop.clamps) loop.clamp(x);
@@ -196,6 +199,7 @@ void particle_swarm(Loop& loop) {
       }
       loop.keep_if_best(x, error);
     }
+    inertia *= damping;
   }
 }
 
@@ -386,6 +390,7 @@ TEST_CASE("PSO is its pseudo-code bit for bit, one particle after another", "[on
                  {{"inertia", "0.9"}, {"social", "0.3"}},
                  {{"coefficients", "as_printed"}},
                  {{"coefficients", "as_printed"}, {"inertia", "0.1"}, {"cognitive", "0.2"}, {"social", "0.3"}},
+                 {{"damping", "0.9"}, {"velocity_limit", "0.1"}},
                  {{"cognitive", "0"}, {"inertia", "0.7"}, {"bounds", "initial"}}});
 }
 
