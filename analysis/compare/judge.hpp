@@ -1,0 +1,37 @@
+// A study, a user's file or two groups, judged: what tables, figures, screens and claims are made of.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/compare/compare.hpp"
+#include "analysis/compare/describe.hpp"
+#include "analysis/compare/observe.hpp"
+
+namespace ikbench::compare {
+
+// One metric.
+struct Judged {
+  Observations observations;
+  std::vector<Description> described;  // one for each group
+  std::optional<TestOfAll> anova, kruskal_wallis;
+  std::vector<Finding> findings;  // one for each pair of the plan
+  Headline headline;
+  std::vector<Doubt> doubts;
+};
+
+Judged judge(Observed observed, const Plan& plan);
+
+struct JudgedStudy {
+  StudyResults study;
+  std::vector<Judged> metrics;  // of every report, in the order of metrics.inc
+  std::size_t deciding =
+      0;  // the metric of the headline: the plan's, else solved where there is a tolerance, else error
+  std::vector<Doubt> doubts;  // of the whole study
+};
+
+JudgedStudy judge(StudyResults study);
+// A metric that is not in every report.
+Judged judge(const StudyResults& study, const Metric& metric);
+
+}  // namespace ikbench::compare

@@ -1,0 +1,59 @@
+// What a report is made of: blocks, which writers turn into a page, Markdown, files and a screen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/compare/tests_of_two.hpp"
+#include "analysis/figures/figure.hpp"
+
+namespace ikbench::show {
+
+// Our number beside a printed one, with the paper's digits.
+struct Printed {
+  double ours;
+  std::string printed;
+};
+// A p-value: "0.0005", "< 0.0001".
+struct P {
+  double value;
+};
+// An empty cell is std::monostate.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, P>;
+
+struct Column {
+  std::string name;
+  std::string unit = {};
+  int digits = 3;  // significant; CSV and JSON have all
+};
+
+struct Table {
+  std::string name;  // of its files and anchor
+  std::string caption;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows = {};
+  std::vector<std::string> notes = {};
+};
+
+std::string to_csv(const Table& table);
+std::string to_markdown(const Table& table);
+std::string to_latex(const Table& table);  // booktabs
+std::string to_html(const Table& table);
+std::string to_text(const Table& table);  // of a screen
+
+struct Heading {
+  std::string text;
+};
+struct Text {
+  std::string text;  // plain; writers escape
+};
+// The moving arm: its data (JSON) for the page; other writers leave it out.
+struct Scene {
+  std::string json;
+};
+using Block = std::variant<Heading, Text, Table, figures::Figure, Scene>;
+using Blocks = std::vector<Block>;
+
+}  // namespace ikbench::show

@@ -1,0 +1,40 @@
+// A study as plain data, read from the definition that the store keeps (JSON): what judging needs of it.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/plan.hpp"
+
+namespace ikbench::results {
+
+constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
+
+struct Definition {
+  struct Stop {
+    double tolerance_cm = 0, tolerance_deg = 0, seconds = 0;  // 0: none
+    std::int64_t iterations = 0, evaluations = 0;
+  };
+  std::string title, published, robot, search, start, path, limits;
+  int runs = 0, points = 0;
+  std::int64_t seed = 0;
+  double deadline_ms = 0;
+  bool draws_targets = false;  // for every run anew
+  Stop stop;
+  std::vector<std::string> departures;       // settings that differ from the published study
+  std::vector<std::string> missing_solvers;  // of the published study
+  int out_of_reach = 0;                      // targets that no configuration reaches
+  nlohmann::json arm;                        // as robots/description.hpp reads it
+  Plan plan;
+
+  // Each solve begins where the last one left the arm.
+  bool is_chained() const { return start == "previous"; }
+};
+
+// Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object.
+Definition definition_of(std::string_view json);
+
+}  // namespace ikbench::results
