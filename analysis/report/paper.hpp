@@ -26,6 +26,7 @@ struct MultiverseReport {
 struct Reported {
   const inference::JudgedStudy& study;
   inference::JudgedStudies companions = {};
+  bool has_times = true;  // false: its claims are judged without times
 };
 
 // A built-in study that `ikbench reproduce` runs.

@@ -41,13 +41,18 @@ void add_of_companion(std::vector<Piece> pieces, std::vector<Piece>& all) {
   }
 }
 
-StudyPieces pieces(const Reported& reported) {
+StudyPieces pieces(const Reported& reported, const decltype(Paper::claims)& claims_of) {
   StudyPieces all{.tables = paper_tables(reported.study),
                   .figures = paper_figures(reported.study),
                   .results = "table-3",
                   .path = "figure-5"};
   if (!reported.study.solves.empty()) all.seen = seen(reported.study);
-  for (const StudyResults& companion : reported.companions) {
+  for (const JudgedStudy& companion : reported.companions) {
+    if (companion.name == reported.study.name + "-all-joints") {
+      const Readings readings{reported.study, companion};
+      all.tables.push_back(means_by_reading(readings));
+      all.tables.push_back(claims_by_reading(readings, claims_of));
+    }
     add_of_companion(paper_tables(companion), all.tables);
     add_of_companion(paper_figures(companion), all.figures);
   }
@@ -56,7 +61,7 @@ StudyPieces pieces(const Reported& reported) {
 
 ReportPlan sections() {
   return {
-      .results = {{"Table 3", "", {"overview", "table-3"}, {}},
+      .results = {{"Table 3", "", {"overview", "table-3", "table-3-readings", "claims-readings"}, {}},
                   {"Figures 5 to 12",
                    "",
                    {"figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10", "figure-11", "figure-12"}},
@@ -77,7 +82,7 @@ ReportPlan sections() {
 }  // namespace
 
 void complete(Paper& paper) {
-  paper.pieces = pieces;
+  paper.pieces = [claims = paper.claims](const Reported& reported) { return pieces(reported, claims); };
   paper.sections = sections();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/claims/printed.hpp"
+#include "analysis/inference/judged_study.hpp"
 #include "analysis/inference/study.hpp"
 #include "analysis/report/paper.hpp"
 #include "analysis/report/table.hpp"
@@ -36,6 +37,16 @@ std::optional<claims::PrintedRow> printed_row(const inference::StudyResults& stu
 report::Table table_3(const inference::StudyResults& study);
 std::optional<report::Table> table_7(const inference::StudyResults& study);
 std::optional<report::Table> table_8(const inference::StudyResults& study);
+
+// The paper's two readings of what is searched, side by side: the study's own (Sec. 4.3), and that of the companion
+// with all joints (Sec. 5.1).
+struct Readings {
+  const inference::JudgedStudy &wrist, &all_joints;
+};
+// The means of error and variation by both, beside the printed ones.
+report::Table means_by_reading(const Readings& readings);
+// The claims that need neither times nor another study, judged by both.
+report::Table claims_by_reading(const Readings& readings, const decltype(report::Paper::claims)& claims_of);
 
 // All of them that the study has, in the paper's order.
 std::vector<report::Table> paper_tables(const inference::StudyResults& study);

@@ -6,6 +6,7 @@ succeeds reproduce --runs 2 --jobs 2 --readings 1 --no-figures --out paper
 quiet
 has "$out" "slim2023: 240 solves"        # 6 solvers x 2 runs x 20 points
 has "$out" "slim2023-context: 80 solves" # 2 solvers
+has "$out" "slim2023-all-joints: 240 solves"
 has "$out" "slim2023-limits: 240 solves"
 has "$out" "slim2023-bounds: 240 solves"
 has "$out" "slim2023-frequency: 40 solves"
@@ -15,7 +16,7 @@ has "$out" "slim2023-dobot: 20 solves"
 for words in "Smallest mean error (large errors dominate): no solver is tested: IK-BA" "Smallest typical error (geometric mean): no solver is tested: PSO" "Most often within 0.01 cm: IK-BA"; do
   has "$(grep -A 2 '>Summary<' paper/report.html)" "$words"
 done
-for table in table-3 table-4 table-5 table-6 table-7 table-8 limits multiverse baselines; do
+for table in table-3 table-3-readings claims-readings table-4 table-5 table-6 table-7 table-8 limits multiverse baselines; do
   [ -s "paper/tables/$table.md" ] || fail "there is no table $table"
   has "$(<paper/report.html)" "id=\"$table\""
 done

@@ -6,8 +6,10 @@
 
 #include "analysis/inference/comparable.hpp"
 #include "analysis/inference/make_study.hpp"
+#include "analysis/papers.hpp"
 #include "analysis/report/study_tables.hpp"
 #include "analysis/report/table.hpp"
+#include "tests/analysis/cells.hpp"
 #include "tests/analysis/synthetic.hpp"
 #include "tests/catch.hpp"
 
@@ -20,8 +22,8 @@ using namespace ikbench::slim2023;
 
 namespace {
 
-StudyResults paper_study(std::vector<SolveRecord> solves) {
-  StudyResults study = make_study("synthetic", std::move(solves));
+StudyResults paper_study(std::vector<SolveRecord> solves, const std::string& name = "synthetic") {
+  StudyResults study = make_study(name, std::move(solves));
   study.facts.published = "slim2023";
   return study;
 }
@@ -37,6 +39,40 @@ TEST_CASE("six solvers of 20 runs have 5 and 114 degrees of freedom, as in the p
   const AnovaTable table = anova(study, Metric::variation_deg).table;
   CHECK(table.df == 5);
   CHECK(table.df_within == 114);
+}
+
+TEST_CASE("means and claims stand side by side by both readings of what is searched", "[paper]") {
+  const JudgedStudy wrist(paper_study(synthetic::solves({})));
+  std::vector<SolveRecord> solves = synthetic::solves({});
+  for (SolveRecord& solve : solves) solve.position_error_cm *= solve.solver == "IK-BA" ? 2000 : 1;
+  for (SolveRecord& solve : solves) solve.position_error_cm *= solve.solver == "DE" && solve.run > 1 ? 1e-3 : 1;
+  const JudgedStudy all_joints(paper_study(std::move(solves), "synthetic-all-joints"));
+  const StudyPieces pieces = analysis::paper("slim2023").pieces({wrist, {all_joints}});
+  const Table& means = *std::ranges::find(pieces.tables, "table-3-readings", &Table::name);
+  REQUIRE(means.rows.size() == 6);
+  CHECK(std::get<std::string>(cell_at(means, 0, "printed_error_cm")) == "0.0019");
+  CHECK(number_at(means, 0, "wrist_error_cm") ==
+        describe(samples(wrist, Metric::position_error_cm).front().values).mean);
+  CHECK(number_at(means, 0, "all_joints_error_cm") == Approx(2000 * number_at(means, 0, "wrist_error_cm")));
+  CHECK(number_at(means, 0, "all_joints_variation_deg") == number_at(means, 0, "wrist_variation_deg"));
+  REQUIRE(means.notes.size() == 2);
+  CHECK(means.notes[1].starts_with("A few solves decide the position error of DE by all joints: the median"));
+
+  const Table& claims = *std::ranges::find(pieces.tables, "claims-readings", &Table::name);
+  std::vector<std::string> ids;
+  for (std::size_t row = 0; row < claims.rows.size(); ++row) {
+    ids.push_back(std::get<std::string>(cell_at(claims, row, "id")));
+    const auto verdict = [&](const char* reading) { return std::get<std::string>(cell_at(claims, row, reading)); };
+    if (ids.back() == "most_accurate") {
+      CHECK(verdict("wrist") == "holds");
+      CHECK(verdict("all_joints") == "fails");
+    }
+    if (ids.back() == "solvers_differ") CHECK(verdict("wrist") == "holds");  // two of them, without times
+  }
+  for (const char* id : {"most_accurate", "accuracy_order", "best_compromise", "inside_limits", "solvers_differ"})
+    CHECK(std::ranges::count(ids, id) == 1);
+  for (const char* id : {"time_order", "pso_fastest", "elongation_control", "circle", "real_arm"})
+    CHECK(std::ranges::count(ids, id) == 0);
 }
 
 TEST_CASE("a run with missing points gives no run mean, and is counted", "[study]") {
