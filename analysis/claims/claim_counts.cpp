@@ -136,28 +136,12 @@ std::size_t index_of(const std::vector<std::string>& names, std::string_view nam
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
-// Finds the choice that equals `own` but has the dimension's default; null if there is none, or `own` has the default.
-const ChosenSolver* twin_of(const std::vector<ChosenSolver>& all, const ChosenSolver& own, std::size_t dimension) {
-  Chosen wanted = own.chosen;
-  const auto found = std::ranges::find(wanted, dimension, &Choice::dimension);
-  if (found == wanted.end() || found->alternative == 0) return nullptr;
-  found->alternative = 0;
-  const auto twin = std::ranges::find(all, wanted, &ChosenSolver::chosen);
-  return twin == all.end() ? nullptr : &*twin;
-}
-
-bool has_same_bits(const ChosenSolver& one, const ChosenSolver& other, std::size_t seed) {
-  return one.error_cm[seed] == other.error_cm[seed] && one.variation_deg[seed] == other.variation_deg[seed];
-}
-
 void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand by, const AnalysisPlan& plan,
                  const Fit& fit, ClaimCounts& counts) {
   const std::vector<std::string>& solvers = multiverse.solvers;
   const std::size_t solver = index_of(solvers, claim.solver), only_rival = index_of(solvers, claim.against);
-  const bool has_rival = !claim.against.empty(), is_of_effect = !claim.dimension.empty();
-  const auto dimension = std::ranges::find(multiverse.dimensions, claim.dimension, &Dimension::name);
+  const bool has_rival = !claim.against.empty();
   if (solver == solvers.size() || (has_rival && only_rival == solvers.size())) return;
-  if (is_of_effect && dimension == multiverse.dimensions.end()) return;
   const StudentizedRange range(static_cast<double>(solvers.size()));
   const auto relation = [&](const GroupSummary& first, const GroupSummary& second) {
     return relation_between(first, second, range, plan.significance);
@@ -170,24 +154,14 @@ void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand
         for (const ChosenSolver& each : of_solver) summaries[&each] = summary_of(each, seed, claim.metrics.front(), by);
       }
       for (const ChosenSolver& own : study.solvers[solver]) {
-        if (!is_of_effect) {
-          add_universes(
-              counts, multiverse, g, seed, solver, own, fit, [&](std::size_t rival, const ChosenSolver& theirs) {
-                if (has_rival && rival != only_rival) return Relation::better;
-                // With a control, the plan compares only pairs with it.
-                const bool is_compared =
-                    plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
-                return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
-              });
-          continue;
-        }
-        const auto varied = static_cast<std::size_t>(dimension - multiverse.dimensions.begin());
-        const ChosenSolver* const twin = twin_of(study.solvers[solver], own, varied);
-        if (twin == nullptr) continue;
-        const Relation of_default =
-            has_same_bits(*twin, own, seed) ? Relation::worse : relation(summaries.at(twin), summaries.at(&own));
         add_universes(counts, multiverse, g, seed, solver, own, fit,
-                      [&](std::size_t, const ChosenSolver&) { return of_default; });
+                      [&](std::size_t rival, const ChosenSolver& theirs) {
+                        if (has_rival && rival != only_rival) return Relation::better;
+                        // With a control, the plan compares only pairs with it.
+                        const bool is_compared =
+                            plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
+                        return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
+                      });
       }
     }
   }

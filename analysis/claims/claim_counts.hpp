@@ -33,14 +33,11 @@ struct ClaimCounts {
   double difference(std::size_t dimension) const;
 };
 
-// Counts the universes of each claim by each of its averages of the runs (ClaimEntry::universes); 0 if its solver,
-// rival or dimension is missing. A claim holds if the solver is found better than the one that it is compared with or,
+// Counts the universes of each claim by each of its averages of the runs (ClaimEntry::universes); 0 if its solver or
+// rival is missing. A claim holds if the solver is found better than the one that it is compared with or,
 // if none is named, than every other. Means and typical values are tested by Games and Howell's test: Welch's t against
 // the studentized range of all solvers. It needs the values of two solvers only, so pairs can be counted alone. Level
 // and control come from the study's plan.
-//
-// A claim with a dimension holds instead if the solver is better with the dimension's default than with another
-// alternative, all else equal. It fails if both give the same bits. Universes with the default are not counted.
 std::vector<ClaimCounts> counted(const inference::Multiverse& multiverse, const std::vector<ClaimEntry>& entries,
                                  const results::AnalysisPlan& plan, const Fit& fit = {});
 

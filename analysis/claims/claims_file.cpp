@@ -30,9 +30,8 @@ Choices<Metric> metric_choices() {
 }
 
 bool can_be_counted(const ClaimEntry& entry) {
-  const bool has_effect = entry.rule == "has_effect";
-  return (has_effect || entry.rule == "smallest") && !entry.solver.empty() && has_effect == !entry.dimension.empty() &&
-         entry.metrics.size() == 1 && is_of_universes(entry.metrics.front()) && entry.take == FromCompanion::all;
+  return entry.rule == "smallest" && !entry.solver.empty() && entry.metrics.size() == 1 &&
+         is_of_universes(entry.metrics.front()) && entry.take == FromCompanion::all;
 }
 
 ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
@@ -45,8 +44,8 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
   }
   for (const auto& [key, field] :
        {std::pair("section", &entry.section), std::pair("solver", &entry.solver), std::pair("against", &entry.against),
-        std::pair("study", &entry.study), std::pair("dimension", &entry.dimension), std::pair("table", &entry.table),
-        std::pair("note", &entry.note), std::pair("row", &entry.row), std::pair("path", &entry.path)}) {
+        std::pair("study", &entry.study), std::pair("table", &entry.table), std::pair("note", &entry.note),
+        std::pair("row", &entry.row), std::pair("path", &entry.path)}) {
     reader.text(key, *field, "");
   }
   reader.choice("by", entry.by, {{"paper", Claimant::paper}, {"us", Claimant::us}}, "");
@@ -68,8 +67,7 @@ ClaimEntry read_claim(TomlReader reader, const std::string& papers_own) {
     refuse(reader, fmt::format("the rule {} without metrics; expected one at least", entry.rule));
   if (!entry.universes.empty() && !can_be_counted(entry)) {
     reader.fail("universes", *reader.find("universes"),
-                "it only for a solver with one metric of error or variation, and the rule \"smallest\" or, with a "
-                "dimension, \"has_effect\"");
+                "it only for a solver with one metric of error or variation, and the rule \"smallest\"");
   }
   return entry;
 }

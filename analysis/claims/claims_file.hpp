@@ -26,11 +26,10 @@ struct ClaimEntry {
   std::string study;  // "limits" of the companion NAME-limits; empty: the study itself
   FromCompanion take = FromCompanion::all;
   // The numbers by which every universe of the paper's open points judges it too (docs/multiverse.md); none: not judged
-  // there. Only "smallest" and "has_effect" can be, with one solver and one metric that universes have.
+  // there. Only "smallest" can be, with one solver and one metric that universes have.
   std::vector<results::Estimand> universes;
-  std::string dimension;  // for "has_effect" in universes: the dimension without it, "IK-BA.f_max"
-  std::string table;      // table or figure of the report with its numbers; empty: the table of means
-  std::string note;       // addition to the evidence, if the rule has a place for it
+  std::string table;  // table or figure of the report with its numbers; empty: the table of means
+  std::string note;   // addition to the evidence, if the rule has a place for it
   // For some rules only.
   std::vector<std::string> solvers;            // its solvers
   double limit_ms = 0;                         // limit of a solve in time

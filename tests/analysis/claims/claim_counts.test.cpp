@@ -20,15 +20,14 @@ namespace {
 
 const AnalysisPlan usual_plan;
 
-// "A is best", or better than a rival, or better by a dimension's default.
-ClaimEntry claim_of_a(const std::string& rival = "", const std::string& dimension = "") {
+// "A is best", or better than a rival.
+ClaimEntry claim_of_a(const std::string& rival = "") {
   return {.id = "best",
           .sentence = "A is best",
           .solver = "A",
           .against = rival,
           .metrics = {Metric::position_error_cm},
-          .universes = {Estimand::mean},
-          .dimension = dimension};
+          .universes = {Estimand::mean}};
 }
 
 std::vector<double> runs_around(double centre, std::mt19937_64& engine) {
@@ -184,30 +183,6 @@ TEST_CASE("the deciding dimension is that with the largest difference of shares"
     CHECK(counts.difference(d) <= counts.difference(deciding));
   }
   CHECK(counts.difference(deciding) > 0);
-}
-
-TEST_CASE("a setting has no effect where another alternative gives the bits of the default", "[multiverse]") {
-  Multiverse multiverse = small_multiverse();
-  for (Multiverse::OfStudy& study : multiverse.studies) {
-    study.solvers[0][1].error_cm = study.solvers[0][0].error_cm;
-    study.solvers[0][1].variation_deg = study.solvers[0][0].variation_deg;
-  }
-  const std::vector<ClaimEntry> claims{claim_of_a("", "A.k"), claim_of_a("", "A.z")};  // there is no A.z
-  std::vector<ClaimCounts> counts = counted(multiverse, claims, usual_plan);
-  CHECK(counts[0].all.fails == counts[0].all.all());
-  CHECK(counts[0].all.all() == Approx(1));  // two seeds, and half of the universes have the default
-  CHECK(counts[0].alternatives[2][0].all() == 0);
-  CHECK(counts[0].deciding() == multiverse.dimensions.size());
-  CHECK(counts[1].all.all() == 0);
-  // The last bit of one run: not the same, and not found to be better.
-  double& value = multiverse.studies[3].solvers[0][1].error_cm[1].back();
-  value = std::nextafter(value, 2 * value);
-  counts = counted(multiverse, claims, usual_plan);
-  CHECK(counts[0].all.undecided == Approx(1.0 / 3 / 2));  // in half of one choice of the study, for one seed
-  // Much better with the default.
-  for (double& run : multiverse.studies[3].solvers[0][1].error_cm[1]) run *= 100;
-  counts = counted(multiverse, claims, usual_plan);
-  CHECK(counts[0].all.holds == Approx(1.0 / 3 / 2));
 }
 
 TEST_CASE("a mean that is no number is worse than one that is, in every universe", "[multiverse]") {

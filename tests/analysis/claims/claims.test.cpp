@@ -432,8 +432,6 @@ TEST_CASE("a mistake among the claims is refused with file and line", "[claims]"
   const std::string of_one = of_metrics + "solver = \"A\"\nmetrics = [\"variation_deg\"]\n";
   CHECK(entries(of_one + "universes = [\"mean\"]\n").front().universes.size() == 1);
   refused(of_one + "universes = [\"median\"]\n", ":8:", "\"mean\", \"typical\"");
-  refused(of_one + "universes = [\"mean\"]\ndimension = \"A.k\"\n",
-          ":8:", "the rule \"smallest\" or, with a dimension");
   refused(good + "universes = [\"mean\"]\n", ":6:", "a solver with one metric");
   refused(of_metrics, ":1:", "the rule smallest without metrics; expected one at least");
   refused(good + "colour = \"red\"\n", ":6:", "unknown key \"colour\"");

@@ -266,7 +266,6 @@ TEST_CASE("the claims that every universe judges are those that say so", "[multi
     ids.push_back(each.id);
     CHECK(each.holds + each.fails + each.undecided == Approx(1));
   }
-  // No dimension IK-BA.f_max here, so nothing about Eq. 13.
   CHECK(ids ==
         std::vector<std::string>{"most_accurate", "most_accurate_typically", "smallest_variation", "better_than_ba"});
   // Printed, and here: IK-BA has a thousandth of the others' errors.
