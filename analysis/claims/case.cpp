@@ -128,10 +128,12 @@ std::optional<Evidence> Case::evidence(Metric metric) const {
     const bool comparable = is_comparable(of_solver, metric) && is_comparable(of_others, metric);
     found = comparable ? inference::evidence(observed, plan) : described(observed, plan);
   }
-  const bool has_solver = group_named(found->groups, entry.solver) != nullptr;
+  const std::vector<std::string> own = entry.own();
+  const bool has_own =
+      std::ranges::all_of(own, [&](const auto& solver) { return group_named(found->groups, solver) != nullptr; });
   const bool is_complete =
       std::ranges::none_of(found->groups, [](const GroupEvidence& group) { return group.described.n == 0; });
-  return found->groups.size() >= 2 && has_solver && is_complete ? found : std::nullopt;
+  return found->groups.size() > own.size() && has_own && is_complete ? found : std::nullopt;
 }
 
 void PairCounts::add(Relation relation) {

@@ -44,7 +44,7 @@ struct Case {
   inference::Evidence printed_evidence(const std::vector<Pair>& pairs) const;
   // The companion that the claim names, if the report has it and its targets are those of the study.
   const inference::JudgedStudy* companion() const;
-  // Evidence on the claim's solvers, each from its study; nothing if one of them has no observations.
+  // Evidence on the claim's solvers and others, each from its study; nothing if one of them has no observations.
   std::optional<inference::Evidence> evidence(inference::Metric metric) const;
 };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/claims/case.hpp"
 #include "analysis/inference/judge.hpp"
 #include "analysis/statistics/descriptive.hpp"
 #include "analysis/statistics/multiple_comparisons.hpp"
@@ -75,7 +76,7 @@ void add_joined(CountsByExplained& to, const CountsByExplained& before, Relation
   }
 }
 
-// The relations of one choice of a solver to the choices of each solver; of the solver itself it has this one only.
+// The relations of one choice of a claim's solvers to the choices of each solver; of these it has this one only.
 using Relations = std::vector<std::map<std::size_t, Relation>>;
 
 // Counts the universes that fit by folding them solver by solver; each has the weight `weight`.
@@ -93,19 +94,22 @@ UniverseCounts fitting_of(const Relations& relations, const ExplainedUniverses::
   return fitting;
 }
 
-// Counts a claim in all universes of one choice of the study, the one at `place`, and one of the solver. `relation_to`
-// is its relation to a choice of a rival.
+// One choice of each of the claim's solvers.
+using OwnChoices = std::map<std::size_t, std::size_t>;
+
+// Counts a claim in all universes of one choice of the study, the one at `place`, and one of each of its solvers.
+// `relation_to` is their relation to a choice of a rival.
 template <class RelationTo>
 void add_universes(ClaimCounts& into, const Multiverse& multiverse, std::size_t place, std::size_t seed,
-                   std::size_t solver, const ChosenSolver& own, const Fit& fit, RelationTo relation_to) {
+                   const OwnChoices& own, const Fit& fit, RelationTo relation_to) {
   const Multiverse::OfStudy& study = multiverse.studies[place];
   const double weight = study.weight / study.universes();  // of a universe
   std::vector<RivalCounts> rivals(study.solvers.size(), {.all = 1, .better = 1});
   std::vector<std::map<std::pair<std::size_t, std::size_t>, RivalCounts>> by_alternative(rivals.size());
   Relations relations(rivals.size());
-  relations[solver][static_cast<std::size_t>(&own - study.solvers[solver].data())] = Relation::better;
+  for (const auto& [solver, choice] : own) relations[solver][choice] = Relation::better;
   for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
-    if (rival == solver) continue;
+    if (own.contains(rival)) continue;
     rivals[rival] = {};
     for (std::size_t choice = 0; choice < study.solvers[rival].size(); ++choice) {
       const ChosenSolver& theirs = study.solvers[rival][choice];
@@ -119,8 +123,10 @@ void add_universes(ClaimCounts& into, const Multiverse& multiverse, std::size_t 
   into.all += counts;
   into.seeds[seed] += counts;
   if (!fit.explained.empty()) into.fitting += fitting_of(relations, fit.explained[place], fit.least, weight);
-  for (const auto* chosen : {&study.chosen, &own.chosen}) {
-    for (const auto& [dimension, alternative] : *chosen) into.alternatives[dimension][alternative] += counts;
+  for (const auto& [dimension, alternative] : study.chosen) into.alternatives[dimension][alternative] += counts;
+  for (const auto& [solver, choice] : own) {
+    for (const auto& [dimension, alternative] : study.solvers[solver][choice].chosen)
+      into.alternatives[dimension][alternative] += counts;
   }
   for (std::size_t rival = 0; rival < rivals.size(); ++rival) {
     std::vector<RivalCounts> restricted = rivals;
@@ -136,32 +142,54 @@ std::size_t index_of(const std::vector<std::string>& names, std::string_view nam
   return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
 }
 
+// Every combination of the choices of these solvers.
+std::vector<OwnChoices> combined(const Multiverse::OfStudy& study, const std::vector<std::size_t>& solvers) {
+  std::vector<OwnChoices> all(1);
+  for (const std::size_t solver : solvers) {
+    std::vector<OwnChoices> more;
+    for (const OwnChoices& each : all) {
+      for (std::size_t choice = 0; choice < study.solvers[solver].size(); ++choice)
+        more.emplace_back(each)[solver] = choice;
+    }
+    all = std::move(more);
+  }
+  return all;
+}
+
 void count_claim(const Multiverse& multiverse, const ClaimEntry& claim, Estimand by, const AnalysisPlan& plan,
                  const Fit& fit, ClaimCounts& counts) {
   const std::vector<std::string>& solvers = multiverse.solvers;
-  const std::size_t solver = index_of(solvers, claim.solver), only_rival = index_of(solvers, claim.against);
+  std::vector<std::size_t> claimed;
+  for (const std::string& solver : claim.own()) claimed.push_back(index_of(solvers, solver));
+  const std::size_t only_rival = index_of(solvers, claim.against);
   const bool has_rival = !claim.against.empty();
-  if (solver == solvers.size() || (has_rival && only_rival == solvers.size())) return;
+  if (std::ranges::count(claimed, solvers.size()) > 0 || (has_rival && only_rival == solvers.size())) return;
   const StudentizedRange range(static_cast<double>(solvers.size()));
-  const auto relation = [&](const GroupSummary& first, const GroupSummary& second) {
-    return relation_between(first, second, range, plan.significance);
-  };
   for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
     const Multiverse::OfStudy& study = multiverse.studies[g];
+    const std::vector<OwnChoices> choices = combined(study, claimed);
     for (std::size_t seed = 0; seed < multiverse.seeds(); ++seed) {
-      std::map<const ChosenSolver*, GroupSummary> summaries;
-      for (const std::vector<ChosenSolver>& of_solver : study.solvers) {
-        for (const ChosenSolver& each : of_solver) summaries[&each] = summary_of(each, seed, claim.metrics.front(), by);
-      }
-      for (const ChosenSolver& own : study.solvers[solver]) {
-        add_universes(counts, multiverse, g, seed, solver, own, fit,
-                      [&](std::size_t rival, const ChosenSolver& theirs) {
-                        if (has_rival && rival != only_rival) return Relation::better;
-                        // With a control, the plan compares only pairs with it.
-                        const bool is_compared =
-                            plan.control.empty() || claim.solver == plan.control || solvers[rival] == plan.control;
-                        return is_compared ? relation(summaries.at(&own), summaries.at(&theirs)) : Relation::undecided;
-                      });
+      std::map<std::pair<const ChosenSolver*, const ChosenSolver*>, Relation> known;
+      const auto relation = [&](const ChosenSolver& own, const ChosenSolver& theirs) {
+        const auto [found, is_new] = known.try_emplace({&own, &theirs});
+        if (is_new) {
+          const auto summary = [&](const ChosenSolver& of) { return summary_of(of, seed, claim.metrics.front(), by); };
+          found->second = relation_between(summary(own), summary(theirs), range, plan.significance);
+        }
+        return found->second;
+      };
+      for (const OwnChoices& own : choices) {
+        add_universes(counts, multiverse, g, seed, own, fit, [&](std::size_t rival, const ChosenSolver& theirs) {
+          if (has_rival && rival != only_rival) return Relation::better;
+          PairCounts pairs;
+          for (const auto& [solver, choice] : own) {
+            // With a control, the plan compares only pairs with it.
+            const bool is_compared =
+                plan.control.empty() || solvers[solver] == plan.control || solvers[rival] == plan.control;
+            pairs.add(is_compared ? relation(study.solvers[solver][choice], theirs) : Relation::undecided);
+          }
+          return pairs.worse > 0 ? Relation::worse : pairs.open == 0 ? Relation::better : Relation::undecided;
+        });
       }
     }
   }

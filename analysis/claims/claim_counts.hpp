@@ -11,8 +11,8 @@
 
 namespace ikbench::claims {
 
-// Weights of the universes in which a claim holds (the solver is found better than each rival), fails (a rival is found
-// better) and is undecided. Each seed counts as a study of its own.
+// Weights of the universes in which a claim holds (its solver, or each of several, is found better than each rival),
+// fails (a rival is found better) and is undecided. Each seed counts as a study of its own.
 struct UniverseCounts {
   double holds = 0, fails = 0, undecided = 0;
   void operator+=(const UniverseCounts& more);

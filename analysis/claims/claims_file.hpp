@@ -26,16 +26,19 @@ struct ClaimEntry {
   std::string study;  // "limits" of the companion NAME-limits; empty: the study itself
   FromCompanion take = FromCompanion::all;
   // The numbers by which every universe of the paper's open points judges it too (docs/multiverse.md); none: not judged
-  // there. Only "smallest" can be, with one solver and one metric that universes have.
+  // there. Only "smallest" can be, with one metric that universes have.
   std::vector<results::Estimand> universes;
   std::string table;  // table or figure of the report with its numbers; empty: the table of means
   std::string note;   // addition to the evidence, if the rule has a place for it
   // For some rules only.
-  std::vector<std::string> solvers;            // its solvers
+  std::vector<std::string> solvers;            // its solvers, instead of the one
   double limit_ms = 0;                         // limit of a solve in time
   std::string row;                             // names a printed row's solver: "{bats} bats"
   std::string path;                            // the kind of path that it is about
   std::map<std::string, std::string> reasons;  // why "KDL on the Baxter arm" may differ
+
+  // Those that it says something of: its solvers or the one.
+  std::vector<std::string> own() const { return solvers.empty() ? std::vector{solver} : solvers; }
 };
 
 struct ClaimsFile {

@@ -26,7 +26,8 @@ Claims judged(const ClaimsFile& file, const report::Reported& reported);
 
 // Rules on a solver's means against others', of the study's numbers or the printed ones (rules_of_means.cpp).
 
-// The solver's mean is the smallest, or the largest, in each of the claim's metrics.
+// The solver's mean is the smallest, or the largest, in each of the claim's metrics. Of several solvers each is so
+// against all others.
 Claims smallest(const Case& of);
 Claims largest(const Case& of);
 // All solvers in the printed order. Times that are not comparable are not ranked.

@@ -47,30 +47,35 @@ std::vector<RankedSolver> ranked(std::vector<RankedSolver> solvers) {
 }
 
 // The other solvers by their means, the smallest first.
-std::vector<RankedSolver> rivals_of(const std::string& solver, const Evidence& evidence) {
+std::vector<RankedSolver> rivals_of(const std::vector<std::string>& own, const Evidence& evidence) {
   std::vector<RankedSolver> rivals;
   for (const GroupEvidence& group : evidence.groups) {
-    if (group.name != solver) rivals.push_back({group.name, group.described.mean});
+    if (std::ranges::count(own, group.name) == 0) rivals.push_back({group.name, group.described.mean});
   }
   return ranked(std::move(rivals));
 }
 
-// The solver against each rival. If it should be the largest, smaller rivals are the better ones.
-PairCounts held_against(const Evidence& evidence, const std::string& solver, bool is_largest) {
+// Each solver against each rival. If they should be the largest, smaller rivals are the better ones.
+PairCounts held_against(const Evidence& evidence, const std::vector<std::string>& own, bool is_largest) {
   PairCounts counts;
-  for (const RankedSolver& rival : rivals_of(solver, evidence)) {
-    const Relation relation = judge(evidence, solver, rival.solver).relation;
-    counts.add(is_largest == (evidence.better == Better::larger) ? relation : reversed(relation));
+  for (const std::string& solver : own) {
+    for (const RankedSolver& rival : rivals_of(own, evidence)) {
+      const Relation relation = judge(evidence, solver, rival.solver).relation;
+      counts.add(is_largest == (evidence.better == Better::larger) ? relation : reversed(relation));
+    }
   }
   return counts;
 }
 
-// "IK-BA 0.0017 cm, K-ABC 0.208 (p = 0.001), DE 0.253 (p = 0.002)", the others by their means.
-std::string list_of(const Evidence& evidence, const std::string& solver, Metric metric) {
-  std::string list = fmt::format("{} {}", solver, with_unit(mean_of(evidence, solver), metric));
-  for (const RankedSolver& rival : rivals_of(solver, evidence)) {
-    list += fmt::format(", {} {}{}", rival.solver, number_of(rival.mean, metric),
-                        in_brackets(judge(evidence, solver, rival.solver).p));
+// "IK-BA 0.0017 cm, K-ABC 0.208 (p = 0.001), DE 0.253 (p = 0.002)" for each solver, the others by their means.
+std::string list_of(const Evidence& evidence, const std::vector<std::string>& own, Metric metric) {
+  std::string list;
+  for (const std::string& solver : own) {
+    list += fmt::format("{}{} {}", list.empty() ? "" : "; ", solver, with_unit(mean_of(evidence, solver), metric));
+    for (const RankedSolver& rival : rivals_of(own, evidence)) {
+      list += fmt::format(", {} {}{}", rival.solver, number_of(rival.mean, metric),
+                          in_brackets(judge(evidence, solver, rival.solver).p));
+    }
   }
   return list;
 }
@@ -95,17 +100,20 @@ std::string how_tested(const Evidence& here, const Evidence& printed) {
                      has_known ? "; the sign test against a solver whose runs are all equal" : "", of_printed);
 }
 
-// "; by typical error PSO is better": the plan's other estimands that find others better than a solver that is claimed
-// to be the first; empty where none does.
-std::string other_estimands_against(const JudgedStudy& study, const std::string& solver, Metric metric) {
+// "; by typical error PSO is better": the plan's other estimands that find others better than one of the solvers that
+// are claimed to be the first; empty where none does.
+std::string other_estimands_against(const JudgedStudy& study, const std::vector<std::string>& own, Metric metric) {
   std::string words;
   for (const Estimand estimand : estimands_of(study, metric)) {
     if (estimand == average_estimand(metric)) continue;
     const Evidence& found = study.evidence(metric, estimand);
     std::vector<std::string> better;
     for (const GroupEvidence& other : found.groups) {
-      const bool is_other = other.name != solver;
-      if (is_other && judge(found, solver, other.name).relation == Relation::worse) better.push_back(other.name);
+      const bool is_other = std::ranges::count(own, other.name) == 0;
+      const bool is_better = is_other && std::ranges::any_of(own, [&](const std::string& solver) {
+                               return judge(found, solver, other.name).relation == Relation::worse;
+                             });
+      if (is_better) better.push_back(other.name);
     }
     if (better.empty()) continue;
     words += fmt::format("; by {} {} {} better",
@@ -117,6 +125,7 @@ std::string other_estimands_against(const JudgedStudy& study, const std::string&
 
 Claims compared(const Case& of, bool is_largest) {
   const ClaimEntry& entry = of.entry;
+  const std::vector<std::string> own = entry.own();
   const bool is_here = entry.study.empty();
   if (is_here && !of.is_of_means()) return {};
   Claim claim = of.begun();
@@ -126,23 +135,25 @@ Claims compared(const Case& of, bool is_largest) {
     const std::vector<Pair> printed = is_here ? of.pairs(metric) : std::vector<Pair>();
     const auto found = of.evidence(metric);
     if (!found || printed.size() == 1) return {};
-    here.push_back(verdict_on(held_against(*found, entry.solver, is_largest)));
+    here.push_back(verdict_on(held_against(*found, own, is_largest)));
     std::string number(times_not_judged);
     if (found->contrasts.empty() && metric == Metric::seconds) {
       claim.evidence.push_back(not_judged_words(title(metric) + ": not judged") + '.');
     } else {
-      claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, entry.solver, metric)));
-      std::vector<RankedSolver> rivals = rivals_of(entry.solver, *found);
+      claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, own, metric)));
+      std::vector<RankedSolver> rivals = rivals_of(own, *found);
       const RankedSolver& nearest = is_largest ? rivals.back() : rivals.front();
-      number = fmt::format("{} {}, {} {}", average_of(*found), with_unit(mean_of(*found, entry.solver), metric),
-                           nearest.solver, number_of(nearest.mean, metric));
+      std::vector<std::string> means;
+      for (const std::string& solver : own) means.push_back(with_unit(mean_of(*found, solver), metric));
+      number = fmt::format("{} {}, {} {}", average_of(*found), listed(means), nearest.solver,
+                           number_of(nearest.mean, metric));
       test = how_tested(*found, *found);
     }
     if (claim.number.empty()) claim.number = number;
     if (printed.empty()) continue;
     const Evidence of_print = of.printed_evidence(printed);
-    in_print.push_back(verdict_on(held_against(of_print, entry.solver, is_largest)));
-    printed_lists += fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, entry.solver, metric));
+    in_print.push_back(verdict_on(held_against(of_print, own, is_largest)));
+    printed_lists += fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, own, metric));
     if (!test.empty()) test = how_tested(*found, of_print);
   }
   claim.verdict = verdict_on(here);
@@ -162,7 +173,7 @@ Claims smallest(const Case& of) {
   const bool is_of_all = entry.metrics.size() == 1 && entry.study.empty() && entry.against.empty();
   if (claims.empty() || claims.front().verdict != Verdict::holds || !is_of_all) return claims;
   // A paper compares means, so the verdict is by the mean; a claim that only the worst cases support holds in part.
-  const std::string against = other_estimands_against(of.study(), entry.solver, metric);
+  const std::string against = other_estimands_against(of.study(), entry.own(), metric);
   if (against.empty()) return claims;
   Claim& claim = claims.front();
   claim.verdict = Verdict::in_part;

@@ -96,14 +96,14 @@ Fit some_fit(const Multiverse& multiverse) {
 using ByAlternative = std::map<std::pair<std::size_t, std::size_t>, UniverseCounts>;
 
 // Universe by universe, each judged by Games and Howell's test of all pairs.
-ByAlternative listed(const Multiverse& multiverse, const std::string& rival, const Fit& fit, UniverseCounts& all,
-                     UniverseCounts& fitting) {
+ByAlternative listed(const Multiverse& multiverse, const std::vector<std::string>& own, const std::string& rival,
+                     const Fit& fit, UniverseCounts& all, UniverseCounts& fitting) {
   ByAlternative counts;
   const StudentizedRange range(3);
   for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
     const Multiverse::OfStudy& study = multiverse.studies[g];
-    const auto explains = [&](std::size_t s, const Multiverse::ChosenSolver& own) {
-      return fit.explained[g][s][static_cast<std::size_t>(&own - study.solvers[s].data())].count();
+    const auto explains = [&](std::size_t s, const Multiverse::ChosenSolver& of) {
+      return fit.explained[g][s][static_cast<std::size_t>(&of - study.solvers[s].data())].count();
     };
     for (const Multiverse::ChosenSolver& a : study.solvers[0]) {
       for (const Multiverse::ChosenSolver& b : study.solvers[1]) {
@@ -112,8 +112,10 @@ ByAlternative listed(const Multiverse& multiverse, const std::string& rival, con
             const std::vector<GroupSummary> groups{summarise(a.error_cm[seed]), summarise(b.error_cm[seed]),
                                                    summarise(c.error_cm[seed])};
             int better = 0, worse = 0, rivals = 0;
-            for (const MeanDifference& pair : tamhane(groups, 1 - usual_plan.significance, 0)) {
-              if (!rival.empty() && multiverse.solvers[pair.second] != rival) continue;
+            for (const MeanDifference& pair : tamhane(groups, 1 - usual_plan.significance)) {
+              const std::string &first = multiverse.solvers[pair.first], &second = multiverse.solvers[pair.second];
+              if (std::ranges::count(own, first) == 0 || std::ranges::count(own, second) > 0) continue;
+              if (!rival.empty() && second != rival) continue;
               ++rivals;
               if (range.upper_tail(pair.q, pair.df) < usual_plan.significance)
                 ++(pair.difference.value < 0 ? better : worse);
@@ -145,11 +147,15 @@ bool are_same(const UniverseCounts& one, const UniverseCounts& other) {
 TEST_CASE("claims counted by products are those counted universe by universe", "[multiverse]") {
   const Multiverse multiverse = small_multiverse();
   const Fit fit = some_fit(multiverse);
-  for (const std::string rival : {"", "B", "C"}) {
-    CAPTURE(rival);
+  const std::vector<std::string> alone{"A"}, both{"A", "B"};
+  for (const auto& [own, rival] :
+       {std::pair(alone, ""), std::pair(alone, "B"), std::pair(alone, "C"), std::pair(both, "")}) {
+    CAPTURE(own, rival);
     UniverseCounts all, fitting;
-    ByAlternative expected = listed(multiverse, rival, fit, all, fitting);
-    const ClaimCounts counts = counted(multiverse, {claim_of_a(rival)}, usual_plan, fit).front();
+    ByAlternative expected = listed(multiverse, own, rival, fit, all, fitting);
+    ClaimEntry claim = claim_of_a(rival);
+    claim.solvers = own;
+    const ClaimCounts counts = counted(multiverse, {claim}, usual_plan, fit).front();
     CHECK(counts.all.all() == Approx(2));  // seeds
     CHECK(are_same(counts.all, all));
     CHECK(are_same(counts.fitting, fitting));

@@ -112,7 +112,7 @@ std::string verdict_of(const Judged& told, const std::string& claim) {
   return told.page.substr(start, told.page.find(" |", start) - start);
 }
 
-constexpr std::array<const char*, 3> judged_claims{"IK-BA is the most accurate", "moves the joints least",
+constexpr std::array<const char*, 3> judged_claims{"IK-BA is the most accurate", "of all three",
                                                    "With all limits enforced, IK-BA is the most accurate"};
 
 }  // namespace
