@@ -1,7 +1,7 @@
 // A study as plain data, read from the definition that the store keeps (JSON): what judging needs of it.
 #pragma once
 
-#include <limits>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -10,8 +10,6 @@
 #include "results/plan.hpp"
 
 namespace ikbench::results {
-
-constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
 
 struct Definition {
   struct Stop {
@@ -32,9 +30,14 @@ struct Definition {
 
   // Each solve begins where the last one left the arm.
   bool is_chained() const { return start == "previous"; }
+  // Says what is solved.
+  bool has_tolerance() const { return stop.tolerance_cm > 0 || stop.tolerance_deg > 0; }
 };
 
-// Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object.
+// Members that the text lacks, or that have another type, keep their defaults. Throws std::invalid_argument if it is no
+// JSON object, or if its plan cannot be.
 Definition definition_of(std::string_view json);
+// The part "analysis" of a definition, also as a session recorded it. `published` is the definition's.
+Plan plan_of(const nlohmann::json& analysis, std::string_view published);
 
 }  // namespace ikbench::results

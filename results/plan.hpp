@@ -12,6 +12,8 @@ struct Plan {
   double significance = 0.05;
   double margin = 0.05;  // that matters: relative, 1 / 1.05 to 1.05; of shares points
   double margin_cm = 0;  // the same of errors; within either, a difference does not matter
+
+  bool operator==(const Plan&) const = default;
 };
 
 }  // namespace ikbench::results
