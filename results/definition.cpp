@@ -11,38 +11,36 @@
 namespace ikbench::results {
 namespace {
 
-using numerics::Json;
-
 // The value at a path of keys, such as "/stop/seconds"; null if there is none.
-const Json& at(const Json& all, const std::string& path) {
-  static const Json none;
-  const Json::json_pointer pointer(path);
+const nlohmann::json& at(const nlohmann::json& all, const std::string& path) {
+  static const nlohmann::json none;
+  const nlohmann::json::json_pointer pointer(path);
   return all.is_object() && all.contains(pointer) ? all.at(pointer) : none;
 }
 
-void read(const Json& value, std::string& into) {
+void read(const nlohmann::json& value, std::string& into) {
   if (value.is_string()) into = value.get<std::string>();
 }
-void read(const Json& value, double& into) {
+void read(const nlohmann::json& value, double& into) {
   if (value.is_number()) into = value.get<double>();
 }
-void read(const Json& value, std::int64_t& into) {
+void read(const nlohmann::json& value, std::int64_t& into) {
   if (value.is_number_integer()) into = value.get<std::int64_t>();
 }
-void read(const Json& value, int& into) {
+void read(const nlohmann::json& value, int& into) {
   std::int64_t whole = into;
   read(value, whole);
   into = static_cast<int>(std::clamp<std::int64_t>(whole, 0, std::numeric_limits<int>::max()));
 }
-void read(const Json& value, std::vector<std::string>& into) {
-  for (const Json& each : value) {
+void read(const nlohmann::json& value, std::vector<std::string>& into) {
+  for (const nlohmann::json& each : value) {
     if (each.is_string()) into.push_back(each.get<std::string>());
   }
 }
 
 }  // namespace
 
-Plan plan_of(const Json& analysis, std::string_view published) {
+Plan plan_of(const nlohmann::json& analysis, std::string_view published) {
   Plan plan;
   const auto read_at = [&](const char* path, auto& into) { read(at(analysis, path), into); };
   const auto expect = [](const char* field, double value, double least, double most) {
@@ -67,7 +65,7 @@ Plan plan_of(const Json& analysis, std::string_view published) {
 }
 
 Definition definition_of(std::string_view json) {
-  const Json all = numerics::parsed_json(json);
+  const nlohmann::json all = numerics::parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
   Definition of;
   const auto read_at = [&](const char* path, auto& into) { read(at(all, path), into); };
