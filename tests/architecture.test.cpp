@@ -39,6 +39,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"results", {"numerics"}},
       {"experiments", {"numerics", "robots", "solvers", "results"}},
       {"analysis/statistics", {}},
+      {"analysis/compare", {"numerics", "results"}},
       {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
       {"analysis/figures", {"numerics", "robots", "results", "analysis/statistics", "analysis/inference"}},
       {"analysis/report",

@@ -1,0 +1,62 @@
+// Which of two is better: a finding for each pair of groups, and the one that is best.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/compare/observations.hpp"
+#include "analysis/compare/tests_of_two.hpp"
+
+namespace ikbench::compare {
+
+struct Plan {
+  enum class Test { ranks, means } test = Test::ranks;
+  double significance = 0.05;
+  double margin = 0.05;        // that matters: relative, 1 / 1.05 to 1.05; of shares points
+  double absolute_margin = 0;  // the same in the unit of the metric; within either, a difference does not matter
+  std::string control = {};    // compares with this group alone; empty: all pairs
+};
+
+// Of the first.
+enum class Verdict { better, worse, same, undecided, not_tested };
+std::string_view name_of(Verdict verdict);
+
+enum class Why {
+  tested,
+  lost,        // a group has observations without a value
+  fact,        // both solvers repeat themselves: no chance is in the difference
+  too_few,     // no data of this size could decide
+  few_decide,  // tested; one value is more than half of a group's sum, so its mean shows nothing better
+};
+
+struct Finding {
+  std::string metric, first, second;
+  Scale scale = Scale::difference;        // of estimate and interval; means have differences
+  std::optional<double> estimate = {};    // none if values are lost
+  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs
+  std::optional<double> p = {};           // after Holm
+  std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
+  std::string_view test = {};
+  Verdict verdict = Verdict::not_tested;
+  bool is_beyond_margin = false;  // the interval lies outside the margin
+  bool is_within_margin = false;  // inside: the same, or better by less than the margin
+  bool are_all_equal = false;
+  Why why = Why::tested;
+  int needed = 0;  // if too few: observations, in each group, that could decide
+};
+
+// Throws std::invalid_argument if the control is no group, paired groups differ in size, or a ratio is of values that
+// are not above 0.
+std::vector<Finding> compare(const Observations& of, const Plan& plan);
+
+// Of one metric. best: better than every other. A circle, or means that lie the other way by more than the margin,
+// leave none: `usual` is then usually better, and the mean of `by_mean` is better.
+struct Headline {
+  std::string best = {}, usual = {}, by_mean = {};
+  bool is_circle = false;
+};
+Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings);
+
+}  // namespace ikbench::compare

@@ -1,0 +1,95 @@
+#include "analysis/compare/describe.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+
+#include "analysis/compare/tests_of_two.hpp"
+
+namespace ikbench::compare {
+namespace {
+
+double quantile(const std::vector<double>& sorted, double share) {
+  const auto n = static_cast<double>(sorted.size());
+  const double place = std::clamp(n * share - 0.5, 0.0, n - 1), part = place - std::floor(place);
+  const double low = sorted[static_cast<std::size_t>(place)];
+  const double high = sorted[std::min(static_cast<std::size_t>(place) + 1, sorted.size() - 1)];
+  return low == high ? low : (1 - part) * low + part * high;
+}
+
+bool can_differ(const Observations& of) {
+  return of.groups.size() > 1 && std::ranges::all_of(of.groups, [](const Group& group) {
+           return group.lost == 0 && (group.summary || !group.values.empty());
+         });
+}
+
+}  // namespace
+
+Description describe(const Group& group) {
+  if (group.summary) return {.n = group.summary->n, .mean = group.summary->mean, .sd = group.summary->sd};
+  if (group.values.empty()) return {};
+  const Summary summary = summarise(group.values);
+  std::vector<double> sorted = group.values;
+  std::ranges::sort(sorted);
+  return {.n = summary.n,
+          .mean = summary.mean,
+          .sd = summary.n > 1 ? summary.sd : unknown,
+          .median = quantile(sorted, 0.5),
+          .lower_quartile = quantile(sorted, 0.25),
+          .upper_quartile = quantile(sorted, 0.75),
+          .smallest = sorted.front(),
+          .largest = sorted.back()};
+}
+
+std::optional<TestOfAll> anova(const Observations& of) {
+  if (!can_differ(of)) return {};
+  // Means less a common value keep the digits that many equal leading ones would cost.
+  const bool have_values =
+      std::ranges::none_of(of.groups, [](const Group& group) { return group.summary.has_value(); });
+  const double shift = have_values ? of.groups.front().values.front() : 0;
+  std::vector<Summary> groups;
+  double n = 0, sum = 0;
+  for (const Group& group : of.groups) {
+    std::vector<double> shifted = group.values;
+    for (double& value : shifted) value -= shift;
+    groups.push_back(group.summary ? *group.summary : summarise(shifted));
+    n += groups.back().n;
+    sum += groups.back().n * groups.back().mean;
+  }
+  TestOfAll test{.df = static_cast<double>(groups.size()) - 1, .df_within = n - static_cast<double>(groups.size())};
+  for (const Summary& group : groups) {
+    test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
+    test.ss_within += (group.n - 1) * group.sd * group.sd;
+  }
+  if (test.df_within < 1 || test.ss_within == 0) return {};
+  test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
+  const boost::math::fisher_f f(test.df, test.df_within);
+  test.p = boost::math::cdf(boost::math::complement(f, test.statistic));
+  return test;
+}
+
+std::optional<TestOfAll> kruskal_wallis(const Observations& of) {
+  std::vector<double> all;
+  for (const Group& group : of.groups) {
+    if (group.summary) return {};
+    all.insert(all.end(), group.values.begin(), group.values.end());
+  }
+  if (!can_differ(of)) return {};
+  const Ranks ranks = midranks(all);
+  const auto n = static_cast<double>(all.size());
+  const double variance = n * (n + 1) / 12 - ranks.tie_sum / (12 * (n - 1));
+  if (ranks.tie_sum == n * n * n - n) return {};
+  TestOfAll test{.df = static_cast<double>(of.groups.size()) - 1};
+  auto rank = ranks.ranks.begin();
+  for (const Group& group : of.groups) {
+    double sum = 0;
+    for (std::size_t i = 0; i < group.values.size(); ++i) sum += *rank++;
+    const auto size = static_cast<double>(group.values.size());
+    test.statistic += size * std::pow(sum / size - (n + 1) / 2, 2) / variance;
+  }
+  test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(test.df), test.statistic));
+  return test;
+}
+
+}  // namespace ikbench::compare

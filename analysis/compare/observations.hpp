@@ -1,0 +1,44 @@
+// Observations of one metric in groups, as `compare` and `describe` take them: what is odd was settled before.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ikbench::compare {
+
+enum class Better { smaller, larger };
+
+// What a comparison estimates: first / second, first - second, or the difference of shares from 0 to 1. It belongs to
+// the metric, whatever the values are.
+enum class Scale { ratio, difference, share };
+
+// A group as papers print it.
+struct Summary {
+  int n = 0;
+  double mean = 0;
+  double sd = 0;  // divided by n - 1
+};
+
+struct Group {
+  std::string name;
+  std::vector<double> values = {};                // finite; where paired, in the order of the blocks
+  int lost = 0;                                   // observations without a value: such a group is not compared
+  int copies = 0;                                 // runs that all gave the one value, because the solver repeats itself
+  std::optional<Summary> summary = std::nullopt;  // in place of values
+};
+
+struct Observations {
+  std::string metric;    // of files and anchors: "error"
+  std::string quantity;  // "position error"
+  std::string unit = {};
+  Better better = Better::smaller;
+  Scale scale = Scale::ratio;
+  double floor = 0;        // of ratios: a smaller value counts as this
+  double rounding = 0;     // values that differ by no more are equal
+  bool is_paired = false;  // values[i] of all groups belong together
+  int trials = 1;          // of shares: attempts in an observation; one makes it 0 or 1
+  std::vector<Group> groups = {};
+};
+
+}  // namespace ikbench::compare

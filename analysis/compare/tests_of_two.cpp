@@ -1,0 +1,371 @@
+#include "analysis/compare/tests_of_two.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace ikbench::compare {
+namespace {
+
+namespace bm = boost::math;
+
+// Boost computes in long double by default, which takes several times as long.
+using Plain = bm::policies::policy<bm::policies::promote_double<false>>;
+using StudentsT = bm::students_t_distribution<double, Plain>;
+
+constexpr std::size_t exact_unpaired = 100, exact_paired = 1000;
+
+double number(auto count) { return static_cast<double>(count); }
+int sign_of(double value) { return (value > 0) - (value < 0); }
+double critical_z(double alpha) { return bm::quantile(bm::complement(bm::normal(), alpha / 2)); }
+
+// Student's t of an estimate with this standard error. Without one, p is the smallest that permutations give.
+Tested t_of(double estimate, double error, double df, double smallest_p, double alpha) {
+  Tested tested{.estimate = estimate, .direction = sign_of(estimate)};
+  if (error == 0) {
+    tested.p = estimate == 0 ? 1 : smallest_p;
+    return tested;
+  }
+  const StudentsT t(df);
+  tested.p = 2 * bm::cdf(bm::complement(t, std::abs(estimate) / error));
+  const double half = bm::quantile(bm::complement(t, alpha / 2)) * error;
+  tested.interval = Interval{estimate - half, estimate + half};
+  return tested;
+}
+
+// Satterthwaite's degrees of freedom of a sum of two estimated variances; a single value has none.
+double df_of(double u, double m, double v, double n) {
+  return (u + v) * (u + v) / (u * u / std::max(1.0, m - 1) + v * v / std::max(1.0, n - 1));
+}
+
+double two_sided_binomial(double k, double n) {  // at one half
+  return n == 0 ? 1 : std::min(1.0, 2 * bm::cdf(bm::binomial(n, 0.5), std::min(k, n - k)));
+}
+
+// The null distribution of a sum of ranks: exact if it has probabilities, by the sum times 1, or 2 where ties make
+// halves.
+struct RankSum {
+  double mean = 0, variance = 0;
+  std::vector<double> probabilities = {};
+  double times = 1;
+
+  // Twice the tail on the side of the sum.
+  double two_sided(double sum) const {
+    if (probabilities.empty()) {
+      const double distance = std::max(0.0, std::abs(sum - mean) - 0.5);
+      return variance > 0 ? std::erfc(distance / std::sqrt(2 * variance)) : 1;
+    }
+    const auto seen = probabilities.begin() + std::lround(times * sum);
+    const bool is_low = sum <= mean;
+    const double tail =
+        std::accumulate(is_low ? probabilities.begin() : seen, is_low ? seen + 1 : probabilities.end(), 0.0);
+    return std::min(1.0, 2 * tail);
+  }
+
+  // The largest r with P(sum - least < r) <= alpha / 2: an interval goes from the r-th smallest candidate to the r-th
+  // largest.
+  std::size_t critical(double least, double alpha) const {
+    if (probabilities.empty()) {
+      const double rank = std::floor(mean - least - critical_z(alpha) * std::sqrt(variance) + 0.5);
+      return rank > 0 ? static_cast<std::size_t>(rank) : 0;
+    }
+    auto next = probabilities.begin() + std::lround(least);
+    std::size_t rank = 0;
+    for (double below = *next; below <= alpha / 2; below += *++next) ++rank;
+    return rank;
+  }
+};
+
+std::vector<std::size_t> whole(const Ranks& ranks, double times) {
+  std::vector<std::size_t> result;
+  for (const double rank : ranks.ranks) result.push_back(static_cast<std::size_t>(std::lround(times * rank)));
+  std::ranges::sort(result);
+  return result;
+}
+
+// So many of the ranks, all choices equally likely.
+RankSum sum_of_some(const Ranks& ranks, std::size_t chosen) {
+  const double all = number(ranks.ranks.size()), m = number(chosen), n = all - m;
+  RankSum sum{.mean = m * (all + 1) / 2, .variance = m * n / 12 * (all + 1 - ranks.tie_sum / (all * (all - 1)))};
+  if (all > exact_unpaired) return sum;
+  sum.times = ranks.tie_sum > 0 ? 2 : 1;
+  std::vector<std::vector<double>> ways(chosen + 1);  // by the number chosen, and the sum
+  ways[0] = {1};
+  for (const std::size_t rank : whole(ranks, sum.times)) {
+    for (std::size_t k = chosen; k-- > 0;) {
+      if (ways[k].empty()) continue;
+      ways[k + 1].resize(std::max(ways[k + 1].size(), ways[k].size() + rank));
+      for (std::size_t i = 0; i < ways[k].size(); ++i) ways[k + 1][i + rank] += ways[k][i];
+    }
+  }
+  sum.probabilities = std::move(ways[chosen]);
+  const double choices = std::accumulate(sum.probabilities.begin(), sum.probabilities.end(), 0.0);
+  for (double& share : sum.probabilities) share /= choices;
+  return sum;
+}
+
+// Each rank or not, with even chances. The probabilities go to half of all, because the others mirror them.
+RankSum sum_of_any(const Ranks& ranks) {
+  const double n = number(ranks.ranks.size());
+  RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
+  if (ranks.ranks.size() > exact_paired) return sum;
+  sum.times = ranks.tie_sum > 0 ? 2 : 1;
+  const auto most = static_cast<std::size_t>(sum.times * sum.mean);
+  std::vector<double> now(most + 1), next(most + 1);
+  now[0] = 1;
+  std::size_t reached = 0;
+  for (const std::size_t rank : whole(ranks, sum.times)) {
+    reached = std::min(most, reached + rank);
+    for (std::size_t i = 0; i <= reached && i < rank; ++i) next[i] = now[i] / 2;
+    for (std::size_t i = rank; i <= reached; ++i) next[i] = (now[i] + now[i - rank]) / 2;
+    now.swap(next);
+  }
+  sum.probabilities = std::move(now);
+  return sum;
+}
+
+Ranks without_ties(std::size_t n) {
+  Ranks result{.ranks = std::vector<double>(n)};
+  std::iota(result.ranks.begin(), result.ranks.end(), 1.0);
+  return result;
+}
+
+// Doubles in order as whole numbers; the function is its own inverse.
+std::int64_t in_order(std::int64_t bits) {
+  return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
+}
+
+// Of all sums x_i + y_j, or only those with i <= j where y is x: the median, and the interval from the rank-th smallest
+// to the rank-th largest. The sums are not made: those up to a bound are counted, and the bound closes in.
+Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std::size_t rank) {
+  std::ranges::sort(x);
+  std::ranges::sort(y);
+  const auto count_to = [&](double bound) {
+    std::size_t count = 0, left = y.size();
+    for (const double value : x) {
+      while (left > 0 && value + y[left - 1] > bound) --left;
+      count += left;
+    }
+    const auto twice = [&](double value) { return value + value <= bound; };
+    return are_same ? (count + static_cast<std::size_t>(std::ranges::count_if(x, twice))) / 2 : count;
+  };
+  const auto smallest = [&](std::size_t at) {  // from 1
+    std::int64_t low = in_order(std::bit_cast<std::int64_t>(x.front() + y.front()));
+    std::int64_t high = in_order(std::bit_cast<std::int64_t>(x.back() + y.back()));
+    while (low < high) {
+      const std::int64_t bound = std::midpoint(low, high);
+      const bool is_enough = count_to(std::bit_cast<double>(in_order(bound))) >= at;
+      (is_enough ? high : low) = is_enough ? bound : bound + 1;
+    }
+    return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
+  };
+  const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
+  Tested tested{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
+  if (rank >= 1 && rank <= all) tested.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
+  return tested;
+}
+
+}  // namespace
+
+Summary summarise(Values values) {
+  const double shift = values.front(), n = number(values.size());
+  double sum = 0, shifted_mean = 0, largest = 0;
+  for (const double value : values) {
+    sum += value - shift;
+    shifted_mean += (value - shift) / n;
+    largest = std::max(largest, std::abs(value));
+  }
+  double squares = 0, rest = 0;  // the mean's rounding (Chan, Golub, LeVeque 1983)
+  for (const double value : values) {
+    const double deviation = (value - shift) - shifted_mean;
+    squares += deviation * deviation;
+    rest += deviation;
+  }
+  const double sd = n > 1 ? std::sqrt((squares - rest * rest / n) / (n - 1)) : 0;
+  const bool is_rounding = sd <= 4 * std::numeric_limits<double>::epsilon() * largest;
+  return {.n = static_cast<int>(values.size()), .mean = shift + sum / n, .sd = is_rounding ? 0 : sd};
+}
+
+Ranks midranks(Values values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  Ranks result{.ranks = std::vector<double>(values.size())};
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
+    for (std::size_t i = first; i < end; ++i) result.ranks[order[i]] = number(first + 1 + end) / 2;
+    const double ties = number(end - first);
+    result.tie_sum += ties * ties * ties - ties;
+  }
+  return result;
+}
+
+Ranks midranks(Values first, Values second) {
+  std::vector<double> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  return midranks(all);
+}
+
+double smallest_p_unpaired(std::size_t m, std::size_t n) {
+  double p = 2;
+  for (std::size_t i = 1; i <= m; ++i) p *= number(i) / number(n + i);
+  return std::min(1.0, p);
+}
+
+double smallest_p_paired(std::size_t n) { return std::min(1.0, std::exp2(1 - number(n))); }
+
+double a12(Values first, Values second) {
+  const Ranks all = midranks(first, second);
+  const double m = number(first.size());
+  const double sum = std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0);
+  return (sum - m * (m + 1) / 2) / (m * number(second.size()));
+}
+
+double brunner_munzel(Values first, Values second) {
+  const Ranks all = midranks(first, second);
+  const double m = number(first.size()), n = number(second.size());
+  // The values of the other group below each value: its rank among all less its rank in its own.
+  const auto placed = [&](Values own, std::size_t from) {
+    std::vector<double> below = midranks(own).ranks;
+    for (std::size_t i = 0; i < below.size(); ++i) below[i] = all.ranks[from + i] - below[i];
+    return summarise(below);
+  };
+  const Summary one = placed(first, 0), other = placed(second, first.size());
+  const double u = one.sd * one.sd / m / (n * n), v = other.sd * other.sd / n / (m * m);
+  return t_of(one.mean / n - 0.5, std::sqrt(u + v), df_of(u, m, v, n), 0, 0.05).p;
+}
+
+double mann_whitney(Values first, Values second) {
+  if (first.size() > second.size()) return mann_whitney(second, first);
+  const Ranks all = midranks(first, second);
+  return sum_of_some(all, first.size())
+      .two_sided(std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0));
+}
+
+Tested rank_test(Values first, Values second, double alpha) {
+  const std::size_t few = std::min(first.size(), second.size());
+  const RankSum sum = sum_of_some(without_ties(first.size() + second.size()), few);
+  std::vector<double> negative(second.begin(), second.end());
+  for (double& value : negative) value = -value;
+  const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
+  Tested tested = of_sums({first.begin(), first.end()}, std::move(negative), false, rank);
+  tested.p = std::max(brunner_munzel(first, second), mann_whitney(first, second));
+  tested.direction = sign_of(a12(first, second) - 0.5);
+  return tested;
+}
+
+Tested welch(const Summary& first, const Summary& second, double alpha) {
+  const double m = first.n, n = second.n;
+  const double u = first.sd * first.sd / m, v = second.sd * second.sd / n;
+  const double smallest = smallest_p_unpaired(static_cast<std::size_t>(first.n), static_cast<std::size_t>(second.n));
+  return t_of(first.mean - second.mean, std::sqrt(u + v), df_of(u, m, v, n), smallest, alpha);
+}
+
+Tested signed_rank_test(Values differences, double alpha) {
+  std::vector<double> half(differences.begin(), differences.end()), sizes;
+  for (double& difference : half) {
+    if (difference != 0) sizes.push_back(std::abs(difference));
+    difference /= 2;
+  }
+  Tested tested = of_sums(half, half, true, sum_of_any(without_ties(half.size())).critical(0, alpha));
+  const Ranks ranks = midranks(sizes);
+  const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
+  double above = 0;
+  auto rank = ranks.ranks.begin();
+  for (const double difference : differences) {
+    if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
+  }
+  tested.direction = sign_of(above - total / 2);
+  tested.p = sum_of_any(ranks).two_sided(std::min(above, total - above));
+  return tested;
+}
+
+Tested t_test(Values differences, double alpha) {
+  const Summary of = summarise(differences);
+  const double n = of.n;
+  return t_of(of.mean, of.sd / std::sqrt(n), n - 1, smallest_p_paired(differences.size()), alpha);
+}
+
+Tested sign_test(Values differences, double alpha) {
+  std::vector<double> sorted(differences.begin(), differences.end());
+  std::ranges::sort(sorted);
+  const std::size_t n = sorted.size();
+  const double above = number(std::ranges::count_if(sorted, [](double each) { return each > 0; }));
+  const double below = number(std::ranges::count_if(sorted, [](double each) { return each < 0; }));
+  std::size_t rank = 0;
+  while (rank < n / 2 && bm::cdf(bm::binomial(number(n), 0.5), number(rank)) <= alpha / 2) ++rank;
+  Tested tested{.estimate = sorted[(n - 1) / 2] / 2 + sorted[n / 2] / 2,
+                .p = two_sided_binomial(above, above + below),
+                .direction = sign_of(above - below)};
+  if (rank > 0) tested.interval = Interval{sorted[rank - 1], sorted[n - rank]};
+  return tested;
+}
+
+Interval wilson(double share, double n, double alpha) {
+  const double z = critical_z(alpha), zz = z * z / n;
+  const double centre = (share + zz / 2) / (1 + zz);
+  const double half = std::sqrt((share * (1 - share) + zz / 4) * zz) / (1 + zz);
+  return {share == 0 ? 0 : centre - half, share == 1 ? 1 : centre + half};
+}
+
+Interval newcombe(double share, double m, double other, double n, double alpha, double phi) {
+  const Interval one = wilson(share, m, alpha), two = wilson(other, n, alpha);
+  const auto reach = [phi](double a, double b) { return std::sqrt(std::max(0.0, a * a - 2 * phi * a * b + b * b)); };
+  return {share - other - reach(share - one.low, two.high - other),
+          share - other + reach(one.high - share, other - two.low)};
+}
+
+Tested fisher(Values first, Values second, double alpha) {
+  const double m = number(first.size()), n = number(second.size());
+  const double seen = number(std::ranges::count(first, 1.0)), all = seen + number(std::ranges::count(second, 1.0));
+  // Tables by the first's successes: weights relative to the one that was seen, each from its neighbour.
+  const auto odds_of_next = [&](double x) { return (m - x) * (all - x) / ((x + 1) * (n - all + x + 1)); };
+  double total = 1, as_rare = 1;
+  const auto add = [&](double weight) {
+    total += weight;
+    if (weight <= 1 + 1e-7) as_rare += weight;  // equal up to rounding, as in R
+  };
+  double weight = 1;
+  for (double x = seen; x < std::min(m, all); ++x) add(weight *= odds_of_next(x));
+  weight = 1;
+  for (double x = seen; x > std::max(0.0, all - n); --x) add(weight /= odds_of_next(x - 1));
+  const double share = seen / m, other = (all - seen) / n;
+  return {.estimate = share - other,
+          .p = std::min(1.0, as_rare / total),
+          .direction = sign_of(share - other),
+          .interval = newcombe(share, m, other, n, alpha)};
+}
+
+Tested mcnemar(Values first, Values second, double alpha) {
+  const double n = number(first.size());
+  double a = 0, b = 0, c = 0;  // both, the first alone, the second alone
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    a += first[i] == 1 && second[i] == 1;
+    b += first[i] == 1 && second[i] != 1;
+    c += first[i] != 1 && second[i] == 1;
+  }
+  const double d = n - a - b - c, margins = (a + b) * (c + d) * (a + c) * (b + d), excess = a * d - b * c;
+  const double corrected = excess > 0 ? std::max(0.0, excess - n / 2) : excess;
+  const double phi = margins > 0 ? corrected / std::sqrt(margins) : 0;
+  return {.estimate = (b - c) / n,
+          .p = two_sided_binomial(b, b + c),
+          .direction = sign_of(b - c),
+          .interval = newcombe((a + b) / n, n, (a + c) / n, n, alpha, phi)};
+}
+
+void holm(std::vector<double>& p) {
+  std::vector<double*> order;
+  for (double& each : p) order.push_back(&each);
+  std::ranges::sort(order, {}, [](const double* each) { return *each; });
+  double largest = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    *order[i] = largest = std::max(largest, std::min(1.0, *order[i] * number(order.size() - i)));
+}
+
+}  // namespace ikbench::compare

@@ -1,0 +1,82 @@
+// Tests of two groups. p is two-sided and of this pair alone; an interval has the level 1 - alpha.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/compare/observations.hpp"
+
+namespace ikbench::compare {
+
+using Values = std::span<const double>;
+
+struct Interval {
+  double low = 0, high = 0;
+};
+
+// Of first - second.
+struct Tested {
+  double estimate = 0;
+  double p = 1;
+  int direction = 0;                      // 1: the first is larger, -1: the second
+  std::optional<Interval> interval = {};  // none where so few values, or values without spread, give none
+};
+
+// Two passes, shifted by the first value. sd is 0 if it is rounding. Needs a value.
+Summary summarise(Values values);
+
+// Equal values share the mean of their ranks; 1 is the smallest.
+struct Ranks {
+  std::vector<double> ranks;  // in the order of the values
+  double tie_sum = 0;         // sum of t^3 - t over the ties
+};
+Ranks midranks(Values values);
+Ranks midranks(Values first, Values second);  // of both together
+
+// The smallest p that ranks, Fisher's and McNemar's test can give.
+double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
+double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
+
+// Numbers, unpaired.
+
+// The chance that a value of the first is larger, equal ones half (Vargha and Delaney, J. Educational and Behavioral
+// Statistics 25 (2000) 101).
+double a12(Values first, Values second);
+// By Student's t (Biometrical J. 42 (2000) 17). Without variance the groups do not overlap, p = 0, or are equal, 1.
+double brunner_munzel(Values first, Values second);
+// Exact, ties and all, to m + n = 100; then normal, corrected for ties and continuity (Annals of Mathematical
+// Statistics 18 (1947) 50).
+double mann_whitney(Values first, Values second);
+// The larger p of the two, with Hodges and Lehmann's shift and the interval of the Mann-Whitney test without ties
+// (Annals of Mathematical Statistics 34 (1963) 598).
+Tested rank_test(Values first, Values second, double alpha);
+// Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
+Tested welch(const Summary& first, const Summary& second, double alpha);
+
+// Numbers, paired: by the differences first - second.
+
+// Wilcoxon's signed ranks (Biometrics 1 (1945) 80), exact to n = 1000; differences of 0 have no rank. The estimate is
+// the median of all means of two differences.
+Tested signed_rank_test(Values differences, double alpha);
+// Student's t. Equal differences have the p of the permutations, 2^(1 - n).
+Tested t_test(Values differences, double alpha);
+// The signs of the differences that are not 0; the median, with the interval of its order statistics.
+Tested sign_test(Values differences, double alpha);
+
+// Shares.
+
+// JASA 22 (1927) 209; `share` may be a mean of shares.
+Interval wilson(double share, double n, double alpha);
+// Statistics in Medicine 17 (1998) 873, method 10; for correlated shares 2635, method 10.
+Interval newcombe(double share, double m, double other, double n, double alpha, double correlation = 0);
+// Of values 0 and 1. All tables no more probable than this one; Newcombe's interval.
+Tested fisher(Values first, Values second, double alpha);
+// The same of pairs, exact (Psychometrika 12 (1947) 153); Newcombe's interval with the corrected correlation.
+Tested mcnemar(Values first, Values second, double alpha);
+
+// Corrects all p of a family, in place (Scandinavian J. Statistics 6 (1979) 65).
+void holm(std::vector<double>& p);
+
+}  // namespace ikbench::compare

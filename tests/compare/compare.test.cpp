@@ -1,0 +1,564 @@
+#include "analysis/compare/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench::compare;
+
+namespace {
+
+using Lists = std::vector<std::vector<double>>;
+
+// Groups A, B, C, ...
+Observations groups_of(const Lists& groups, Scale scale = Scale::ratio) {
+  Observations of{.metric = "error", .quantity = "position error", .unit = "cm", .scale = scale};
+  if (scale == Scale::share) of.better = Better::larger;
+  for (const auto& values : groups)
+    of.groups.push_back({.name = std::string(1, static_cast<char>('A' + of.groups.size())), .values = values});
+  return of;
+}
+
+Observations paired(Observations of) {
+  of.is_paired = true;
+  return of;
+}
+
+const Plan by_ranks{}, by_means{.test = Plan::Test::means};
+
+std::vector<double> ramp(int n, double from, double step) {
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i) values.push_back(from + step * i);
+  return values;
+}
+
+// Quantiles of a lognormal distribution, times `median`: the same for all groups but for a small step that avoids ties.
+std::vector<double> lognormal(int n, double median, double sigma, double shift = 0) {
+  std::mt19937_64 engine(static_cast<std::uint64_t>(1000 * shift) + 11);
+  std::normal_distribution<double> normal;
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i) values.push_back(median * std::exp(sigma * normal(engine)));
+  return values;
+}
+
+std::vector<double> solved(int ones, int all) {
+  std::vector<double> values(static_cast<std::size_t>(all));
+  std::fill_n(values.begin(), ones, 1.0);
+  return values;
+}
+
+Finding only(const std::vector<Finding>& findings) {
+  REQUIRE(findings.size() == 1);
+  return findings.front();
+}
+
+std::string verdicts(const std::vector<Finding>& findings) {
+  std::string result;
+  for (const Finding& each : findings)
+    result += each.first + each.second + " " + std::string(name_of(each.verdict)) + "; ";
+  return result;
+}
+
+// The smallest n at which k separated groups can be told apart.
+int fewest(int k, bool is_paired, const std::string& control) {
+  for (int n = 2;; ++n) {
+    Lists groups;
+    for (int g = 0; g < k; ++g) groups.push_back(ramp(n, 1 + 100 * g, 1));
+    Observations of = groups_of(groups);
+    of.is_paired = is_paired;
+    const std::vector<Finding> findings = compare(of, {.control = control});
+    const auto is_tested = [](const Finding& each) { return each.why == Why::tested; };
+    if (std::ranges::all_of(findings, is_tested)) {
+      CHECK(std::ranges::all_of(findings, [](const Finding& each) { return each.verdict == Verdict::better; }));
+      return n;
+    }
+    CHECK(std::ranges::none_of(findings, is_tested));
+  }
+}
+
+}  // namespace
+
+// The rules of ranks.
+
+TEST_CASE("twenty values all below twenty others are better, whatever their spread", "[compare]") {
+  const double spread = GENERATE(1e-9, 1.0, 1e6);
+  const Finding found = only(compare(groups_of({ramp(20, 1, 1e-3), ramp(20, 2, spread)}), by_ranks));
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.p == Approx(2 / 137846528820.0).epsilon(1e-12));  // C(40, 20)
+  CHECK(found.effect == 1);
+  CHECK(found.scale == Scale::ratio);
+  CHECK(found.interval->high < 1);
+  CHECK(found.test == "Brunner-Munzel and Mann-Whitney");
+}
+
+TEST_CASE("constant groups that differ are separated, and their ratio is exact", "[compare]") {
+  const Finding found =
+      only(compare(groups_of({std::vector<double>(20, 2.0), std::vector<double>(20, 1.0)}), by_ranks));
+  CHECK(found.verdict == Verdict::worse);
+  CHECK(*found.p == Approx(2 / 137846528820.0).epsilon(1e-12));
+  CHECK(*found.estimate == Approx(2));
+  CHECK(found.is_beyond_margin);
+  CHECK_FALSE(found.are_all_equal);
+}
+
+TEST_CASE("too few is a formula of sizes, pairs and significance", "[compare]") {
+  for (int k = 2; k <= 6; ++k) {
+    const auto at = static_cast<std::size_t>(k - 2);
+    CHECK(fewest(k, false, "") == std::vector{4, 5, 5, 6, 6}[at]);
+    CHECK(fewest(k, true, "") == std::vector{6, 7, 8, 9, 10}[at]);
+    CHECK(fewest(k, false, "A") == std::vector{4, 5, 5, 5, 5}[at]);
+    CHECK(fewest(k, true, "A") == std::vector{6, 7, 7, 8, 8}[at]);
+  }
+}
+
+TEST_CASE("a pair that is not tested says how many it takes, and still has its estimate", "[compare]") {
+  const Finding found = only(compare(groups_of({{1, 2, 3}, {4, 8, 12}}), by_ranks));
+  CHECK(found.verdict == Verdict::not_tested);
+  CHECK(found.why == Why::too_few);
+  CHECK(found.needed == 4);
+  CHECK_FALSE(found.p);
+  CHECK_FALSE(found.interval);
+  CHECK(*found.estimate == Approx(0.25));  // of nine ratios 1/4 1/8 1/12 1/2 1/4 1/6 3/4 3/8 1/4
+}
+
+TEST_CASE("pairs without a p count neither in Holm's correction nor in the level", "[compare]") {
+  Observations of = groups_of({ramp(5, 1, 1), ramp(5, 3.5, 1.1)});
+  const Finding alone = only(compare(of, by_ranks));
+  of.groups.push_back({.name = "lost", .values = ramp(5, 1, 3), .lost = 1});
+  of.groups.push_back({.name = "short", .values = {1.5}});
+  const std::vector<Finding> findings = compare(of, by_ranks);
+  CHECK(findings.size() == 6);
+  CHECK(*findings[0].p == *alone.p);
+  CHECK(findings[0].interval->low == alone.interval->low);
+  CHECK(findings[1].why == Why::lost);
+  CHECK_FALSE(findings[1].estimate);
+  CHECK(findings[2].why == Why::too_few);
+  CHECK(std::ranges::count(findings, Verdict::not_tested, &Finding::verdict) == 5);
+}
+
+TEST_CASE("the least able pairs leave first, together", "[compare]") {
+  // 2 / C(8, 4) = 0.0286 alone is below 0.05. Beside two pairs of (4, 20), of p 0.0002, 0.05 / 3 is too small for it.
+  CHECK(verdicts(compare(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(20, 100, 1)}), by_ranks)) ==
+        "AB not tested; AC better; BC better; ");
+  // A group of two takes nothing from the others.
+  CHECK(verdicts(compare(groups_of({ramp(4, 1, 1), ramp(4, 10, 1), ramp(2, 100, 1)}), by_ranks)) ==
+        "AB better; AC not tested; BC not tested; ");
+}
+
+TEST_CASE("p is Holm's over the pairs, and over those of a control", "[compare]") {
+  const Observations of = groups_of({ramp(20, 1, 0.1), ramp(20, 1.53, 0.101), ramp(20, 2.21, 0.103)});
+  const auto p_of = [&](std::size_t a, std::size_t b) {
+    return rank_test(of.groups[a].values, of.groups[b].values, 0.05).p;
+  };
+  std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
+  holm(all);
+  holm(of_b);
+  const std::vector<Finding> findings = compare(of, by_ranks), with_b = compare(of, {.control = "B"});
+  for (std::size_t i = 0; i < 3; ++i) CHECK(*findings[i].p == all[i]);
+  REQUIRE(with_b.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == of_b[i]);
+  CHECK(with_b[0].interval->low > findings[0].interval->low);  // 0.05 / 2 and 0.05 / 3
+  CHECK_THROWS_AS(compare(of, {.control = "D"}), std::invalid_argument);
+}
+
+// The same.
+
+TEST_CASE("equal groups of small spread are the same", "[compare]") {
+  const Finding found = only(compare(groups_of({lognormal(20, 1, 0.02, 1), lognormal(20, 1, 0.02, 2)}), by_ranks));
+  CHECK(found.verdict == Verdict::same);
+  CHECK(found.is_within_margin);
+}
+
+TEST_CASE("rare failures in one group keep it from being the same", "[compare]") {
+  std::vector<double> failing = lognormal(20, 1, 0.02, 2);
+  failing[3] *= 100;
+  const Finding found = only(compare(groups_of({lognormal(20, 1, 0.02, 1), failing}), by_ranks));
+  CHECK(found.verdict == Verdict::undecided);  // Hodges and Lehmann's interval does not see it; the t interval does
+  CHECK(found.interval->high < 1.05);
+  CHECK(found.interval->low > 1 / 1.05);
+  const Finding in_blocks = only(compare(paired(groups_of({lognormal(20, 1, 0.02, 1), failing})), by_ranks));
+  CHECK(in_blocks.verdict == Verdict::undecided);
+}
+
+TEST_CASE("values at the tolerance are no evidence of the same: the interval has no width", "[compare]") {
+  std::vector<double> all_but_two(20, 0.01);
+  all_but_two[4] = 3, all_but_two[9] = 5;
+  const Finding found = only(compare(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
+  CHECK(found.interval->low == 1);
+  CHECK(found.interval->high == 1);
+  CHECK(found.verdict == Verdict::undecided);
+}
+
+TEST_CASE("with ties better may stand beside an interval of 1 to 1: p decides", "[compare]") {
+  std::vector<double> some(60, 0.01);
+  for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
+  const Finding found = only(compare(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
+  CHECK(found.interval->low == 1);
+  CHECK(found.interval->high == 1);
+  CHECK(found.verdict == Verdict::better);
+  CHECK_FALSE(found.is_within_margin);
+}
+
+TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1, 3, 15 pairs", "[compare]") {
+  const bool is_paired = GENERATE(false, true);
+  for (const auto& [k, n] : {std::pair(2u, 73u), std::pair(3u, 109u), std::pair(6u, 164u)}) {
+    for (const auto& [scale, value] : {std::pair(Scale::ratio, 3.0), std::pair(Scale::share, 1.0)}) {
+      for (const bool is_enough : {false, true}) {
+        Observations of = groups_of(Lists(k, std::vector<double>(is_enough ? n : n - 1, value)), scale);
+        of.is_paired = is_paired;
+        for (const Finding& each : compare(of, by_ranks)) {
+          CAPTURE(k, is_enough, is_paired, value);
+          CHECK(each.are_all_equal);
+          CHECK(each.p == 1);
+          CHECK(each.verdict == (is_enough ? Verdict::same : Verdict::undecided));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("better by less than the margin needs both intervals within", "[compare]") {
+  const Finding found = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.02, 0.01, 2)}), by_ranks));
+  CHECK(found.verdict == Verdict::better);
+  CHECK(found.is_within_margin);
+  CHECK_FALSE(found.is_beyond_margin);
+  const Finding far = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.2, 0.01, 2)}), by_ranks));
+  CHECK(far.is_beyond_margin);
+}
+
+TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
+  const Lists negative{ramp(20, -5.1, 0.01), ramp(20, -5.15, 0.01)};
+  for (const Plan::Test test : {Plan::Test::ranks, Plan::Test::means}) {
+    const Plan within_1{.test = test, .margin = 0, .absolute_margin = 1},
+        within_a_hair{.test = test, .margin = 0, .absolute_margin = 0.01};
+    const Finding same = only(compare(groups_of({negative[0], negative[0]}, Scale::difference), within_1));
+    CHECK(same.verdict == Verdict::same);
+    CHECK(only(compare(groups_of(negative, Scale::difference), within_1)).is_within_margin);
+    CHECK(only(compare(groups_of(negative, Scale::difference), within_a_hair)).verdict != Verdict::same);
+    CHECK_FALSE(only(compare(groups_of(negative, Scale::difference), within_a_hair)).is_within_margin);
+    // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
+    const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
+    const Finding hair = only(compare(groups_of(small), {.test = test, .absolute_margin = 0.01}));
+    CHECK(hair.verdict == Verdict::better);
+    CHECK(hair.is_within_margin);
+    CHECK_FALSE(hair.is_beyond_margin);
+    CHECK(only(compare(groups_of(small), {.test = test})).is_beyond_margin);
+  }
+  const Finding relative = only(compare(groups_of({negative[0], negative[0]}, Scale::difference), by_means));
+  CHECK(relative.verdict == Verdict::same);  // 0.25 of -5
+}
+
+// Blocks.
+
+TEST_CASE("blocks of different scales are judged by the logarithms of their ratios", "[compare]") {
+  std::vector<double> a, b;
+  for (int i = 0; i < 10; ++i) {
+    a.push_back(std::pow(10.0, i / 2.0));
+    b.push_back(2 * a.back() * (1 + 0.01 * i));
+  }
+  const Finding found = only(compare(paired(groups_of({a, b})), by_ranks));
+  CHECK(*found.p == 2 / 1024.0);
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.estimate == Approx(0.5).epsilon(0.1));
+  CHECK(found.effect == 1);
+  CHECK(only(compare(groups_of({a, b}), by_ranks)).verdict == Verdict::undecided);
+  CHECK(only(compare(paired(groups_of({a, b})), by_means)).verdict == Verdict::undecided);
+}
+
+TEST_CASE("values below the floor are raised to it, and 0 to 0 is the ratio 1", "[compare]") {
+  Observations of = paired(groups_of({{0, 1e-9, 3, 3, 3, 3, 3, 3}, {1e-12, 0, 6, 6.1, 6.2, 6.3, 6.4, 6.5}}));
+  CHECK_THROWS_AS(compare(of, by_ranks), std::invalid_argument);
+  of.floor = 1e-7;
+  const Finding found = only(compare(of, by_ranks));
+  CHECK(*found.p == 2 / 64.0);      // two pairs are equal, six ranks are left
+  CHECK(*found.effect == 7.0 / 8);  // equal pairs count half
+  CHECK(*found.estimate == Approx(0.5).epsilon(0.1));
+  for (Group& group : of.groups) std::ranges::fill(group.values, 0.0);
+  CHECK(only(compare(of, by_ranks)).are_all_equal);
+}
+
+TEST_CASE("the share of blocks ahead is shown, and p and the ratio decide", "[compare]") {
+  // Six of ten a little behind, four far ahead: ranks 1 to 6 against 7 to 10.
+  std::vector<double> a(10, 1.0), b{0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 20, 30, 40, 50};
+  const Finding found = only(compare(paired(groups_of({a, b})), by_ranks));
+  CHECK(*found.effect == 0.4);
+  CHECK(*found.p == Approx(signed_rank_test(std::vector<double>{1, 2, 3, 4, 5, 6, -7, -8, -9, -10}, 0.05).p));
+  CHECK(*found.estimate < 1);
+}
+
+TEST_CASE("differences that rounding alone keeps apart are equal", "[compare]") {
+  // 0.3 - 0.1 and 0.4 - 0.2 differ in the last bit.
+  const Finding found = only(
+      compare(paired(groups_of({{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}, Scale::difference)),
+              by_ranks));
+  CHECK(*found.p == 2 / 64.0);
+  CHECK(found.interval->low == found.interval->high);
+  Observations of = groups_of({ramp(6, 1, 1e-10), ramp(6, 1 + 1e-11, 1e-10)});
+  CHECK_FALSE(only(compare(of, by_ranks)).are_all_equal);
+  of.rounding = 1e-9;
+  CHECK(only(compare(of, by_ranks)).are_all_equal);
+}
+
+TEST_CASE("paired groups of different sizes are a mistake", "[compare]") {
+  CHECK_THROWS_AS(compare(paired(groups_of({{1, 2}, {1, 2, 3}})), by_ranks), std::invalid_argument);
+}
+
+// Means.
+
+TEST_CASE("a plan by means has Welch's and the paired t, of differences", "[compare]") {
+  const Lists sleep{{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0},
+                    {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4}};
+  const Finding unpaired = only(compare(groups_of(sleep, Scale::difference), by_means));
+  CHECK(*unpaired.p == Approx(0.07939414).epsilon(1e-6));  // R, t.test
+  CHECK(unpaired.scale == Scale::difference);
+  CHECK(unpaired.test == "Welch's t");
+  const Finding in_blocks = only(compare(paired(groups_of(sleep, Scale::difference)), by_means));
+  CHECK(*in_blocks.p == Approx(0.002832890).epsilon(1e-6));
+  CHECK(in_blocks.verdict == Verdict::better);
+  CHECK(in_blocks.interval->low == Approx(-2.4598858).epsilon(1e-7));
+  CHECK(*in_blocks.effect == 0.95);  // nine of ten smaller, one equal
+}
+
+TEST_CASE("by means nothing is better while one value is more than half of its group's sum", "[compare]") {
+  std::vector<double> one = ramp(20, 5, 0.01), failing = ramp(20, 1, 0.01);
+  failing[7] = 22;  // of 43.0
+  const Finding found = only(compare(groups_of({failing, one}), by_means));
+  CHECK(*found.p < 0.05);
+  CHECK(found.why == Why::few_decide);
+  CHECK(found.verdict == Verdict::undecided);
+  failing[7] = 20;
+  CHECK(only(compare(groups_of({failing, one}), by_means)).verdict == Verdict::better);
+  failing[7] = 22;
+  CHECK(only(compare(groups_of({failing, one}), by_ranks)).why == Why::tested);
+}
+
+TEST_CASE("published summaries are judged by Welch's t and Holm, of differences", "[compare]") {
+  // The error of Table 3: Welch's t by hand, (1.6849 - 0.0019) / (0.9069 / sqrt 20) = 8.299 on 19 degrees of freedom.
+  Observations of = groups_of({});
+  of.groups = {{.name = "IK-BA", .summary = Summary{20, 0.0019, 1.7824e-4}},
+               {.name = "BA", .summary = Summary{20, 1.6849, 0.9069}},
+               {.name = "DE", .summary = Summary{20, 0.3653, 0.2929}},
+               {.name = "K-ABC", .summary = Summary{20, 0.2318, 0.0722}}};
+  for (const Plan& plan : {by_ranks, by_means}) {
+    const std::vector<Finding> findings = compare(of, plan);
+    CHECK(verdicts(findings) ==
+          "IK-BABA better; IK-BADE better; IK-BAK-ABC better; BADE worse; BAK-ABC worse; DEK-ABC not decided; ");
+    CHECK(findings[0].scale == Scale::difference);
+    CHECK(*findings[0].estimate == Approx(-1.683));
+    CHECK_FALSE(findings[0].effect);
+    CHECK(*findings[5].p == welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);  // the last has its own p
+    CHECK(headline(of, plan, findings).best == "IK-BA");
+  }
+  const Finding first = only(compare(
+      [&] {
+        Observations two = of;
+        two.groups.resize(2);
+        return two;
+      }(),
+      by_means));
+  CHECK(*first.p == Approx(9.6e-8).epsilon(0.01));
+}
+
+// Shares.
+
+TEST_CASE("shares of one trial are judged by Fisher and Newcombe, in blocks by McNemar", "[compare]") {
+  const Observations of = groups_of({solved(100, 100), solved(88, 100), solved(54, 100)}, Scale::share);
+  const std::vector<Finding> findings = compare(of, by_ranks);
+  CHECK(verdicts(findings) == "AB better; AC better; BC better; ");
+  CHECK(*findings[0].p == Approx(0.0003439665141949307).epsilon(1e-9));  // the largest of three: by itself
+  CHECK(*findings[0].estimate == Approx(0.12));
+  // At 1 - 0.05 / 3.
+  CHECK(std::lround(100 * findings[0].interval->low) == 4);
+  CHECK(std::lround(100 * findings[0].interval->high) == 22);
+  CHECK(std::lround(100 * findings[1].interval->low) == 33);
+  CHECK(std::lround(100 * findings[1].interval->high) == 58);
+  CHECK(findings[0].test == "Fisher's exact");
+  const std::vector<Finding> in_blocks = compare(paired(of), by_ranks);
+  CHECK(*in_blocks[0].p == 2 / 4096.0);  // twelve of twelve
+  CHECK(in_blocks[0].test == "McNemar's exact");
+}
+
+TEST_CASE("no discordant pair has p = 1", "[compare]") {
+  const Finding found = only(compare(paired(groups_of({solved(12, 20), solved(12, 20)}, Scale::share)), by_ranks));
+  CHECK(found.p == 1);
+  CHECK(found.verdict == Verdict::undecided);
+  CHECK(found.interval->low < 0);
+}
+
+TEST_CASE("several trials a target are one share, judged by t in points", "[compare]") {
+  // Five runs a target. Differences .2 .4 .2 .4 .2 .4: mean .3, deviation .1095, t = 6.708 on 5 degrees of freedom.
+  Observations of = paired(groups_of({{1, 1, .8, .8, 1, 1}, {.8, .6, .6, .4, .8, .6}}, Scale::share));
+  of.trials = 5;
+  const Finding found = only(compare(of, by_ranks));
+  CHECK(found.test == "paired t");
+  CHECK(*found.estimate == Approx(0.3));
+  CHECK(*found.p == Approx(0.001114).epsilon(0.005));
+  CHECK(found.verdict == Verdict::better);
+  of.is_paired = false;
+  CHECK(only(compare(of, by_ranks)).test == "Welch's t");
+}
+
+TEST_CASE("two constant shares have Newcombe's interval of that many targets", "[compare]") {
+  Observations of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, 0.8)}, Scale::share);
+  of.trials = 5;
+  for (const bool is_paired : {false, true}) {
+    of.is_paired = is_paired;
+    const Finding found = only(compare(of, by_ranks));
+    const Interval expected = newcombe(1, 20, 0.8, 20, 0.05);
+    CHECK(found.interval->low == Approx(expected.low));
+    CHECK(found.interval->high == Approx(expected.high));
+    CHECK(found.verdict == Verdict::better);  // p of the permutations
+  }
+}
+
+TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
+  Observations of = groups_of({solved(1, 40), solved(40, 40)}, Scale::share);
+  of.trials = 5;
+  CHECK(only(compare(of, by_means)).verdict == Verdict::worse);
+}
+
+// Solvers that repeat themselves.
+
+TEST_CASE("two solvers that repeat themselves differ by a fact", "[compare]") {
+  Observations of = groups_of({{2}, {4}});
+  for (Group& group : of.groups) group.copies = 20;
+  const Finding found = only(compare(of, by_ranks));
+  CHECK(found.why == Why::fact);
+  CHECK(found.verdict == Verdict::not_tested);
+  CHECK(*found.estimate == Approx(0.5));
+  CHECK_FALSE(found.p);
+}
+
+TEST_CASE("runs are compared with the value of a solver that repeats itself by their signs", "[compare]") {
+  Observations of = groups_of({{1}, {2, 3, 4, 5, 6, 7}});
+  of.groups[0].copies = 20;
+  const Finding found = only(compare(of, by_ranks));
+  CHECK(found.test == "sign test");
+  CHECK(*found.p == 2 / 64.0);
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.estimate == Approx(1 / std::sqrt(20.0)));  // the median of logarithms: between 4 and 5
+  CHECK(found.effect == 1);
+  of.groups[1].values.push_back(1);  // equal to the value: dropped
+  CHECK(*only(compare(of, by_ranks)).p == 2 / 64.0);
+  of.groups[1].values = {1, 1, 2, 3, 4, 5, 6};
+  const Finding few = only(compare(of, by_ranks));
+  CHECK(few.why == Why::too_few);
+  CHECK(few.needed == 6);
+}
+
+// Properties.
+
+TEST_CASE("swapping the groups reverses the finding", "[compare][property]") {
+  std::mt19937_64 engine(5);
+  for (int round = 0; round < 120; ++round) {
+    Lists lists(2, std::vector<double>(12));
+    const double shift = round % 3 == 0 ? 0 : 40;
+    for (auto& list : lists) {
+      for (double& value : list) value = 10 + static_cast<double>(engine() % 60) + (&list == &lists[1] ? shift : 0);
+    }
+    Observations of = groups_of(lists, round % 2 == 0 ? Scale::ratio : Scale::difference);
+    of.is_paired = round % 5 == 0;
+    const Plan plan{.test = round % 7 == 0 ? Plan::Test::means : Plan::Test::ranks, .margin = 0.3};
+    const Finding one = only(compare(of, plan));
+    std::swap(of.groups[0], of.groups[1]);
+    const Finding other = only(compare(of, plan));
+    const auto opposite = [](Verdict verdict) {
+      return verdict == Verdict::better ? Verdict::worse : verdict == Verdict::worse ? Verdict::better : verdict;
+    };
+    CAPTURE(round, lists);
+    CHECK(other.verdict == opposite(one.verdict));
+    CHECK(*other.p == Approx(*one.p).epsilon(1e-12));
+    CHECK(other.is_within_margin == one.is_within_margin);
+    CHECK(other.is_beyond_margin == one.is_beyond_margin);
+    CHECK(*other.effect == Approx(1 - *one.effect));
+    const double turned = one.scale == Scale::ratio ? 1 / *one.estimate : -*one.estimate;
+    CHECK(*other.estimate == Approx(turned).margin(1e-12));
+  }
+}
+
+TEST_CASE("the unit changes no p, no verdict and no ratio", "[compare][property]") {
+  for (const Plan& plan : {by_ranks, by_means}) {
+    for (const bool is_paired : {false, true}) {
+      for (const double unit : {1e-3, 1024.0}) {
+        Lists lists{lognormal(15, 1, 0.5, 1), lognormal(15, 1.6, 0.5, 2)};
+        Observations of = groups_of(lists);
+        of.is_paired = is_paired;
+        const Finding one = only(compare(of, plan));
+        for (Group& group : of.groups) {
+          for (double& value : group.values) value *= unit;
+        }
+        const Finding other = only(compare(of, plan));
+        CHECK(*other.p == Approx(*one.p).epsilon(1e-9));
+        CHECK(other.verdict == one.verdict);
+        CHECK(*other.estimate == Approx(*one.estimate * (one.scale == Scale::ratio ? 1 : unit)));
+      }
+    }
+  }
+}
+
+TEST_CASE("a monotone transformation changes no p of ranks", "[compare][property]") {
+  Observations of = groups_of({lognormal(15, 1, 0.5, 1), lognormal(15, 1.6, 0.5, 2)});
+  const Finding one = only(compare(of, by_ranks));
+  for (Group& group : of.groups) {
+    for (double& value : group.values) value = std::exp(value) + value * value * value;
+  }
+  CHECK(*only(compare(of, by_ranks)).p == *one.p);
+  of.scale = Scale::difference;
+  CHECK(*only(compare(of, by_ranks)).p == *one.p);
+}
+
+TEST_CASE("larger is better where the metric says so", "[compare]") {
+  Observations of = groups_of({ramp(10, 1, 0.1), ramp(10, 5, 0.1)});
+  of.better = Better::larger;
+  const Finding found = only(compare(of, by_ranks));
+  CHECK(found.verdict == Verdict::worse);
+  CHECK(found.effect == 0);
+}
+
+// The headline.
+
+TEST_CASE("best is better than every other", "[compare]") {
+  Observations of = groups_of({ramp(10, 5, 0.1), ramp(10, 1, 0.1), ramp(10, 5.05, 0.1)});
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "B");
+  of.groups[2].values = ramp(10, 1.05, 0.1);  // not told from B
+  const Headline none = headline(of, by_ranks, compare(of, by_ranks));
+  CHECK(none.best.empty());
+  CHECK_FALSE(none.is_circle);
+  CHECK(headline(groups_of({{1, 2}}), by_ranks, {}).best.empty());
+  of = groups_of({solved(99, 100), solved(50, 100)}, Scale::share);
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "A");
+}
+
+TEST_CASE("verdicts that form a circle have no best", "[compare]") {
+  // A third of the values of each is far below, between or above those of the next: P = 5 / 9 all round (Efron's dice).
+  const auto dice = [](std::vector<double> faces) {
+    std::vector<double> values;
+    for (int i = 0; i < 200; ++i) {
+      for (const double face : faces) values.push_back(face + 1e-5 * i);
+    }
+    return values;
+  };
+  Observations of = groups_of({dice({2, 4, 9}), dice({1, 6, 8}), dice({3, 5, 7})}, Scale::difference);
+  const std::vector<Finding> findings = compare(of, by_ranks);
+  CHECK(verdicts(findings) == "AB worse; AC better; BC worse; ");
+  const Headline none = headline(of, by_ranks, findings);
+  CHECK(none.best.empty());
+  CHECK(none.is_circle);
+}
+
+TEST_CASE("where the means lie the other way nobody is best, one is usually better", "[compare]") {
+  // A usually has 0.0001, and once in ten 0.3; B always has 0.0005.
+  std::vector<double> a = ramp(20, 0.0001, 1e-6);
+  a[3] = a[11] = 0.3;
+  Observations of = groups_of({a, ramp(20, 0.0005, 1e-6)});
+  const std::vector<Finding> findings = compare(of, by_ranks);
+  CHECK(verdicts(findings) == "AB better; ");
+  const Headline said = headline(of, by_ranks, findings);
+  CHECK(said.best.empty());
+  CHECK(said.usual == "A");
+  CHECK(said.by_mean == "B");
+  CHECK(headline(of, {.absolute_margin = 0.1}, findings).best == "A");  // 0.03 does not matter
+}

@@ -1,0 +1,119 @@
+#include "analysis/compare/describe.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench::compare;
+
+namespace {
+
+Observations observed(std::vector<std::vector<double>> groups) {
+  Observations of{.metric = "x", .quantity = "x"};
+  for (auto& values : groups) of.groups.push_back({.name = "g", .values = std::move(values)});
+  return of;
+}
+
+// R's data set: ctrl, trt1, trt2.
+const std::vector<std::vector<double>> plants{{4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14},
+                                              {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69},
+                                              {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26}};
+
+}  // namespace
+
+TEST_CASE("a group is described as MATLAB does", "[describe]") {
+  const Description of = describe({.name = "a", .values = {1, 2, 3, 4, 9, 2}});
+  CHECK(of.n == 6);
+  CHECK(of.mean == 3.5);
+  CHECK(of.sd == Approx(std::sqrt(41.5 / 5)));  // by hand: 6.25 2.25 .25 .25 30.25 2.25
+  CHECK(of.median == 2.5);
+  CHECK(of.lower_quartile == 2);
+  CHECK(of.upper_quartile == 4);
+  CHECK(of.smallest == 1);
+  CHECK(of.largest == 9);
+  CHECK(describe({.name = "b", .values = {1, 2, 3, 5}}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
+  CHECK(describe({.name = "c", .values = {7}}).upper_quartile == 7);
+  CHECK(std::isnan(describe({.name = "c", .values = {7}}).sd));
+}
+
+TEST_CASE("a summary has no more than its three numbers", "[describe]") {
+  const Description of = describe({.name = "a", .summary = Summary{20, 0.5, 0.1}});
+  CHECK(of.n == 20);
+  CHECK(of.mean == 0.5);
+  CHECK(of.sd == 0.1);
+  CHECK(std::isnan(of.median));
+  CHECK(describe({.name = "a"}).n == 0);
+}
+
+TEST_CASE("ANOVA of PlantGrowth is that of R", "[describe]") {
+  const TestOfAll test = anova(observed(plants)).value();
+  CHECK(test.statistic == Approx(4.846088).epsilon(1e-6));
+  CHECK(test.df == 2);
+  CHECK(test.df_within == 27);
+  CHECK(test.p == Approx(0.01591).epsilon(1e-3));
+  CHECK(test.ss_between == Approx(3.76634).epsilon(1e-6));
+  CHECK(test.ss_within == Approx(10.49209).epsilon(1e-6));
+}
+
+TEST_CASE("ANOVA keeps the digits that many equal leading ones cost", "[describe]") {
+  // As NIST's StRD SmLs sets: nine groups of 201.
+  std::vector<std::vector<double>> groups(9);
+  for (std::size_t g = 0; g < 9; ++g) {
+    for (int i = 0; i < 201; ++i)
+      groups[g].push_back(1e12 + 0.3 + 0.1 * static_cast<double>(g == 0 ? 1 : g + 1) +
+                          (i == 0       ? 0.0
+                           : i % 2 == 0 ? 0.1
+                                        : -0.1));
+  }
+  std::vector<std::vector<double>> small = groups;
+  for (auto& group : small) {
+    for (double& value : group) value -= 1e12;
+  }
+  CHECK(anova(observed(groups))->statistic == Approx(anova(observed(small))->statistic).epsilon(1e-6));
+}
+
+TEST_CASE("ANOVA of the paper's Table 3 is that of its Tables 4 to 6", "[describe]") {
+  // F of the printed means and standard deviations, recomputed with R 4.2.2.
+  std::ifstream file("results/published/slim2023/table-3.csv");
+  REQUIRE(file);
+  for (const auto& [metric, expected] :
+       {std::pair("position_error_cm", 40.7736), std::pair("variation_deg", 388.940), std::pair("seconds", 293.939)}) {
+    file.clear();
+    file.seekg(0);
+    Observations of{.metric = metric, .quantity = metric};
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream cells(line);
+      std::string name, of_metric, n, mean, median, sd;
+      for (std::string* cell : {&name, &of_metric, &n, &mean, &median, &sd}) std::getline(cells, *cell, ',');
+      if (of_metric == metric)
+        of.groups.push_back({.name = name, .summary = Summary{std::stoi(n), std::stod(mean), std::stod(sd)}});
+    }
+    REQUIRE(of.groups.size() == 6);
+    const TestOfAll test = anova(of).value();
+    CHECK(test.statistic == Approx(expected).epsilon(2e-6));
+    CHECK(test.df == 5);
+    CHECK(test.df_within == 114);
+    CHECK_FALSE(kruskal_wallis(of));
+  }
+}
+
+TEST_CASE("Kruskal and Wallis's test is that of R", "[describe]") {
+  const TestOfAll test = kruskal_wallis(observed(plants)).value();
+  CHECK(test.statistic == Approx(7.9882287494437).epsilon(1e-13));
+  CHECK(test.p == Approx(0.01842375573147).epsilon(1e-12));
+  CHECK(test.df == 2);
+  CHECK(kruskal_wallis(observed({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}))->statistic == Approx(7.2));  // mean ranks 2, 5, 8
+}
+
+TEST_CASE("what has no spread, no second group or no value has no test of all", "[describe]") {
+  for (const auto& groups : {std::vector<std::vector<double>>{}, {{1, 2}}, {{1, 2}, {}}, {{3, 3}, {3, 3}}}) {
+    CHECK_FALSE(anova(observed(groups)));
+    CHECK_FALSE(kruskal_wallis(observed(groups)));
+  }
+  CHECK_FALSE(anova(observed({{1}, {2}})));
+  Observations lost = observed({{1, 2}, {3, 5}});
+  lost.groups[0].lost = 1;
+  CHECK_FALSE(anova(lost));
+}
