@@ -32,7 +32,8 @@ struct Cell {
 // Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {
+  Reader(std::string_view text, std::string_view source, char separator = ',')
+      : rest_(text), source_(source), separator_(separator) {
     if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
     take(byte_order_mark);
   }
@@ -48,10 +49,10 @@ class Reader {
       if (cells_.size() == max_csv_columns)
         refuse(fmt::format("too many columns; expected at most {}", max_csv_columns));
       cells_.push_back(take("\"") ? Cell{.unquoted = quoted_cell()} : Cell{.plain = plain_cell()});
-    } while (take(","));
+    } while (take({&separator_, 1}));
     if (!rest_.empty() && !take_line_end()) {
       refuse(rest_.front() == '\r' ? "a lone carriage return; expected lines to end in LF or CRLF"
-                                   : "text after a closing quote; expected a comma or the end of the line");
+                                   : "text after a closing quote; expected a separator or the end of the line");
     }
     return cells_;
   }
@@ -65,7 +66,8 @@ class Reader {
 
  private:
   std::string_view plain_cell() {
-    const std::size_t length = std::min(rest_.find_first_of(",\"\r\n"), rest_.size());
+    const std::array<char, 4> ends{separator_, '"', '\r', '\n'};
+    const std::size_t length = std::min(rest_.find_first_of({ends.data(), ends.size()}), rest_.size());
     if (rest_.substr(length).starts_with('"'))
       refuse("a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");
     return take_front(length);
@@ -109,6 +111,7 @@ class Reader {
   std::vector<Cell> cells_;
   std::string_view rest_;
   std::string_view source_;
+  char separator_;
   std::size_t line_ = 1;
   std::size_t row_line_ = 1;
 };
@@ -158,7 +161,7 @@ std::string_view CsvView::cell(std::size_t row, std::size_t column) const {
   const std::size_t place = places_[row * header.size() + column];
   if (place > text_.size()) return unquoted_[place - text_.size() - 1];
   const std::string_view rest = text_.substr(place);
-  return rest.substr(0, rest.find_first_of(",\r\n"));
+  return rest.substr(0, rest.find_first_of({ends_.data(), ends_.size()}));
 }
 
 void CsvView::append_plain(std::string_view cell) {
@@ -201,11 +204,12 @@ CsvTable parse_csv(std::string_view text, std::string_view source) {
   return table;
 }
 
-CsvView view_csv(std::string_view text, std::string_view source) {
+CsvView view_csv(std::string_view text, std::string_view source, char separator) {
   static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // there are no more cells than bytes
-  Reader reader(text, source);
-  CsvView view(text);
+  Reader reader(text, source, separator);
+  CsvView view(text, separator);
   read_csv(reader, view.header, [&](std::vector<Cell>& cells) {
+    view.begin_row(reader.row_line());
     for (Cell& cell : cells) {
       if (cell.unquoted) {
         view.append_unquoted(std::move(*cell.unquoted));

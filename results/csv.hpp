@@ -2,6 +2,7 @@
 // Lines may end in LF or CRLF; the writer uses LF. A byte-order mark and empty lines are skipped.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -26,20 +27,24 @@ struct CsvTable {
 };
 
 // A table for files of millions of rows. Cells are views of the text, which must outlive them, and take 4 bytes more
-// each. Quoted cells are kept without their quotes.
+// each. Quoted cells are kept without their quotes. Another separator may take the comma's place.
 class CsvView {
  public:
   std::vector<std::string> header;
 
-  explicit CsvView(std::string_view text) : text_(text) {}
+  explicit CsvView(std::string_view text, char separator = ',') : text_(text), ends_{separator, '\r', '\n'} {}
   std::size_t rows() const { return header.empty() ? 0 : places_.size() / header.size(); }
   std::string_view cell(std::size_t row, std::size_t column) const;
+  std::size_t line(std::size_t row) const { return lines_[row]; }  // where it begins, from 1
+  void begin_row(std::size_t line) { lines_.push_back(static_cast<std::uint32_t>(line)); }
   void append_plain(std::string_view cell);  // a part of the text, before a comma, a line's end or the text's end
   void append_unquoted(std::string cell);
 
  private:
   std::string_view text_;
+  std::array<char, 3> ends_;           // of a cell
   std::vector<std::uint32_t> places_;  // by row: a cell's begin, or beyond the text: place in unquoted_
+  std::vector<std::uint32_t> lines_;
   std::vector<std::string> unquoted_;
 };
 
@@ -49,7 +54,7 @@ void expect_text(std::string_view text, std::string_view source);
 std::string csv_text(std::istream& stream, std::string_view source, std::uintmax_t expected = 0);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source);
-CsvView view_csv(std::string_view text, std::string_view source);
+CsvView view_csv(std::string_view text, std::string_view source, char separator = ',');
 std::string to_csv(const CsvTable& table);
 
 // Appends one line of CSV to `text`.

@@ -50,7 +50,7 @@ TEST_CASE("malformed CSV is refused with the line and what was expected", "[csv]
   CHECK(complaint_about("a,b\n1,2\"3\n") ==
         "data.csv:2: a quote inside an unquoted cell; expected the cell in quotes and the quote doubled");
   CHECK(complaint_about("a,b\n\"1\"2,3\n") ==
-        "data.csv:2: text after a closing quote; expected a comma or the end of the line");
+        "data.csv:2: text after a closing quote; expected a separator or the end of the line");
   CHECK(complaint_about("a,b\r1,2\r") == "data.csv:1: a lone carriage return; expected lines to end in LF or CRLF");
   CHECK(complaint_about(std::string(max_csv_columns, ',')) == "data.csv:1: too many columns; expected at most 10000");
 }
