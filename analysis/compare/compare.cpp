@@ -35,10 +35,12 @@ Method method_of(const Observations& of, const Plan& plan, const Group& a, const
 }
 
 bool is_by_t(Method method) { return method == Method::welch || method == Method::paired_t; }
-bool is_lost(const Group& group) { return group.lost > 0 || (group.values.empty() && !group.summary); }
+std::size_t size_of(const Group& group) {
+  return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
+}
 
 struct Pair {
-  const Group *a, *b;
+  Group a, b;
   Method method;
   double smallest_p = 1;
   Finding finding = {};
@@ -64,8 +66,8 @@ struct Two {
   std::vector<double> a, b, differences;
 
   Two(const Observations& of, const Pair& pair, bool are_logs) {
-    std::vector<double> all = pair.a->values;
-    all.insert(all.end(), pair.b->values.begin(), pair.b->values.end());
+    std::vector<double> all = pair.a.values;
+    all.insert(all.end(), pair.b.values.begin(), pair.b.values.end());
     if (of.scale == Scale::ratio) {
       for (double& value : all) value = std::max(value, of.floor);
     }
@@ -73,8 +75,8 @@ struct Two {
     if (are_logs) {
       for (double& value : all) value = std::log(value);
     }
-    a.assign(all.begin(), all.begin() + std::ssize(pair.a->values));
-    b.assign(all.begin() + std::ssize(pair.a->values), all.end());
+    a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
+    b.assign(all.begin() + std::ssize(pair.a.values), all.end());
     if (is_by_difference(pair.method)) subtract(are_logs ? 1 : 0);
   }
 
@@ -94,11 +96,7 @@ struct Two {
 };
 
 double smallest_p(const Pair& pair, const Two& two) {
-  const auto size_of = [](const Group& group) {
-    return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
-  };
-  const std::size_t few = std::min(size_of(*pair.a), size_of(*pair.b)),
-                    many = std::max(size_of(*pair.a), size_of(*pair.b));
+  const std::size_t few = std::min(size_of(pair.a), size_of(pair.b)), many = std::max(size_of(pair.a), size_of(pair.b));
   const auto equal = static_cast<std::size_t>(std::ranges::count(two.differences, 0.0));
   if (pair.method == Method::sign) return smallest_p_paired(many - equal);
   if (few < 2) return 1;
@@ -135,8 +133,8 @@ Tested tested_by(Method method, const Two& two, const Summary& one, const Summar
 
 Outcome outcome(const Observations& of, const Plan& plan, const Pair& pair, bool are_logs, double alpha) {
   const Two two(of, pair, are_logs);
-  const Summary one = pair.a->summary ? *pair.a->summary : summarise(two.a);
-  const Summary other = pair.b->summary ? *pair.b->summary : summarise(two.b);
+  const Summary one = pair.a.summary ? *pair.a.summary : summarise(two.a);
+  const Summary other = pair.b.summary ? *pair.b.summary : summarise(two.b);
   const bool is_share = of.scale == Scale::share, by_difference = is_by_difference(pair.method);
   const bool are_constant = one.sd == 0 && other.sd == 0;
   Outcome result{.tested = tested_by(pair.method, two, one, other, alpha)};
@@ -184,9 +182,23 @@ void judge(const Observations& of, const Plan& plan, Pair& pair, bool is_first_l
   if (*finding.p >= plan.significance) return;
   finding.verdict = is_first_larger == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
   if (of.scale == Scale::share || is_by_ranks(pair.method)) return;
-  if (!does_one_value_decide(*pair.a) && !does_one_value_decide(*pair.b)) return;
+  if (!does_one_value_decide(pair.a) && !does_one_value_decide(pair.b)) return;
   finding.verdict = Verdict::undecided;
   finding.why = Why::few_decide;
+}
+
+// Keeps the values of blocks that both have.
+void keep_common_blocks(Group& one, Group& other) {
+  const auto keep = [](Group& of, const std::vector<int>& blocks) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < of.blocks.size(); ++i) {
+      if (std::ranges::binary_search(blocks, of.blocks[i])) values.push_back(of.values[i]);
+    }
+    of.values = std::move(values);
+  };
+  if (one.blocks == other.blocks) return;
+  keep(one, other.blocks);
+  keep(other, one.blocks);
 }
 
 // The pairs that the plan asks for.
@@ -195,12 +207,16 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
   for (auto a = of.groups.begin(); a != of.groups.end(); ++a) {
     for (auto b = a + 1; b != of.groups.end(); ++b) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
-      Pair& pair = pairs.emplace_back(Pair{.a = &*a, .b = &*b, .method = method_of(of, plan, *a, *b)});
+      Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(of, plan, *a, *b)});
+      keep_common_blocks(pair.a, pair.b);
       pair.finding = {.metric = of.metric, .first = a->name, .second = b->name};
-      pair.finding.why = is_lost(*a) || is_lost(*b)       ? Why::lost
+      pair.finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
+      pair.finding.why = a->lost > 0 || b->lost > 0       ? Why::lost
+                         : a->is_apart || b->is_apart     ? Why::apart
                          : a->copies > 0 && b->copies > 0 ? Why::fact
                                                           : Why::tested;
-      if (pair.finding.why == Why::tested) pair.smallest_p = smallest_p(pair, Two(of, pair, false));
+      if (pair.finding.why == Why::tested && pair.finding.n > 0)
+        pair.smallest_p = smallest_p(pair, Two(of, pair, false));
     }
   }
   return pairs;
@@ -235,8 +251,8 @@ void check(const Observations& of, const Plan& plan) {
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
   const Group* before = nullptr;
   for (const Group& group : of.groups) {
-    if (is_lost(group)) continue;
-    if (of.is_paired && before && before->values.size() != group.values.size())
+    if (group.lost > 0 || size_of(group) == 0) continue;
+    if (of.is_paired && before && before->blocks.empty() && before->values.size() != group.values.size())
       throw std::invalid_argument("paired groups differ in size");
     if (of.scale == Scale::ratio && !group.summary && std::max(std::ranges::min(group.values), of.floor) <= 0)
       throw std::invalid_argument("ratios of '" + group.name + "' need values above 0");
@@ -260,7 +276,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   std::vector<int> directions;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
-    if (finding.why == Why::lost) continue;
+    if (finding.why == Why::lost || finding.why == Why::apart || finding.n == 0) continue;
     const bool are_logs = are_on_logs(of, pair);
     Outcome found = outcome(of, plan, pair, are_logs, alpha);
     if (are_logs && plan.absolute_margin > 0) {
@@ -293,8 +309,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
 }
 
 Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
-  const auto mean_of = [&](const std::string& name) {
-    const Group& group = *std::ranges::find(of.groups, name, &Group::name);
+  const auto mean_of = [](const Group& group) {
     return group.summary ? group.summary->mean : summarise(group.values).mean;
   };
   std::set<std::string> losers;
@@ -307,7 +322,9 @@ Headline headline(const Observations& of, const Plan& plan, const std::vector<Fi
     losers.insert(beaten.begin(), beaten.end());
     if (beaten.empty() || beaten.size() + 1 < of.groups.size()) continue;
     for (const std::string& other : beaten) {
-      const double one = mean_of(group.name), two = mean_of(other);
+      Group first = group, second = *std::ranges::find(of.groups, other, &Group::name);
+      keep_common_blocks(first, second);
+      const double one = mean_of(first), two = mean_of(second);
       const double relative = plan.margin * (of.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
       if ((of.better == Better::smaller ? one - two : two - one) > std::max(plan.absolute_margin, relative))
         return {.usual = group.name, .by_mean = other};

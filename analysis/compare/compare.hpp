@@ -26,6 +26,7 @@ std::string_view name_of(Verdict verdict);
 enum class Why {
   tested,
   lost,        // a group has observations without a value
+  apart,       // the times of a group were measured otherwise
   fact,        // both solvers repeat themselves: no chance is in the difference
   too_few,     // no data of this size could decide
   few_decide,  // tested; one value is more than half of a group's sum, so its mean shows nothing better
@@ -44,7 +45,8 @@ struct Finding {
   bool is_within_margin = false;  // inside: the same, or better by less than the margin
   bool are_all_equal = false;
   Why why = Why::tested;
-  int needed = 0;  // if too few: observations, in each group, that could decide
+  int n = 0;       // observations, or common blocks; of the smaller group
+  int needed = 0;  // if too few: how many, in each group, could decide
 };
 
 // Throws std::invalid_argument if the control is no group, paired groups differ in size, or a ratio is of values that

@@ -20,7 +20,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 bool can_differ(const Observations& of) {
   return of.groups.size() > 1 && std::ranges::all_of(of.groups, [](const Group& group) {
-           return group.lost == 0 && (group.summary || !group.values.empty());
+           return group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
          });
 }
 
@@ -34,7 +34,7 @@ Description describe(const Group& group) {
   std::ranges::sort(sorted);
   return {.n = summary.n,
           .mean = summary.mean,
-          .sd = summary.n > 1 ? summary.sd : unknown,
+          .sd = summary.n > 1 && group.at_most == 0 ? summary.sd : unknown,
           .median = quantile(sorted, 0.5),
           .lower_quartile = quantile(sorted, 0.25),
           .upper_quartile = quantile(sorted, 0.75),

@@ -14,7 +14,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct Description {
   int n = 0;
   double mean = unknown;
-  double sd = unknown;                                                          // divided by n - 1
+  double sd = unknown;  // divided by n - 1; not known where values count as the tolerance
   double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  // Hyndman and Fan's type 5, MATLAB's
   double smallest = unknown, largest = unknown;
 };

@@ -23,7 +23,10 @@ struct Summary {
 struct Group {
   std::string name;
   std::vector<double> values = {};                // finite; where paired, in the order of the blocks
+  std::vector<int> blocks = {};                   // where paired: of each value, rising
   int lost = 0;                                   // observations without a value: such a group is not compared
+  bool is_apart = false;                          // nor is one whose times were measured otherwise
+  double at_most = 0;                             // values at or below count as this, the tolerance; 0: none
   int copies = 0;                                 // runs that all gave the one value, because the solver repeats itself
   std::optional<Summary> summary = std::nullopt;  // in place of values
 };
@@ -36,7 +39,7 @@ struct Observations {
   Scale scale = Scale::ratio;
   double floor = 0;        // of ratios: a smaller value counts as this
   double rounding = 0;     // values that differ by no more are equal
-  bool is_paired = false;  // values[i] of all groups belong together
+  bool is_paired = false;  // values of one block belong together; without blocks, values[i]
   int trials = 1;          // of shares: attempts in an observation; one makes it 0 or 1
   std::vector<Group> groups = {};
 };

@@ -5,6 +5,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/compare/describe.hpp"
 #include "tests/catch.hpp"
 
 using namespace ikbench::compare;
@@ -561,4 +562,48 @@ TEST_CASE("where the means lie the other way nobody is best, one is usually bett
   CHECK(said.usual == "A");
   CHECK(said.by_mean == "B");
   CHECK(headline(of, {.absolute_margin = 0.1}, findings).best == "A");  // 0.03 does not matter
+}
+
+TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {
+  Observations of = paired(groups_of({ramp(12, 1, 0.1), ramp(9, 20, 0.1), ramp(3, 30, 0.1)}));
+  of.groups[0].blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  of.groups[1].blocks = {2, 4, 6, 8, 10, 12, 14, 16, 18};
+  of.groups[2].blocks = {14, 16, 18};
+  const auto findings = compare(of, by_ranks);
+  CHECK(findings[0].n == 6);
+  CHECK(*findings[0].p == 2 / 64.0);
+  CHECK(*findings[0].estimate == Approx(0.0776131597));
+  CHECK(findings[1].why == Why::too_few);
+  CHECK(findings[1].n == 0);
+  CHECK_FALSE(findings[1].estimate);
+  CHECK(findings[2].why == Why::too_few);
+  CHECK(findings[2].n == 3);
+  CHECK(findings[2].estimate);
+}
+
+TEST_CASE("The means of a headline are of the blocks that both have") {
+  Observations of = paired(groups_of({ramp(8, 1, 0.01), ramp(9, 2, 0.01)}));
+  of.groups[0].blocks = {1, 2, 3, 4, 5, 6, 7, 8};
+  of.groups[0].values.push_back(100);  // a block that the other lacks
+  of.groups[0].blocks.push_back(20);
+  of.groups[1].blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "A");
+}
+
+TEST_CASE("A group apart is described, but neither compared nor counted") {
+  Observations of = groups_of({ramp(6, 1, 0.01), ramp(6, 2, 0.01), ramp(6, 3, 0.01)});
+  of.groups[2].is_apart = true;
+  const auto findings = compare(of, by_ranks);
+  CHECK(verdicts(findings) == "AB better; AC not tested; BC not tested; ");
+  CHECK(*findings[0].p == Approx(2 / 924.0));
+  CHECK(findings[1].why == Why::apart);
+  CHECK_FALSE(findings[1].estimate);
+  CHECK_FALSE(anova(of));
+}
+
+TEST_CASE("Where values count as the tolerance, they have no standard deviation") {
+  Group group{.name = "A", .values = ramp(6, 1, 0.1)};
+  CHECK(describe(group).sd > 0);
+  group.at_most = 1;
+  CHECK(std::isnan(describe(group).sd));
 }
