@@ -24,9 +24,8 @@ Judged judge(Observed observed, const Plan& plan);
 
 struct JudgedStudy {
   StudyResults study;
-  std::vector<Judged> metrics;  // of every report, in the order of metrics.inc
-  std::size_t deciding =
-      0;  // the metric of the headline: the plan's, else solved where there is a tolerance, else error
+  std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one
+  std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where there is a tolerance, else error
   std::vector<Doubt> doubts;  // of the whole study
 };
 

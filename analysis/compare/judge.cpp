@@ -1,0 +1,87 @@
+#include "analysis/compare/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace ikbench::compare {
+
+namespace {
+
+// One doubt of all findings that have this reason.
+void add_doubt(Judged& judged, Why why, DoubtKind kind) {
+  const Observations& of = judged.observations;
+  Doubt doubt{.kind = kind, .count = std::numeric_limits<double>::infinity(), .what = of.quantity};
+  std::set<std::string> names;
+  for (const Finding& finding : judged.findings) {
+    if (finding.why != why) continue;
+    names.insert({finding.first, finding.second});
+    doubt.count = std::min(doubt.count, static_cast<double>(finding.n));
+    doubt.of = std::max(doubt.of, static_cast<double>(finding.needed));
+  }
+  if (names.empty()) return;
+  for (std::size_t i = 0; i < of.groups.size(); ++i) {
+    const Description& its = judged.described[i];
+    const bool has_mean = why == Why::few_decide && 2 * its.largest <= its.n * its.mean;
+    const bool has_enough = why == Why::too_few && its.n > doubt.count;
+    if (names.contains(of.groups[i].name) && !has_mean && !has_enough) doubt.who.push_back(of.groups[i].name);
+  }
+  judged.doubts.push_back(std::move(doubt));
+}
+
+Plan plan_for(const StudyResults& study, const Metric& metric) {
+  const results::Plan& plan = study.definition.plan;
+  return {.test = plan.test == results::Plan::Test::means ? Plan::Test::means : Plan::Test::ranks,
+          .significance = plan.significance,
+          .margin = plan.margin,
+          .absolute_margin = metric.unit == "cm" ? plan.margin_cm : 0,
+          .control = plan.control};
+}
+
+// A solve has a value, and if this is no share some value is not 0.
+bool has_meaning(const StudyResults& study, const Metric& metric) {
+  return std::ranges::any_of(study.solves, [&](const results::SolveRecord& solve) {
+    const double value = metric.value(solve, study);
+    return std::isfinite(value) && (value != 0 || metric.kind == Kind::share);
+  });
+}
+
+}  // namespace
+
+Judged judge(Observed observed, const Plan& plan) {
+  Judged judged{.observations = std::move(observed.observations), .doubts = std::move(observed.doubts)};
+  const Observations& of = judged.observations;
+  for (const Group& group : of.groups) judged.described.push_back(describe(group));
+  judged.anova = anova(of);
+  judged.kruskal_wallis = kruskal_wallis(of);
+  judged.findings = compare(of, plan);
+  judged.headline = headline(of, plan, judged.findings);
+  add_doubt(judged, Why::too_few, DoubtKind::too_few);
+  add_doubt(judged, Why::few_decide, DoubtKind::few_decide_mean);
+  return judged;
+}
+
+Judged judge(const StudyResults& study, const Metric& metric) {
+  return judge(observe(study, metric), plan_for(study, metric));
+}
+
+JudgedStudy judge(StudyResults study) {
+  const results::Definition& definition = study.definition;
+  const Metric& deciding = metric_named(!definition.plan.metric.empty() ? definition.plan.metric
+                                        : definition.has_tolerance()    ? "solved"
+                                                                        : "position_error_cm");
+  JudgedStudy judged;
+  for (const Metric& metric : metrics()) {
+    const bool is_deciding = &metric == &deciding;
+    if (!is_deciding && !(metric.is_reported && has_meaning(study, metric))) continue;
+    if (is_deciding) judged.deciding = judged.metrics.size();
+    judged.metrics.push_back(judge(study, metric));
+  }
+  judged.doubts = doubts_of(study);
+  judged.study = std::move(study);
+  return judged;
+}
+
+}  // namespace ikbench::compare

@@ -1,0 +1,366 @@
+#include "analysis/compare/observe.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "analysis/compare/describe.hpp"
+#include "analysis/compare/tests_of_two.hpp"
+#include "numerics/json.hpp"
+
+namespace ikbench::compare {
+
+using namespace results;
+
+namespace {
+
+using Solves = std::span<const SolveRecord>;
+
+std::vector<Run> runs_of(Solves rest) {
+  std::vector<Run> runs;
+  while (!rest.empty()) {
+    const auto is_other = [&](const SolveRecord& solve) { return solve.run != rest.front().run; };
+    runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
+    rest = rest.subspan(runs.back().size());
+  }
+  return runs;
+}
+
+bool is_complete(const StudyResults& study, Run run) { return std::ssize(run) == study.points; }
+
+std::vector<Run> complete_runs_of(const StudyResults& study, std::string_view solver) {
+  std::vector<Run> runs = runs_of(study.of(solver));
+  std::erase_if(runs, [&](Run run) { return !is_complete(study, run); });
+  return runs;
+}
+
+// What one observation is.
+struct Design {
+  bool are_runs = false;  // a run, else a target
+  bool is_paired = false;
+  int solves = 1;  // that make it
+};
+
+Design design_of(const StudyResults& study, bool of_run) {
+  const bool is_drawn = study.definition.draws_targets;
+  const bool are_runs = of_run || study.definition.is_chained() || study.points == 1;
+  return {.are_runs = are_runs,
+          .is_paired = study.had_same_targets && (is_drawn || !are_runs),
+          .solves = are_runs   ? study.points
+                    : is_drawn ? 1
+                               : study.runs};
+}
+
+// The same targets and answers in every run, bit for bit. Such runs are copies where a run is an observation.
+bool repeats_itself(const StudyResults& study, std::string_view solver) {
+  const std::vector<Run> runs = complete_runs_of(study, solver);
+  return runs.size() > 1 && std::ranges::all_of(runs, [&](Run run) {
+           return std::ranges::equal(run, runs.front(), [](const SolveRecord& one, const SolveRecord& other) {
+             return one.target_position_m == other.target_position_m && one.target_rotation == other.target_rotation &&
+                    one.status == other.status && !one.answer_rad.empty() && one.answer_rad == other.answer_rad;
+           });
+         });
+}
+
+// Below it errors are equal; 0 where the study has none.
+double tolerance_of(const StudyResults& study, const Metric& metric) {
+  const Definition::Stop& stop = study.definition.stop;
+  if (metric.kind != Kind::error) return 0;
+  return metric.unit == "deg" ? stop.tolerance_deg : stop.tolerance_cm;
+}
+
+bool is_cost(const Metric& metric) { return metric.kind == Kind::cost || metric.kind == Kind::time; }
+
+// The values of the solves of each observation, by block.
+std::map<int, std::vector<double>> values_of(const StudyResults& study, const Metric& metric, const Design& design,
+                                             std::string_view solver) {
+  const Definition& definition = study.definition;
+  const bool of_solved = is_cost(metric) && definition.has_tolerance() && !definition.is_chained();
+  const double least = tolerance_of(study, metric);
+  std::map<int, std::vector<double>> values;
+  for (const Run run : runs_of(study.of(solver))) {
+    if (design.are_runs && !is_complete(study, run)) continue;
+    if (metric.of_run != nullptr) {
+      values[run.front().run] = {metric.of_run(run, study)};
+      continue;
+    }
+    for (const SolveRecord& solve : run) {
+      if (of_solved && solve.status != Status::ok) continue;
+      const int block = design.are_runs            ? solve.run
+                        : definition.draws_targets ? (solve.run - 1) * study.points + solve.point
+                                                   : solve.point;
+      const double value = metric.value(solve, study);
+      values[block].push_back(value < least ? least : value);
+    }
+  }
+  return values;
+}
+
+Group group_of(const StudyResults& study, const Metric& metric, const Design& design, const std::string& solver) {
+  Group group{.name = solver};
+  const double least = tolerance_of(study, metric);
+  for (const auto& [block, values] : values_of(study, metric, design, solver)) {
+    const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    const double value = !is_known                   ? unknown
+                         : metric.kind == Kind::time ? describe({.name = solver, .values = values}).median
+                                                     : summarise(values).mean;
+    if (std::ranges::any_of(values, [&](double each) { return each <= least; })) group.at_most = least;
+    if (!std::isfinite(value)) {
+      ++group.lost;
+      continue;
+    }
+    group.values.push_back(value);
+    if (design.is_paired) group.blocks.push_back(block);
+  }
+  const auto is_first = [&](double value) { return value == group.values.front(); };
+  if (!design.is_paired && design.are_runs && group.lost == 0 && group.values.size() > 1 &&
+      std::ranges::all_of(group.values, is_first) && repeats_itself(study, solver)) {
+    group.copies = static_cast<int>(group.values.size());
+    group.values.resize(1);
+  }
+  return group;
+}
+
+// Adds a doubt of all solves that are so, and of the solvers that made them.
+template <class Is>
+void add(std::vector<Doubt>& doubts, const StudyResults& study, Doubt doubt, Is is_so) {
+  for (const std::string& solver : study.solvers) {
+    const Solves all = study.of(solver);
+    const auto count = std::ranges::count_if(all, is_so);
+    if (count == 0) continue;
+    doubt.who.push_back(solver);
+    doubt.count += static_cast<double>(count);
+    doubt.of += static_cast<double>(all.size());
+  }
+  if (doubt.count > 0) doubts.push_back(std::move(doubt));
+}
+
+auto is_timed(Timing how) {
+  return [how](const SolveRecord& solve) { return solve.timing == how; };
+}
+
+// A clean solve that took more than 10 % longer than its processor time.
+bool was_disturbed(const SolveRecord& solve) {
+  return solve.timing == Timing::clean && solve.cpu_seconds > 0 && solve.seconds > 1.1 * solve.cpu_seconds;
+}
+
+// Machines differ if their processors do, or both name and start: one that starts again keeps its name, and containers
+// on it have their own.
+bool are_several_machines(const std::vector<Session>& sessions) {
+  const auto count = [&](const std::string& fact) {
+    std::set<std::string> values;
+    for (const Session& session : sessions) {
+      if (const auto found = session.environment.find(fact); found != session.environment.end())
+        values.insert(found->second);
+    }
+    return values.size();
+  };
+  return count("cpu") > 1 || (count("host") > 1 && count("boot") > 1);
+}
+
+// No solver, but a doubt: of all.
+std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+  std::vector<Doubt> doubts;
+  const auto of = [](std::string what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
+  add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
+  add(doubts, study, of("a debug build"), is_timed(Timing::debug_build));
+  if (are_several_machines(study.sessions)) doubts.push_back(of("several machines"));
+  for (Doubt& doubt : doubts) doubt.who.clear();
+  if (!doubts.empty()) return {doubts.front()};
+  Doubt busy = of("the machine was busy"), programs = of("messages are in them");
+  for (const std::string& solver : study.solvers) {
+    const auto disturbed = std::ranges::count_if(study.of(solver), was_disturbed);
+    const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
+    if (std::ranges::any_of(study.of(solver), is_timed(Timing::process))) programs.who.push_back(solver);
+    if (disturbed < 2 || 10 * disturbed <= clean) continue;
+    busy.who.push_back(solver);
+    busy.count += static_cast<double>(disturbed);
+    busy.of += static_cast<double>(clean);
+  }
+  if (!busy.who.empty()) doubts.push_back(busy);
+  if (!programs.who.empty() && programs.who.size() < study.solvers.size()) doubts.push_back(programs);
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
+  std::vector<Doubt> doubts;
+  const auto is_counted = [](CountedBy by) {
+    return [by](const SolveRecord& solve) { return solve.counted_by == by; };
+  };
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "nobody counted the evaluations"},
+      is_counted(CountedBy::nobody));
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "the solver counts its evaluations itself"},
+      is_counted(CountedBy::solver));
+  return doubts;
+}
+
+// Solvers whose solves, nearly all, the limit of iterations ends: the one of most and the one of fewest evaluations.
+std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
+  if (study.definition.stop.evaluations > 0 || study.definition.stop.seconds > 0) return {};
+  std::string fewest, most;
+  double few = std::numeric_limits<double>::infinity(), many = 0;
+  for (const std::string& solver : study.solvers) {
+    double evaluations = 0, limited = 0, uncounted = 0;
+    const Solves all = study.of(solver);
+    for (const SolveRecord& solve : all) {
+      evaluations += static_cast<double>(solve.evaluations) / static_cast<double>(all.size());
+      limited += solve.stop_reason == StopReason::iterations;
+      uncounted += solve.counted_by != CountedBy::suite;
+    }
+    if (uncounted > 0 || evaluations == 0 || limited < 0.9 * static_cast<double>(all.size())) continue;
+    if (evaluations < few) few = evaluations, fewest = solver;
+    if (evaluations > many) many = evaluations, most = solver;
+  }
+  if (many < 2 * few) return {};
+  return {{.kind = DoubtKind::budgets_differ,
+           .who = {most, fewest},
+           .count = many,
+           .of = few,
+           .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)}};
+}
+
+std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
+  const results::Plan& plan = study.definition.plan;
+  std::map<std::int64_t, std::set<std::string>> changed;  // fields, by session
+  for (const Session& session : study.sessions) {
+    const auto recorded = session.environment.find("analysis");
+    if (recorded == session.environment.end()) continue;
+    const results::Plan then = plan_of(numerics::parsed_json(recorded->second), study.definition.published);
+    std::set<std::string> fields;
+    if (then.test != plan.test) fields.insert("test");
+    if (then.metric != plan.metric) fields.insert("metric");
+    if (then.control != plan.control) fields.insert("control");
+    if (then.significance != plan.significance) fields.insert("significance");
+    if (then.margin != plan.margin || then.margin_cm != plan.margin_cm) fields.insert("margin");
+    if (!fields.empty()) changed[session.id] = std::move(fields);
+  }
+  std::set<std::string> fields;
+  for (const auto& [session, own] : changed) fields.insert(own.begin(), own.end());
+  std::vector<Doubt> doubts;
+  add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
+      [&](const SolveRecord& solve) { return changed.contains(solve.session); });
+  return doubts;
+}
+
+// Runs that lack points or were not begun.
+std::vector<Doubt> doubts_of_runs(const StudyResults& study) {
+  Doubt doubt{.kind = DoubtKind::runs_missing};
+  for (const std::string& solver : study.solvers) {
+    const auto missing = study.runs - std::ssize(complete_runs_of(study, solver));
+    if (missing <= 0) continue;
+    doubt.who.push_back(solver);
+    doubt.count += static_cast<double>(missing);
+    doubt.of += study.runs;
+  }
+  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{doubt};
+}
+
+std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
+  const Design design = design_of(study, false);
+  Doubt doubt{.kind = DoubtKind::repeats_itself, .count = static_cast<double>(study.runs)};
+  if (design.is_paired || !design.are_runs) return {};
+  for (const std::string& solver : study.solvers) {
+    if (repeats_itself(study, solver)) doubt.who.push_back(solver);
+  }
+  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{doubt};
+}
+
+std::string names_of(const std::vector<std::string>& who) {
+  constexpr std::size_t most = 4;
+  if (who.size() > most)
+    return fmt::format("{} and {} more", fmt::join(who.begin(), who.begin() + 3, ", "), who.size() - 3);
+  return fmt::format("{}", fmt::join(who, ", "));
+}
+
+}  // namespace
+
+std::string words_of(const Doubt& doubt) {
+  const std::string who = names_of(doubt.who), &what = doubt.what;
+  const std::string share = fmt::format("{:g} of {:g}", doubt.count, doubt.of);
+  switch (doubt.kind) {
+    case DoubtKind::runs_missing:
+      return fmt::format("{} runs are missing or lack points ({})", share, who);
+    case DoubtKind::without_answer:
+      return fmt::format("{} solves gave no answer ({})", share, who);
+    case DoubtKind::claimed_but_wrong:
+      return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
+    case DoubtKind::outside_limits:
+      return fmt::format("{} answers lie outside the joint limits ({})", share, who);
+    case DoubtKind::budgets_differ:
+      return fmt::format("budgets differ: {} ({})", what, who);
+    case DoubtKind::times_not_comparable:
+      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
+                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
+    case DoubtKind::out_of_reach:
+      return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
+    case DoubtKind::too_few:
+      return fmt::format("{}{:g} observations of {} cannot decide: it takes {:g}", who.empty() ? "" : who + ": ",
+                         doubt.count, what, doubt.of);
+    case DoubtKind::few_decide_mean:
+      return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
+    case DoubtKind::plan_changed:
+      return fmt::format("the plan was changed after {} solves were made: {}", share, what);
+    case DoubtKind::repeats_itself:
+      return fmt::format("{} gave the same answers in all {:g} runs, which count as one", who, doubt.count);
+    case DoubtKind::other_version:
+      return fmt::format("{:g} solves of another version are ignored ({})", doubt.count, who);
+  }
+  return {};
+}
+
+std::vector<Doubt> doubts_of(const StudyResults& study) {
+  std::vector<Doubt> doubts = doubts_of_runs(study);
+  add(doubts, study, {.kind = DoubtKind::without_answer},
+      [](const SolveRecord& solve) { return is_without_answer(solve.status) || solve.status == Status::not_finite; });
+  add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
+      [](const SolveRecord& solve) { return solve.status == Status::claimed_but_wrong; });
+  add(doubts, study, {.kind = DoubtKind::outside_limits},
+      [](const SolveRecord& solve) { return solve.limit_violation_deg > 0 || solve.limit_violation_m > 0; });
+  const auto append = [&](std::vector<Doubt> more) { std::ranges::move(more, std::back_inserter(doubts)); };
+  append(doubts_of_budgets(study));
+  if (const int count = study.definition.out_of_reach; count > 0)
+    doubts.push_back({.kind = DoubtKind::out_of_reach,
+                      .count = static_cast<double>(count),
+                      .of = static_cast<double>(study.points)});
+  append(doubts_of_plan(study));
+  append(doubts_of_repeats(study));
+  if (study.solves_of_other_versions > 0)
+    doubts.push_back({.kind = DoubtKind::other_version,
+                      .who = study.solvers_of_other_versions,
+                      .count = static_cast<double>(study.solves_of_other_versions)});
+  return doubts;
+}
+
+Observed observe(const StudyResults& study, const Metric& metric) {
+  const Design design = design_of(study, metric.of_run != nullptr);
+  Observed observed{.observations = {.metric = std::string(metric.slug),
+                                     .quantity = std::string(metric.name),
+                                     .unit = std::string(metric.unit),
+                                     .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
+                                     .scale = metric.scale,
+                                     .floor = metric.floor,
+                                     .rounding = metric.rounding,
+                                     .is_paired = design.is_paired,
+                                     .trials = design.solves}};
+  std::vector<Group>& groups = observed.observations.groups;
+  for (const std::string& solver : study.solvers) groups.push_back(group_of(study, metric, design, solver));
+  const auto has_same_blocks = [&](const Group& group) { return group.blocks == groups.front().blocks; };
+  if (std::ranges::all_of(groups, has_same_blocks)) {
+    for (Group& group : groups) group.blocks.clear();
+  }
+  if (metric.kind == Kind::time) observed.doubts = doubts_of_times(study);
+  if (metric.column == "evaluations") observed.doubts = doubts_of_evaluations(study);
+  for (const Doubt& doubt : observed.doubts) {
+    if (metric.kind != Kind::time) continue;
+    for (Group& group : groups)
+      group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
+  }
+  return observed;
+}
+
+}  // namespace ikbench::compare

@@ -1,0 +1,343 @@
+#include "analysis/compare/observe.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "numerics/units.hpp"
+#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
+
+using namespace ikbench::compare;
+using ikbench::results::Session;
+using ikbench::results::StopReason;
+
+namespace {
+
+using Numbers = std::vector<double>;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle", .targets = "drawn"},
+    drawn_runs{.start = "previous", .targets = "drawn"};
+const auto as_made = [](SolveRecord&) {};
+
+Observations observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
+  return observe(study, metric_named(metric)).observations;
+}
+
+const Group& group(const Observations& of, std::string_view name) {
+  return *std::ranges::find(of.groups, name, &Group::name);
+}
+
+std::optional<Doubt> doubt_in(const std::vector<Doubt>& doubts, DoubtKind kind) {
+  const auto found = std::ranges::find(doubts, kind, &Doubt::kind);
+  return found == doubts.end() ? std::nullopt : std::optional(*found);
+}
+
+std::optional<Doubt> doubt_of(const StudyResults& study, DoubtKind kind) { return doubt_in(doubts_of(study), kind); }
+
+// Error 10 * run + point.
+void number_errors(SolveRecord& solve) { solve.position_error_cm = 10 * solve.run + solve.point; }
+
+}  // namespace
+
+TEST_CASE("A chained run is one observation: the mean, of times the median") {
+  const StudyResults of = study(chained, [](SolveRecord& solve) {
+    number_errors(solve);
+    solve.seconds = solve.point == 4 ? 100 : solve.point;
+  });
+  const Observations errors = observed(of);
+  CHECK_FALSE(errors.is_paired);
+  CHECK(errors.trials == 4);
+  CHECK(group(errors, "A").values == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
+  CHECK(group(errors, "A").blocks.empty());
+  CHECK(group(observed(of, "seconds"), "A").values == Numbers(5, 2.5));
+}
+
+TEST_CASE("Else a target is one: a drawn one's only solve, a fixed one's mean over the runs") {
+  const Observations of_drawn = observed(study(drawn, number_errors));
+  CHECK(of_drawn.is_paired);
+  CHECK(of_drawn.trials == 1);
+  CHECK(group(of_drawn, "A").values.size() == 20);
+  CHECK(group(of_drawn, "A").values[4] == 21);
+  CHECK(group(of_drawn, "A").blocks.empty());
+  const Observations of_fixed = observed(study(fixed_targets, number_errors));
+  CHECK(of_fixed.is_paired);
+  CHECK(of_fixed.trials == 5);
+  CHECK(group(of_fixed, "A").values == Numbers{31, 32, 33, 34});
+}
+
+TEST_CASE("Runs are paired where their targets were drawn, and not where solvers had other targets") {
+  const Observations runs = observed(study(drawn_runs, number_errors));
+  CHECK(runs.is_paired);
+  CHECK(group(runs, "A").values == Numbers{12.5, 22.5, 32.5, 42.5, 52.5});
+  const auto elsewhere = [](SolveRecord& solve) { solve.target_position_m[1] = solve.solver == "B"; };
+  CHECK_FALSE(observed(study(drawn, elsewhere)).is_paired);
+  CHECK_FALSE(observed(study(fixed_targets, elsewhere)).is_paired);
+}
+
+TEST_CASE("One fixed target is no group of one: its runs are observations") {
+  const Observations of = observed(study({.start = "middle", .points = 1}, number_errors));
+  CHECK_FALSE(of.is_paired);
+  CHECK(group(of, "A").values == Numbers{11, 21, 31, 41, 51});
+}
+
+TEST_CASE("A chained run that lacks a point gives no observation, and a pair has the blocks that both have") {
+  const auto without = [](const Asked& asked) {
+    std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, number_errors);
+    std::erase_if(solves,
+                  [](const SolveRecord& solve) { return solve.solver == "A" && solve.run == 2 && solve.point == 3; });
+    return study_of(entry_of(asked, {"A", "B"}), solves);
+  };
+  CHECK(group(observed(without(chained)), "A").values == Numbers{12.5, 32.5, 42.5, 52.5});
+  const Observations runs = observed(without(drawn_runs));
+  CHECK(group(runs, "A").blocks == std::vector<int>{1, 3, 4, 5});
+  CHECK(group(runs, "B").blocks == std::vector<int>{1, 2, 3, 4, 5});
+  CHECK(group(runs, "A").lost == 0);
+  CHECK(group(observed(without(drawn)), "A").values.size() == 19);
+  const auto doubt = doubt_of(without(chained), DoubtKind::runs_missing);
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"A"});
+  CHECK(doubt->count == 1);
+  CHECK(doubt->of == 5);
+}
+
+TEST_CASE("A solver whose runs repeat each other bit for bit has one observation, times apart") {
+  const auto as_one = [](SolveRecord& solve) {
+    if (solve.solver != "A") return;
+    solve.answer_rad[1] = 0;
+    solve.seconds = 0.001 * solve.run;
+  };
+  const StudyResults of = study(chained, as_one);
+  const Group alone = group(observed(of), "A");
+  CHECK(alone.values == Numbers{0.5});
+  CHECK(alone.copies == 5);
+  CHECK(group(observed(of), "B").copies == 0);
+  CHECK(group(observed(of), "B").values.size() == 5);
+  CHECK(group(observed(of, "seconds"), "A").values.size() == 5);
+  const auto doubt = doubt_of(of, DoubtKind::repeats_itself);
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"A"});
+  CHECK(doubt->count == 5);
+  CHECK_FALSE(doubt_of(study(fixed_targets, as_one), DoubtKind::repeats_itself));
+}
+
+TEST_CASE("Numbers that are not finite are lost; a solve without an answer has its error and no cost") {
+  const auto fails = [](SolveRecord& solve) {
+    if (solve.solver != "A" || solve.run != 2 || solve.point > 3) return;
+    solve.status = solve.point == 1 ? Status::not_finite : Status::crashed;
+    if (solve.point == 1) solve.position_error_cm = no_number;
+  };
+  const StudyResults of = study(drawn, fails);
+  CHECK(group(observed(of), "A").lost == 1);
+  CHECK(group(observed(of), "A").values.size() == 19);
+  CHECK(group(observed(of, "variation_deg"), "A").lost == 2);
+  CHECK(group(observed(study(chained, fails)), "A").lost == 1);
+  CHECK(group(observed(of), "B").lost == 0);
+  const auto doubt = doubt_of(of, DoubtKind::without_answer);
+  REQUIRE(doubt);
+  CHECK(doubt->count == 3);
+  CHECK(doubt->of == 20);
+  // A refused answer leaves the arm where it was: that has an error, and moved by nothing.
+  const StudyResults refused = study(drawn, [](SolveRecord& solve) {
+    solve.status = Status::refused;
+    solve.variation_deg = 0;
+  });
+  CHECK(group(observed(refused, "variation_deg"), "A").values == Numbers(20, 0.0));
+  CHECK_FALSE(doubt_of(refused, DoubtKind::without_answer));
+}
+
+TEST_CASE("Errors at or below the tolerance count as it, before they are averaged") {
+  const Asked asked{.start = "previous", .tolerance_cm = 1};
+  const auto small = [](SolveRecord& solve) {
+    solve.position_error_cm = solve.solver == "A" && solve.point < 4 ? 0.1 * solve.run : 5;
+  };
+  const Observations of = observed(study(asked, small));
+  CHECK(group(of, "A").values == Numbers(5, 2.0));
+  CHECK(group(of, "A").at_most == 1);
+  CHECK(group(of, "B").at_most == 0);
+  CHECK(group(observed(study(chained, small)), "A").at_most == 0);
+}
+
+TEST_CASE("Solved is a share where there is a tolerance, and else has no value") {
+  const auto misses = [](SolveRecord& solve) {
+    if (solve.point == 1) solve.status = Status::tolerance_missed;
+  };
+  const Observations of = observed(study({.start = "previous", .tolerance_cm = 1}, misses), "solved");
+  CHECK(of.better == Better::larger);
+  CHECK(of.scale == Scale::share);
+  CHECK(of.trials == 4);
+  CHECK(group(of, "A").values == Numbers(5, 0.75));
+  CHECK(group(observed(study(chained, misses), "solved"), "A").values.empty());
+}
+
+TEST_CASE("Where targets have a tolerance, costs are of those that were solved, and blocks say which") {
+  const auto misses = [](SolveRecord& solve) {
+    if (solve.run == 1 && solve.point == (solve.solver == "A" ? 1 : 2)) solve.status = Status::tolerance_missed;
+    solve.variation_deg = 100 * solve.run + solve.point;
+  };
+  const auto moves = [&](Asked asked) {
+    asked.tolerance_cm = 1;
+    return observed(study(asked, misses), "variation_deg");
+  };
+  const Observations of = moves(drawn);
+  CHECK(group(of, "A").values.size() == 19);
+  CHECK(group(of, "A").blocks.front() == 2);
+  CHECK(group(of, "B").blocks[1] == 3);
+  CHECK(group(moves(fixed_targets), "A").values.front() == Approx((201 + 301 + 401 + 501) / 4.0));
+  CHECK(group(moves(chained), "A").values.front() == 102.5);
+}
+
+TEST_CASE("Times are compared only where they are clean, of one machine, and of the same kind") {
+  const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
+  const auto apart = [](const Observed& of) {
+    std::string names;
+    for (const Group& each : of.observations.groups) names += each.is_apart ? each.name : "";
+    return names;
+  };
+  CHECK(apart(times(study(chained, as_made))).empty());
+  CHECK(times(study(chained, as_made)).doubts.empty());
+  for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
+    const Observed all = times(study(chained, [&](SolveRecord& solve) {
+      if (solve.solver == "A") solve.timing = timing;
+    }));
+    CHECK(apart(all) == "AB");
+    REQUIRE(all.doubts.size() == 1);
+    CHECK(all.doubts.front().kind == DoubtKind::times_not_comparable);
+    CHECK(all.doubts.front().who.empty());
+    CHECK(group(all.observations, "A").values.size() == 5);
+  }
+  const auto of_sessions = [](SolveRecord& solve) { solve.session = solve.run % 2; };
+  const auto machines = [&](const Session& first, const Session& second) {
+    return apart(times(study(chained, of_sessions, {"A", "B"}, {first, second})));
+  };
+  CHECK(machines({.id = 0, .environment = {{"cpu", "one"}}}, {.id = 1, .environment = {{"cpu", "two"}}}) == "AB");
+  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
+                 {.id = 1, .environment = {{"host", "b"}, {"boot", "2"}}}) == "AB");
+  CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
+                 {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
+            .empty());
+  const Observed busy = times(study(chained, [](SolveRecord& solve) {
+    if (solve.solver == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
+  }));
+  CHECK(apart(busy) == "B");
+  CHECK(busy.doubts.front().count == 8);
+  CHECK(busy.doubts.front().of == 20);
+  const Observed once = times(study(chained, [](SolveRecord& solve) {
+    if (solve.solver == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
+  }));
+  CHECK(apart(once).empty());
+  const auto in_process = [](const std::string& solvers) {
+    return [solvers](SolveRecord& solve) {
+      if (solvers.find(solve.solver) != std::string::npos) solve.timing = Timing::process;
+    };
+  };
+  CHECK(apart(times(study(chained, in_process("B")))) == "B");
+  CHECK(apart(times(study(chained, in_process("AB")))).empty());
+}
+
+TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is a doubt") {
+  const auto counted = [](CountedBy by) {
+    return observe(study(chained,
+                         [by](SolveRecord& solve) {
+                           if (solve.solver == "B") solve.counted_by = by;
+                         }),
+                   metric_named("evaluations"));
+  };
+  CHECK(counted(CountedBy::suite).doubts.empty());
+  const Observed nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
+  CHECK(group(nobody.observations, "B").lost == 5);
+  CHECK(group(itself.observations, "B").lost == 0);
+  for (const Observed& of : {nobody, itself}) {
+    REQUIRE(of.doubts.size() == 1);
+    CHECK(of.doubts.front().kind == DoubtKind::budgets_differ);
+    CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
+  }
+}
+
+TEST_CASE("Orientation counts where a pose is searched, bends are of a run") {
+  const Asked pose{.rest = R"(, "search": "pose")"};
+  const auto turned = [](SolveRecord& solve) {
+    solve.orientation_error = 0.1;
+    solve.answer_rad = {solve.point == 3 ? ikbench::numerics::degree : 0.0, 1.0 * solve.run};
+  };
+  CHECK(group(observed(study(pose, turned), "orientation_error_deg"), "A").values.front() ==
+        Approx(7.02166).epsilon(1e-6));
+  CHECK(group(observed(study(chained, turned), "orientation_error_deg"), "A").values.empty());
+  CHECK(group(observed(study(chained, turned), "bend_deg"), "A").values.size() == 5);
+  CHECK(group(observed(study(chained, turned), "bend_deg"), "A").values.front() == Approx(0.75));
+  CHECK_FALSE(observed(study(fixed_targets, turned), "bend_deg").is_paired);
+  CHECK_THROWS_AS(metric_named("bend"), std::invalid_argument);
+}
+
+TEST_CASE("Answers that claim too much or lie outside limits are counted") {
+  const StudyResults of = study(chained, [](SolveRecord& solve) {
+    if (solve.run == 1 && solve.point == 1) solve.status = Status::claimed_but_wrong;
+    if (solve.run == 2 && solve.solver == "A") solve.limit_violation_deg = 3;
+    if (solve.run == 3 && solve.point == 1 && solve.solver == "A") solve.limit_violation_m = 3;
+  });
+  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->count == 2);
+  CHECK(doubt_of(of, DoubtKind::claimed_but_wrong)->of == 40);
+  CHECK(doubt_of(of, DoubtKind::outside_limits)->count == 5);
+  CHECK(doubt_of(of, DoubtKind::outside_limits)->who == std::vector<std::string>{"A"});
+}
+
+TEST_CASE("Budgets differ where equal iterations are twice the evaluations") {
+  const auto evaluated = [](double factor, const std::string& stop, StopReason reason = StopReason::iterations) {
+    const Asked asked{.rest = R"(, "stop": )" + stop};
+    return doubt_of(study(asked,
+                          [&](SolveRecord& solve) {
+                            solve.stop_reason = reason;
+                            if (solve.solver == "B") solve.evaluations = static_cast<std::int64_t>(100 * factor);
+                          }),
+                    DoubtKind::budgets_differ);
+  };
+  const auto doubt = evaluated(3, R"({"iterations": 9})");
+  REQUIRE(doubt);
+  CHECK(doubt->who == std::vector<std::string>{"B", "A"});
+  CHECK(doubt->count == Approx(300));
+  CHECK(doubt->of == Approx(100));
+  CHECK_FALSE(evaluated(1.9, R"({"iterations": 9})"));
+  CHECK_FALSE(evaluated(3, R"({"iterations": 9, "evaluations": 500})"));
+  CHECK_FALSE(evaluated(3, R"({"iterations": 9})", StopReason::tolerance));
+}
+
+TEST_CASE("Targets out of reach and a plan that was changed after the data are told") {
+  const Asked asked{.rest = R"(, "out_of_reach": {"points": 2}, "analysis": {"test": "ranks", "margin_percent": 10})"};
+  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->count == 2);
+  CHECK(doubt_of(study(asked, as_made), DoubtKind::out_of_reach)->of == 4);
+  const auto recorded = [&](const std::string& plan) {
+    return doubt_of(study(asked, as_made, {"A", "B"}, {{.id = 1, .environment = {{"analysis", plan}}}}),
+                    DoubtKind::plan_changed);
+  };
+  CHECK_FALSE(recorded(R"({"test": "by_design", "margin_percent": 10})"));
+  REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin, test");
+  CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);
+  CHECK(recorded(R"({"control": "dropped", "margin_percent": 10})")->what == "control");
+  StudyResults of = study(asked, as_made);
+  of.solves_of_other_versions = 7;
+  of.solvers_of_other_versions = {"B"};
+  CHECK(doubt_of(of, DoubtKind::other_version)->count == 7);
+}
+
+TEST_CASE("A usual study has no doubts, and every kind has a line of at most 25 words") {
+  CHECK(doubts_of(study(chained, as_made)).empty());
+  CHECK(doubts_of(study(drawn, as_made)).empty());
+  const std::vector<std::string> many{"one", "two", "three", "four", "five", "six"};
+  for (int kind = 0; kind <= static_cast<int>(DoubtKind::other_version); ++kind) {
+    const std::string line = words_of(
+        {.kind = static_cast<DoubtKind>(kind), .who = many, .count = 3, .of = 20, .what = "the reason in five words"});
+    std::istringstream words(line);
+    const auto count = std::distance(std::istream_iterator<std::string>(words), {});
+    CAPTURE(line);
+    CHECK(count > 4);
+    CHECK(count <= 25);
+  }
+  CHECK(words_of({.kind = DoubtKind::times_not_comparable,
+                  .who = {"mine"},
+                  .count = 100,
+                  .of = 100,
+                  .what = "the machine was busy"}) ==
+        "times of mine are not compared: the machine was busy in 100 of 100 solves");
+}

@@ -1,0 +1,62 @@
+#include "analysis/compare/study.hpp"
+
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using namespace ikbench::results;
+
+TEST_CASE("Solves in any order are ordered by solver, run and point") {
+  const Asked asked{.runs = 2, .points = 2};
+  std::vector<SolveRecord> solves = solves_of(asked, {"B", "A", "C"}, [](SolveRecord&) {});
+  std::swap(solves.front(), solves.back());
+  const StudyResults study = study_of(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
+  CHECK(study.solvers == std::vector<std::string>{"A", "B", "C"});
+  REQUIRE(study.of("B").size() == 4);
+  CHECK(study.of("B")[1].point == 2);
+  CHECK(study.of("B")[2].run == 2);
+  CHECK(study.of("nobody").empty());
+  CHECK(study.sessions.size() == 1);
+  CHECK(study.runs == 2);
+  CHECK(study.points == 2);
+}
+
+TEST_CASE("A study knows whether all solvers had the same targets, and starts unless they are chained") {
+  const Asked chained{.start = "previous"}, unchained{.start = "middle"};
+  const auto other_target = [](SolveRecord& solve) { solve.target_position_m[1] = solve.solver == "B"; };
+  const auto other_start = [](SolveRecord& solve) { solve.start_rad = {solve.solver == "B" ? 1.0 : 0.0}; };
+  const auto same = [](SolveRecord&) {};
+  CHECK(study(chained, same).had_same_targets);
+  CHECK_FALSE(study(chained, other_target).had_same_targets);
+  CHECK(study(chained, other_start).had_same_targets);
+  CHECK_FALSE(study(unchained, other_start).had_same_targets);
+}
+
+TEST_CASE("A control that is no solver is none") {
+  const Asked asked{.rest = R"(, "analysis": {"control": "gone"})"};
+  CHECK(study(asked, [](SolveRecord&) {}).definition.plan.control.empty());
+}
+
+TEST_CASE("A study is read from a store, and solves of another version are counted where its own are missing") {
+  const Asked asked{.runs = 2, .points = 2};
+  const StudyEntry entry = entry_of(asked, {"A", "B"});
+  const ScratchFolder folder;
+  Store store(folder.path / "store.sqlite", Store::Mode::write);
+  store.save_study(entry);
+  const std::int64_t session = store.begin_session({{"cpu", "one"}});
+  std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, [&](SolveRecord& solve) {
+    solve.session = session;
+    solve.series = solve.solver == "A" ? "A@1" : "B@0";
+  });
+  store.append(solves);
+  const StudyResults study = read_study(store, entry);
+  CHECK(study.of("A").size() == 4);
+  CHECK(study.of("B").empty());
+  CHECK(study.sessions.size() == 1);
+  CHECK(study.solves_of_other_versions == 4);
+  CHECK(study.solvers_of_other_versions == std::vector<std::string>{"B"});
+}
