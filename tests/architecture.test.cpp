@@ -40,6 +40,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"experiments", {"numerics", "robots", "solvers", "results"}},
       {"analysis/statistics", {}},
       {"analysis/compare", {"numerics", "results"}},
+      {"analysis/csv", {"numerics", "results", "analysis/compare"}},
       {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
       {"analysis/figures", {"numerics", "robots", "results", "analysis/statistics", "analysis/inference"}},
       {"analysis/report",

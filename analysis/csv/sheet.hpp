@@ -1,0 +1,52 @@
+// A user's CSV as pandas, R and spreadsheets write it: comma, semicolon or tab, point or comma in numbers. A mistake in
+// it throws std::invalid_argument: FILE:LINE:COLUMN, what is wrong and what to do.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/csv.hpp"
+
+namespace ikbench::csv {
+
+using Words = std::initializer_list<std::string_view>;
+std::string lower_case(std::string_view text);              // ASCII letters
+bool is_one_of(std::string_view text, const Words& words);  // in any case
+std::string in_quotes(std::string_view text);               // cut, for messages
+
+class Sheet {
+ public:
+  // Separator and decimal mark are found where they are 0. The text must outlive the sheet.
+  Sheet(std::string_view text, std::string_view source, char separator, char decimal);
+
+  // Takes the rows with this value in this column alone: "metric=error".
+  void choose(std::string_view condition);
+
+  const std::vector<std::string>& titles() const { return titles_; }
+  // Rows that have a text: spreadsheets leave empty ones.
+  const std::vector<std::uint32_t>& rows() const { return rows_; }
+  std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
+
+  std::size_t column(std::string_view name) const;
+  std::optional<std::size_t> column_like(const Words& names) const;  // the first with one of these names
+  std::string names_of(const std::vector<std::size_t>& columns) const;
+
+  bool has_numbers(std::size_t column) const;
+  // Not a number where it is missing or infinite.
+  double number(std::size_t row, std::size_t column);
+
+  [[noreturn]] void refuse(std::string_view what) const;
+  [[noreturn]] void refuse(std::size_t row, std::size_t column, std::string_view what) const;
+
+ private:
+  std::string source_;
+  results::CsvView view_;
+  std::vector<std::string> titles_;
+  std::vector<std::uint32_t> rows_;
+  char decimal_;
+};
+
+}  // namespace ikbench::csv

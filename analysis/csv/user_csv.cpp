@@ -1,0 +1,370 @@
+#include "analysis/csv/user_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "analysis/csv/sheet.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::csv {
+namespace {
+
+using namespace compare;
+using Index = std::uint32_t;
+using Column = std::optional<std::size_t>;
+
+const Words label_names{"solver", "algorithm", "group", "label", "method", "name"};
+const Words metric_names{"metric", "quantity", "variable", "measure"};
+const Words run_names{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat", "run_id", "seed_id"};
+
+// Where things are. Without a label each column of values is a group.
+struct Layout {
+  Column label, block, run;
+  std::vector<std::size_t> values;
+
+  bool has(std::size_t column) const {
+    return column == label || column == block || column == run || std::ranges::count(values, column) > 0;
+  }
+};
+
+Layout layout_of(const Sheet& sheet, const Request& request) {
+  const auto column = [&](const std::string& name) { return name.empty() ? Column() : sheet.column(name); };
+  Layout layout{.label = column(request.label), .block = column(request.block), .run = column(request.run)};
+  for (const std::string& each : request.values) layout.values.push_back(sheet.column(each));
+  if (!layout.label) layout.label = sheet.column_like(label_names);
+  if (layout.label && !layout.values.empty()) return layout;
+  std::vector<std::size_t> numbers, texts;
+  for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
+    const std::string& title = sheet.titles()[i];
+    const auto is_chosen = [&](const std::string& where) { return where.starts_with(title + '='); };
+    if (layout.has(i) || is_one_of(title, run_names) || std::ranges::any_of(request.where, is_chosen)) continue;
+    if (title.empty() || title == "Unnamed: 0") continue;  // numbers of rows, as R and pandas write them
+    (sheet.has_numbers(i) ? numbers : texts).push_back(i);
+  }
+  if (!layout.label && texts.size() > 1)
+    sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", sheet.names_of(texts)));
+  if (!layout.label && !texts.empty()) layout.label = texts.front();
+  if (layout.label && numbers.size() > 1 && layout.values.empty())
+    sheet.refuse(
+        fmt::format("numbers in the columns {}; name one with --value, or, if each is a group, what all groups "
+                    "had with --block '{}'",
+                    sheet.names_of(numbers), sheet.titles()[*layout.label]));
+  if (!layout.label && (!layout.values.empty() || numbers.size() == 1))
+    sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
+  if (layout.values.empty()) layout.values = numbers;
+  if (layout.values.empty()) sheet.refuse("no column of numbers; expected one of values");
+  for (const std::size_t each : layout.values) sheet.column(sheet.titles()[each]);  // refuses two of one name
+  return layout;
+}
+
+struct Value {
+  Index group, unit, row;  // unit: block, run or row
+  double value;
+};
+
+struct Items {
+  std::vector<std::string> groups;
+  std::vector<Value> values;  // by group and unit
+  Index units = 0;
+  std::size_t unlabelled = 0;
+  bool are_averaged = false;
+};
+
+// Texts are numbered in the order of their first row.
+Index number_of(std::string_view text, std::unordered_map<std::string_view, Index>& known) {
+  return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
+}
+
+Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t>& columns) {
+  const Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
+  std::unordered_map<std::string_view, Index> groups, units;
+  Items items;
+  for (const std::size_t column : columns) {
+    Index used = 0;  // a column that ends before others has fewer values
+    for (const Index row : sheet.rows()) used = sheet.cell(row, column).empty() ? used : row;
+    for (const Index row : sheet.rows()) {
+      const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
+      if (!layout.label && !layout.block && row > used) break;
+      items.unlabelled += name.empty();
+      if (name.empty()) continue;
+      if (unit && sheet.cell(row, *unit).empty()) sheet.refuse(row, *unit, "is no name");
+      const Index group = number_of(name, groups);
+      if (group == items.groups.size()) items.groups.emplace_back(name);
+      if (group == most_groups)
+        sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
+      items.values.push_back({.group = group,
+                              .unit = unit ? number_of(sheet.cell(row, *unit), units) : row,
+                              .row = row,
+                              .value = sheet.number(row, column)});
+    }
+  }
+  if (items.values.empty()) sheet.refuse("no row has a label");
+  items.units = static_cast<Index>(units.size());
+  const auto place = [](const Value& each) { return std::tuple(each.group, each.unit); };
+  std::ranges::stable_sort(items.values, {}, place);
+  const auto twice = std::ranges::adjacent_find(items.values, {}, place);
+  items.are_averaged = twice != items.values.end();
+  if (items.are_averaged && !layout.run)
+    sheet.refuse(
+        std::next(twice)->row, *unit,
+        fmt::format(
+            "has several rows of {}; average rows that depend on each other with --run {}{}",
+            in_quotes(items.groups[twice->group]), layout.block ? "COLUMN" : sheet.titles()[*unit],
+            layout.block ? "" : ", or compare what was done apart with --block COLUMN --run " + sheet.titles()[*unit]));
+  return items;
+}
+
+// Rows of a mean differ in numbers alone: other text tells of several metrics or problems.
+void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) {
+  for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
+    const bool is_metric = is_one_of(sheet.titles()[column], metric_names);
+    if (layout.has(column) || !(is_metric || items.are_averaged) || sheet.has_numbers(column)) continue;
+    std::unordered_set<std::string_view> different;
+    for (const Value& each : items.values) different.insert(sheet.cell(each.row, column));
+    if (!is_metric && different.size() == items.values.size()) continue;  // times of day and the like
+    for (std::size_t i = 1; i < items.values.size(); ++i) {
+      const Value &before = items.values[i - 1], &each = items.values[i];
+      const std::string_view one = sheet.cell(before.row, column);
+      const bool belong = is_metric || (before.group == each.group && before.unit == each.unit);
+      if (belong && sheet.cell(each.row, column) != one)
+        sheet.refuse(each.row, column,
+                     fmt::format("repeats no row with '{1}': choose rows with --where '{0}={1}', or compare within "
+                                 "--block '{0}'",
+                                 sheet.titles()[column], one));
+    }
+  }
+}
+
+// The metric of a file of solves. What a report knows from its store, and the file does not say, is refused.
+const Metric* metric_of(const Sheet& sheet, const std::string& name) {
+  const auto metric = std::ranges::find(metrics(), name, &Metric::column);
+  for (const char* each : {"study", "robot", "series", "status", "stop_reason"}) {
+    if (metric == metrics().end() || std::ranges::count(sheet.titles(), each) == 0) return nullptr;
+  }
+  const std::size_t study = sheet.column("study"), status = sheet.column("status"), stop = sheet.column("stop_reason");
+  const char* unknown = metric->kind == Kind::time ? "how busy the machine was" : nullptr;
+  for (const Index row : sheet.rows()) {
+    const std::string_view how = sheet.cell(row, status);
+    if (sheet.cell(row, study) != sheet.cell(sheet.rows().front(), study))
+      sheet.refuse(row, study, "is not the only one; choose with --where study=NAME");
+    if (how == "tolerance_missed" || sheet.cell(row, stop) == "tolerance") unknown = "the tolerance";
+    if (metric->kind == Kind::cost && how != "ok") unknown = "which solves have an answer";
+  }
+  if (unknown)
+    sheet.refuse(
+        fmt::format("{} needs what this file does not say, {}; `ikbench report` knows it", in_quotes(name), unknown));
+  return &*metric;
+}
+
+// "error_cm" and "error [cm]" have a unit.
+Observations quantity_of(const std::string& title, bool is_larger_better) {
+  const bool is_bracketed = title.ends_with(']');
+  const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
+  Observations of{.metric = "", .quantity = title, .better = is_larger_better ? Better::larger : Better::smaller};
+  for (const char c : lower_case(title)) of.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  if (at == std::string::npos || at == 0) return of;
+  const std::string unit = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
+  if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return of;
+  of.quantity = title.substr(0, title.find_last_not_of(' ', at - 1) + 1);
+  of.unit = unit;
+  return of;
+}
+
+// The values of each group: means of the rows of a unit.
+void fill(const Layout& layout, const Items& items, Observed& observed) {
+  struct Mean {
+    Index group, unit, rows;
+    double value;
+  };
+  std::vector<Mean> means;
+  for (const Value& each : items.values) {
+    const bool is_next = !means.empty() && means.back().group == each.group && means.back().unit == each.unit;
+    if (!is_next) means.push_back({.group = each.group, .unit = each.unit, .rows = 0, .value = 0});
+    means.back().value += (each.value - means.back().value) / ++means.back().rows;
+  }
+  std::vector<Index> most(layout.block ? items.units : 1);
+  const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
+  for (const Mean& each : means) most_of(each) = std::max(most_of(each), each.rows);
+  Observations& of = observed.observations;
+  of.is_paired = layout.block.has_value();
+  of.trials = static_cast<int>(std::ranges::max(most));
+  std::vector<int> without(items.groups.size()), all(items.groups.size());
+  for (const std::string& name : items.groups) of.groups.push_back({.name = name});
+  for (const Mean& each : means) {
+    Group& group = of.groups[each.group];
+    ++all[each.group];
+    const bool is_lost = std::isnan(each.value), is_short = each.rows < most_of(each);
+    without[each.group] += is_lost;
+    group.lost += is_lost || is_short;
+    if (!is_lost && !is_short) group.values.push_back(each.value);
+  }
+  for (std::size_t i = 0; i < of.groups.size(); ++i) {
+    Group& group = of.groups[i];
+    if (layout.block)
+      group.lost += static_cast<int>(items.units) - std::exchange(all[i], static_cast<int>(items.units));
+    const auto doubt = [&](DoubtKind kind, int count, const char* what) {
+      if (count > 0) observed.doubts.push_back({kind, {group.name}, double(count), double(all[i]), what});
+    };
+    doubt(DoubtKind::without_answer, without[i], "no value");
+    doubt(DoubtKind::runs_missing, group.lost - without[i], layout.block ? "blocks without a row" : "fewer rows");
+  }
+  if (items.unlabelled > 0)
+    observed.doubts.push_back({DoubtKind::runs_missing,
+                               {},
+                               double(items.unlabelled),
+                               double(items.unlabelled + items.values.size()),
+                               "rows without a label are left out"});
+}
+
+// Chooses shares, ratios or differences by all values.
+void settle(const Items& items, Observed& observed, std::vector<std::string>& notes) {
+  Observations& of = observed.observations;
+  const auto is_outcome = [](const Value& each) {
+    return std::isnan(each.value) || each.value == 0 || each.value == 1;
+  };
+  const auto is_above = [](const Value& each) { return each.value > 0; };
+  const auto negative = std::ranges::count_if(items.values, [](const Value& each) { return each.value < 0; });
+  const auto zero = std::ranges::count(items.values, 0.0, &Value::value);
+  if (std::ranges::all_of(items.values, is_outcome) && std::ranges::any_of(items.values, is_above)) {
+    of.scale = Scale::share;
+    of.better = Better::larger;
+    notes.push_back(
+        fmt::format("All values of {} are 0 or 1: shares are compared, and larger ones are better.", of.quantity));
+    return;
+  }
+  of.trials = 1;
+  if (negative > 0 || std::ranges::none_of(items.values, is_above)) {
+    of.scale = Scale::difference;
+    notes.push_back(fmt::format("{} of {} values of {} are negative: differences are compared, not ratios.", negative,
+                                items.values.size(), of.quantity));
+  } else if (of.scale == Scale::ratio && of.floor == 0 && zero > 0) {
+    of.floor = std::numeric_limits<double>::max();
+    for (const Value& each : items.values) of.floor = each.value > 0 ? std::min(of.floor, each.value) : of.floor;
+    notes.push_back(fmt::format("{} of {} values of {} are 0 and count as {}, the smallest above it.", zero,
+                                items.values.size(), of.quantity, of.floor));
+  }
+}
+
+bool is_constant(const Group& group) {
+  return group.values.size() > 1 && std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
+}
+
+// Joins the equal values of a solver whose answers, by this quantity, are equal too.
+void join_copies(const Observations& answers, Observed& observed) {
+  Observations& of = observed.observations;
+  if (of.is_paired || of.scale == Scale::share) return;
+  for (std::size_t i = 0; i < of.groups.size(); ++i) {
+    Group& group = of.groups[i];
+    if (!is_constant(group) || !is_constant(answers.groups[i])) continue;
+    group.copies = static_cast<int>(group.values.size());
+    group.values.erase(group.values.begin() + 1, group.values.end());
+    observed.doubts.push_back({DoubtKind::repeats_itself, {group.name}, double(group.copies), double(group.copies)});
+  }
+}
+
+}  // namespace
+
+Quantities read(std::string_view text, std::string_view source, const Request& request) {
+  Sheet sheet(text, source, request.separator, request.decimal);
+  for (const std::string& each : request.where) sheet.choose(each);
+  const Layout layout = layout_of(sheet, request);
+  Quantities quantities;
+  const std::size_t count = layout.label ? layout.values.size() : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string title = layout.label ? sheet.titles()[layout.values[i]] : "value";
+    const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
+    Observed observed{.observations = quantity_of(title, request.is_larger_better)};
+    Observations& of = observed.observations;
+    const Metric* metric = metric_of(sheet, title);
+    if (metric) {
+      of.metric = metric->slug, of.quantity = metric->name, of.unit = metric->unit;
+      of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
+    } else {
+      refuse_mixed(sheet, layout, items);
+    }
+    fill(layout, items, observed);
+    settle(items, observed, quantities.notes);
+    Observed answers{.observations = of};
+    if (metric) {
+      answers.observations.groups.clear();
+      fill(layout, items_of(sheet, layout, {sheet.column("position_error_cm")}), answers);
+    }
+    join_copies(answers.observations, observed);
+    quantities.observed.push_back(std::move(observed));
+  }
+  return quantities;
+}
+
+Quantities read_summaries(std::string_view text, std::string_view source, const Request& request) {
+  Sheet sheet(text, source, request.separator, request.decimal);
+  for (const std::string& each : request.where) sheet.choose(each);
+  const auto column = [&](const Words& names) {
+    const Column found = sheet.column_like(names);
+    if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", *names.begin()));
+    return *found;
+  };
+  const std::size_t label = column(label_names), n = column({"n", "count"}), mean = column({"mean"}),
+                    sd = column({"sd", "std", "stddev"});
+  const Column quantity = sheet.column_like(metric_names);
+  Quantities quantities;
+  for (const Index row : sheet.rows()) {
+    const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
+    Observations of = quantity_of(title, request.is_larger_better);
+    of.scale = Scale::difference;
+    auto found = std::ranges::find(quantities.observed, of.metric,
+                                   [](const Observed& each) { return each.observations.metric; });
+    if (found == quantities.observed.end()) found = quantities.observed.insert(found, {.observations = of});
+    std::vector<Group>& groups = found->observations.groups;
+    const std::string name(sheet.cell(row, label));
+    if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
+      sheet.refuse(row, label, "is no name of another group");
+    const auto number = [&](std::size_t at, double least) {
+      const double value = sheet.number(row, at);
+      if (!(value >= least)) sheet.refuse(row, at, "is not known or too small");
+      return value;
+    };
+    const double size = number(n, 2);
+    if (size != std::floor(size) || size > 1e9) sheet.refuse(row, n, "is no number of values");
+    groups.push_back({.name = name,
+                      .summary = Summary{.n = static_cast<int>(size),
+                                         .mean = number(mean, std::numeric_limits<double>::lowest()),
+                                         .sd = number(sd, 0)}});
+  }
+  return quantities;
+}
+
+Plan with_margin(Plan plan, const std::string& margin, const Observations& of) {
+  const auto is_negative = [](const Group& group) {
+    return group.summary ? group.summary->mean < 0
+                         : std::ranges::any_of(group.values, [](double each) { return each < 0; });
+  };
+  const bool is_share = of.scale == Scale::share;
+  const bool has_no_share = of.scale == Scale::difference && std::ranges::any_of(of.groups, is_negative);
+  if (margin.empty()) {
+    if (has_no_share) plan.margin = 0;
+    return plan;
+  }
+  const bool is_relative = margin.ends_with('%');
+  const auto number = numerics::number_from(std::string_view(margin).substr(0, margin.size() - is_relative));
+  const char* wrong = !number || !(*number >= 0) || !std::isfinite(*number)
+                          ? "expected 5%, or 0.1 in the unit of the values"
+                      : is_relative && has_no_share
+                          ? "a share of values that may be negative means nothing; give a margin in their unit"
+                      : !is_relative && is_share ? "shares differ by points; expected 5%"
+                                                 : nullptr;
+  if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
+  plan.margin = is_relative ? *number / 100 : 0;
+  plan.absolute_margin = is_relative ? 0 : *number;
+  return plan;
+}
+
+}  // namespace ikbench::csv

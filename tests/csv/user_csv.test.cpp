@@ -1,0 +1,340 @@
+// CSVs of users: what is read from them, and what the engine says of it. tests/data/csv has files that were judged
+// wrong.
+#include "analysis/csv/user_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "analysis/compare/judge.hpp"
+#include "results/export.hpp"
+#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using csv::Quantities;
+using csv::Request;
+
+namespace {
+
+std::string file_text(const std::string& name) {
+  std::ifstream in(name, std::ios::binary);
+  REQUIRE(in);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Observations observations(const std::string& text, const Request& request = {}) {
+  return csv::read(text, "data.csv", request).observed.front().observations;
+}
+
+Finding finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
+  const Observations of = observations(text, request);
+  return compare::compare(of, csv::with_margin({}, margin, of)).front();
+}
+
+std::string complaint(const std::string& text, const Request& request = {}) {
+  try {
+    csv::read(text, "data.csv", request);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string wide = "a,b\n1,4\n2,5\n3,6\n2,7\n";
+
+}  // namespace
+
+TEST_CASE("all 20 run means of A below all of B are better, whatever their spread") {
+  const Finding found = finding(file_text("tests/data/csv/runmeans.csv"));
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.p == Approx(2 / 137846528820.0));  // 2 / C(40, 20)
+}
+
+TEST_CASE("values near -5 are the same within 1, on differences") {
+  const std::string text = file_text("tests/data/csv/drift.csv");
+  const Quantities read = csv::read(text, "drift.csv", {});
+  CHECK(read.notes.size() == 1);
+  CHECK(read.observed.front().observations.scale == Scale::difference);
+  const Finding found = finding(text, {}, "1");
+  CHECK(found.verdict == Verdict::same);
+  CHECK(found.scale == Scale::difference);
+  CHECK(std::abs(*found.estimate) < 0.2);
+  CHECK(finding(text).verdict == Verdict::undecided);  // a share of negative values is no margin
+  CHECK_THROWS_AS(finding(text, {}, "5%"), std::invalid_argument);
+}
+
+TEST_CASE("ten times smaller errors on 20 problems of 20 scales are better within blocks") {
+  const Request request{.block = "problem"};
+  const std::string text = file_text("tests/data/csv/ten.csv");
+  CHECK(observations(text, request).is_paired);
+  const Finding found = finding(text, request);
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.p == Approx(std::exp2(-19)));
+  CHECK(*found.estimate == Approx(0.1).epsilon(0.2));
+}
+
+TEST_CASE("a solver that repeats itself is one observation, which the sign test compares") {
+  const Quantities read = csv::read(file_text("tests/data/csv/const2.csv"), "const2.csv", {});
+  const Observed& observed = read.observed.front();
+  CHECK(observed.observations.groups.front().copies == 20);
+  CHECK(observed.observations.groups.front().values == std::vector{0.01});
+  CHECK(observed.doubts.front().kind == DoubtKind::repeats_itself);
+  const Finding found = compare::compare(observed.observations, {}).front();
+  CHECK(found.verdict == Verdict::better);
+  CHECK(found.test == "sign test");
+}
+
+TEST_CASE("a zero in a third group changes no verdict on the two others") {
+  const Finding with = finding(file_text("tests/data/csv/zero.csv"));
+  const Finding zero = finding(file_text("tests/data/csv/zero0.csv"));
+  CHECK(with.verdict == Verdict::better);
+  CHECK(zero.verdict == Verdict::better);
+  CHECK(*with.p == *zero.p);
+  CHECK(*with.estimate == *zero.estimate);
+  CHECK(observations(file_text("tests/data/csv/zero0.csv")).floor == 0.0471);
+}
+
+TEST_CASE("rows without a label are left out and counted") {
+  const Observed observed = csv::read(file_text("tests/data/csv/stray-label.csv"), "stray.csv", {}).observed.front();
+  CHECK(observed.observations.groups.size() == 2);
+  REQUIRE(observed.doubts.size() == 1);
+  CHECK(observed.doubts.front().count == 4);
+  CHECK(observed.doubts.front().of == 12);
+}
+
+TEST_CASE("rows of several metrics are refused with the advice --where") {
+  const std::string text = file_text("tests/data/csv/mixed-metrics.csv");
+  for (const Request& request : {Request{.values = {"value"}}, Request{.values = {"value"}, .run = "seed"}}) {
+    const std::string said = complaint(text, request);
+    CHECK((has(said, "--where 'metric=error'") || has(said, "--run seed")));
+  }
+  const Request chosen{.values = {"value"}, .run = "seed", .where = {"metric=error"}};
+  CHECK(observations(text, chosen).groups.front().values == std::vector{0.10, 0.12, 0.11, 0.13});
+  CHECK(finding(text, {.values = {"value"}, .where = {"metric = error"}}).verdict == Verdict::better);
+  CHECK(has(complaint(text, {.where = {"metric=speed"}}), "'metric=error'"));
+  // The metric has another name.
+  const std::string other = "solver,seed,what,value\nA,1,e,1\nA,1,t,9\nB,1,e,1\nB,1,t,9\n";
+  CHECK(has(complaint(other, {.values = {"value"}, .run = "seed"}), "data.csv:3:3"));
+  // Text that never repeats, such as a time of day, tells of nothing.
+  CHECK(complaint("solver,seed,at,value\nA,1,x,1\nA,1,y,9\nB,1,z,1\nB,1,w,9\n", {.values = {"value"}, .run = "seed"})
+            .empty());
+}
+
+TEST_CASE("separators and decimal marks are found, or given") {
+  const std::vector<double> a{0.5, 1.25}, b{3, 4};
+  for (const std::string text : {"s,v\nA,0.5\nA,1.25\nB,3\nB,4\n", "s;v\nA;0,5\nA;1,25\nB;3\nB;4\n",
+                                 "s\tv\nA\t0,5\nA\t1,25\nB\t3\nB\t4\n", "s;v\nA;0.5\nA;1.25\nB;3\nB;4\n",
+                                 "\"s, or t\";v\nA;0,5\nA;1,25\nB;3\nB;4\n", "s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n",
+                                 "\xEF\xBB\xBFs;v\r\n\"A\"; 0,5 \r\nA;\"1,25\"\r\nB;3\r\nB;4\r\n;\r\n"}) {
+    CAPTURE(text);
+    const Observations of = observations(text);
+    REQUIRE(of.groups.size() == 2);
+    CHECK(of.groups[0].name == "A");
+    CHECK(of.groups[0].values == a);
+    CHECK(of.groups[1].values == b);
+  }
+  CHECK(has(complaint("s;v\nA;0,5\nA;1.5\nB;3\nB;4\n", {.values = {"v"}}), "data.csv:3:2"));
+  CHECK(observations("s;v,w\nA;1\nB;2\n", {.separator = ';'}).groups.size() == 2);
+  CHECK(has(complaint("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = "s", .decimal = '.'}), "data.csv:2:2"));
+}
+
+TEST_CASE("titles are trimmed, and units belong to quantities") {
+  const Observations of = observations(" solver , error [mm] \nA,1\nB,2\n", {.values = {"error [mm]"}});
+  CHECK(of.quantity == "error");
+  CHECK(of.unit == "mm");
+  CHECK(observations("solver,error_cm\nA,1\nB,2\n").unit == "cm");
+  CHECK(observations("solver,mean_rank\nA,1\nB,2\n").unit.empty());
+}
+
+TEST_CASE("missing and infinite values are lost, and such a group is not tested") {
+  for (const std::string gap : {"", "NA", "-", "nan", "inf", "-Inf", "None", "#N/A", "1e999999"}) {
+    CAPTURE(gap);
+    if (gap == "1e999999") {
+      CHECK(has(complaint("s,v\nA," + gap + "\nA,1\nB,2\n", {.values = {"v"}}), "data.csv:2:2"));
+      continue;
+    }
+    const std::string text = "s,v\nA," + gap + "\nA,1\nA,2\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
+    const Observed observed = csv::read(text, "data.csv", {}).observed.front();
+    CHECK(observed.observations.groups.front().lost == 1);
+    CHECK(observed.doubts.front().kind == DoubtKind::without_answer);
+    CHECK(observed.doubts.front().of == 5);
+    CHECK(finding(text).why == Why::lost);
+  }
+}
+
+TEST_CASE("wide files have a group a column; a shorter column has fewer values") {
+  CHECK(observations(wide).groups.size() == 2);
+  CHECK(finding(wide).verdict == Verdict::better);
+  const Observations of = observations("seed,a,b\n1,1,4\n2,2,5\n3,,6\n");
+  REQUIRE(of.groups.size() == 2);
+  CHECK(of.groups[0].lost == 0);
+  CHECK(of.groups[0].values.size() == 2);
+  CHECK(observations("seed,a,b\n1,1,4\n2,,5\n3,3,6\n").groups[0].lost == 1);
+  const Observations blocks = observations("set,a,b\nx,1,4\ny,2,5\nz,,6\n", {.block = "set"});
+  CHECK(blocks.is_paired);
+  CHECK(blocks.groups[0].lost == 1);
+  CHECK(has(complaint("set,a,b\nx,1,4\ny,2,5\n"), "--block 'set'"));
+  CHECK(has(complaint("a,a\n1,4\n2,5\n"), "2 columns 'a'"));
+}
+
+TEST_CASE("rows of a run are averaged where asked, else refused") {
+  const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
+  CHECK(has(complaint(text, {.values = {"e"}}), "data.csv:3:2"));
+  CHECK(has(complaint(text, {.values = {"e"}, .block = "point"}), "--run COLUMN"));
+  const Observed observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
+  CHECK(observed.observations.groups[0].values == std::vector{2.0, 4.0});
+  CHECK(observed.observations.groups[1].lost == 1);  // a row of its second run is missing
+  CHECK(observed.doubts.front().kind == DoubtKind::runs_missing);
+  const Observations blocks = observations(text, {.values = {"e"}, .block = "point", .run = "run"});
+  CHECK(blocks.groups[0].values == std::vector{1.5, 4.5});
+  CHECK(blocks.groups[1].lost == 1);
+  CHECK(observations(text, {.values = {"e"}, .block = "run", .run = "run"}).is_paired);
+}
+
+TEST_CASE("a block without a row of a group is lost to it") {
+  const Observed observed =
+      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,1\n", "data.csv", {.values = {"v"}, .block = "p"}).observed.front();
+  CHECK(observed.observations.groups[1].lost == 1);
+  CHECK(observed.doubts.front().who == std::vector<std::string>{"B"});
+  CHECK(observed.doubts.front().of == 2);
+}
+
+TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
+  const Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n");
+  CHECK(of.scale == Scale::share);
+  CHECK(of.better == Better::larger);
+  CHECK(of.trials == 1);
+  CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
+  const Observations several =
+      observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n", {.values = {"v"}, .block = "p", .run = "r"});
+  CHECK(several.trials == 2);
+  CHECK(several.groups[0].values == std::vector{0.5});
+}
+
+TEST_CASE("margins are shares or in the unit of the values") {
+  const Observations of = observations(wide);
+  CHECK(csv::with_margin({}, "", of).margin == 0.05);
+  CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
+  const compare::Plan plan = csv::with_margin({}, "0.5", of);
+  CHECK(plan.margin == 0);
+  CHECK(plan.absolute_margin == 0.5);
+  for (const char* margin : {"x", "-1", "%", "nan", "inf"})
+    CHECK_THROWS_AS(csv::with_margin({}, margin, of), std::invalid_argument);
+}
+
+TEST_CASE("printed means are compared by means") {
+  const Quantities read = csv::read_summaries(file_text("results/published/slim2023/table-3.csv"), "table-3.csv", {});
+  REQUIRE(read.observed.size() == 3);
+  const Observations& error = read.observed.front().observations;
+  CHECK(error.groups.size() == 6);
+  CHECK(error.groups.front().summary->sd == 1.7824e-4);
+  const std::vector<Finding> found = compare::compare(error, {});
+  CHECK(found.front().test == "Welch's t");
+  CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
+  CHECK(*found.front().estimate == Approx(0.0019 - 1.6849));
+  CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,2.5,1,1\n", "s.csv", {}), std::invalid_argument);
+  CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,-1\n", "s.csv", {}), std::invalid_argument);
+  CHECK_THROWS_AS(csv::read_summaries("name,n,mean\nA,5,1\n", "s.csv", {}), std::invalid_argument);
+  CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,1\nA,5,2,1\n", "s.csv", {}), std::invalid_argument);
+}
+
+TEST_CASE("an exported file of solves is judged as its report does, or says what it lacks") {
+  const std::string header =
+      "study,robot,solver,series,run,point,position_error_cm,evaluations,seconds,stop_reason,status\n";
+  std::string text = header, with_tolerance = header;
+  for (const char* solver : {"A", "B"}) {
+    for (int run = 1; run <= 2; ++run) {
+      for (int point = 1; point <= 2; ++point) {
+        const std::string row =
+            fmt::format("s,r,{},k,{},{},0.{}{}{},10,1,", solver, run, point, run, point, solver[0] % 7);
+        text += row + "iterations,ok\n";
+        with_tolerance += row + "tolerance,ok\n";
+      }
+    }
+  }
+  CHECK(has(complaint(text, {.values = {"position_error_cm"}}), "--run run"));
+  const Observations of = observations(text, {.values = {"position_error_cm"}, .run = "run"});
+  CHECK(of.metric == metric_named("position_error_cm").slug);
+  CHECK(of.floor == metric_named("position_error_cm").floor);
+  CHECK(has(complaint(text, {.values = {"seconds"}, .run = "run"}), "machine"));
+  CHECK(has(complaint(with_tolerance, {.values = {"position_error_cm"}, .run = "run"}), "tolerance"));
+  CHECK(has(complaint(text + "t,r,A,k,1,1,1,1,1,iterations,ok\n", {.values = {"evaluations"}, .run = "run"}),
+            "--where study"));
+}
+
+TEST_CASE("mistakes say where and what to do") {
+  CHECK(has(complaint(""), "data.csv:1"));
+  CHECK(has(complaint("s,v\n"), "no rows"));
+  CHECK(has(complaint("s,v\n,1\n", {.label = "s"}), "label"));
+  CHECK(has(complaint("s,v\nA,1\nA,x1\n", {.values = {"v"}}), "data.csv:3:2: 'x1' in column 'v'"));
+  CHECK(has(complaint("s,v\nA,1\nB,2,3\n"), "data.csv:3"));
+  CHECK(has(complaint("solver,v,w\nA,1,2\n"), "--value"));
+  CHECK(has(complaint("s,t,v\nA,x,1\n"), "--label"));
+  CHECK(has(complaint("v\n1\n2\n"), "--label"));
+  CHECK(has(complaint("solver,error\nA,1\n", {.values = {"eror"}}), "did you mean \"error\""));
+  CHECK(has(complaint(std::string("s,v\nA\0,1\n", 9)), "NUL"));
+  std::string many = "s,v\n";
+  for (std::size_t i = 0; i <= csv::most_groups; ++i) many += fmt::format("g{},1\n", i);
+  CHECK(has(complaint(many), "100 groups"));
+}
+
+TEST_CASE("any label is kept as it is") {
+  const Observations of = observations("solver,v\n\"a,\"\"b\"\"\n<c> $d$ \\e\",1\n'=1+1',2\n\xC3\xA9,3\n");
+  REQUIRE(of.groups.size() == 3);
+  CHECK(of.groups[0].name == "a,\"b\"\n<c> $d$ \\e");
+  CHECK(of.groups[2].name == "\xC3\xA9");
+}
+
+TEST_CASE("a million rows are read within seconds") {
+  std::string text = "solver;seed;v\n";
+  for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
+  const auto began = std::chrono::steady_clock::now();
+  const Observations of = observations(text, {.run = "seed"});
+  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(10));
+  CHECK(of.groups.front().values.size() == 50'000);
+}
+
+TEST_CASE("an exported file of solves gives the observations of its report") {
+  for (const std::string start : {"previous", "home", "previous, repeated"}) {
+    const auto draw = [&](SolveRecord& solve) {
+      solve.study = solve.robot = "any";
+      solve.position_error_cm = 0.1 * solve.point + 0.01 * solve.run + (solve.solver == "A" ? 0 : 0.001 * solve.run);
+      if (start != "previous, repeated" || solve.solver == "A") return;
+      solve.answer_rad = {1.0 * solve.point};
+      solve.position_error_cm = 0.1 * solve.point;
+    };
+    const StudyResults made = study({.start = start.substr(0, start.find(','))}, draw);
+    const ScratchFolder folder;
+    results::write_csv(folder.path / "solves.csv", [&](const auto& take) { std::ranges::for_each(made.solves, take); });
+    const std::string text = file_text((folder.path / "solves.csv").string());
+    Request request{.values = {"position_error_cm"}, .run = "run"};
+    if (start == "home") request.block = "point";
+    for (const std::string column : {"position_error_cm", "variation_deg", "evaluations"}) {
+      request.values = {column};
+      const Observations read = observations(text, request);
+      const Observations reported = observe(made, metric_named(column)).observations;
+      CHECK(read.is_paired == reported.is_paired);
+      CHECK(read.metric == reported.metric);
+      REQUIRE(read.groups.size() == 2);
+      for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(read.groups[i].name == reported.groups[i].name);
+        CHECK(read.groups[i].values.size() == reported.groups[i].values.size());
+        for (std::size_t k = 0; k < read.groups[i].values.size(); ++k)
+          CHECK(read.groups[i].values[k] == Approx(reported.groups[i].values[k]));
+      }
+      const Finding one = compare::compare(read, {}).front(), other = compare::compare(reported, {}).front();
+      CHECK(one.verdict == other.verdict);
+      CHECK(one.test == other.test);
+      CHECK(one.p.value_or(-1) == Approx(other.p.value_or(-1)));
+    }
+  }
+}
