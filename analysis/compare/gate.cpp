@@ -1,0 +1,164 @@
+#include "analysis/compare/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace ikbench::compare {
+namespace {
+
+using namespace results;
+using Solves = std::span<const SolveRecord>;
+
+bool gave_answer(const SolveRecord& solve) {
+  return !is_without_answer(solve.status) && solve.status != Status::not_finite;
+}
+
+void refuse_other_task(const Side& one, const Side& other) {
+  const Definition &a = one.study.definition, &b = other.study.definition;
+  const Solves of_a = one.study.of(one.solver), of_b = other.study.of(other.solver);
+  const char* differ = of_a.empty() || of_b.empty()               ? "numbers of solves: one has none"
+                       : a.robot != b.robot || a.arm != b.arm     ? "arms"
+                       : a.path != b.path || a.points != b.points ? "targets"
+                       : a.search != b.search                     ? "searches"
+                       : a.start != b.start                       ? "starts"
+                       : a.limits != b.limits                     ? "treatments of joint limits"
+                       : a.stop.tolerance_cm != b.stop.tolerance_cm || a.stop.tolerance_deg != b.stop.tolerance_deg
+                           ? "tolerances"
+                           : nullptr;
+  for (std::size_t i = 0; !differ && !a.draws_targets && i < std::min(of_a.size(), of_b.size()); ++i) {
+    const bool is_one_place = of_a[i].run == of_b[i].run && of_a[i].point == of_b[i].point;
+    if (is_one_place && of_a[i].target_position_m != of_b[i].target_position_m) differ = "targets";
+  }
+  if (differ) throw std::invalid_argument(fmt::format("{} and {} had different {}", one.solver, other.solver, differ));
+}
+
+Plan plan_for(const StudyResults& study, const Observations& of) {
+  const results::Plan& plan = study.definition.plan;
+  return {.significance = plan.significance,
+          .margin = plan.margin,
+          .absolute_margin = of.unit == "cm" ? plan.margin_cm : 0};
+}
+
+// Of both sides, as solvers of one study.
+StudyResults study_of_both(const Side& baseline, const Side& candidate) {
+  const bool are_named = baseline.solver != candidate.solver;
+  StudyEntry entry = candidate.study.entry;
+  entry.series.clear();
+  std::vector<SolveRecord> solves;
+  std::vector<Session> sessions;
+  for (const Side* side : {&candidate, &baseline}) {
+    const std::string name(are_named ? side->solver : side == &candidate ? "candidate" : "baseline");
+    entry.series.push_back({.label = name});
+    std::map<std::int64_t, std::int64_t> numbers;
+    for (const Session& session : side->study.sessions) {
+      const auto is_same = [&](const Session& each) {
+        return each.began == session.began && each.environment == session.environment;
+      };
+      const auto known = std::ranges::find_if(sessions, is_same);
+      numbers[session.id] = known != sessions.end() ? known->id : std::ssize(sessions) + 1;
+      if (known != sessions.end()) continue;
+      sessions.push_back(session);
+      sessions.back().id = numbers[session.id];
+    }
+    for (SolveRecord solve : side->study.of(side->solver)) {
+      solve.solver = name;
+      solve.session = numbers[solve.session];
+      solves.push_back(std::move(solve));
+    }
+  }
+  return study_of(entry, std::move(solves), sessions);
+}
+
+bool have_one_session(const StudyResults& study) {
+  std::set<std::int64_t> of_first, of_second;
+  for (const SolveRecord& solve : study.solves)
+    (solve.solver == study.solvers.front() ? of_first : of_second).insert(solve.session);
+  return of_first == of_second;
+}
+
+// Of solves, whatever they are of.
+Judged judged_answers(const StudyResults& study) {
+  Observed observed{
+      .observations = {
+          .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share}};
+  for (const std::string& solver : study.solvers) {
+    Group& group = observed.observations.groups.emplace_back(Group{.name = solver});
+    for (const SolveRecord& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
+  }
+  return judge(observed, plan_for(study, observed.observations));
+}
+
+// Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
+// none.
+bool is_lost_for_sure(const Judged& judged, const Plan& plan) {
+  const Observations& of = judged.observations;
+  const Description &candidate = judged.described.front(), &baseline = judged.described.back();
+  if (of.metric == "answers") return baseline.mean == 1 && candidate.mean < 1;
+  if (judged.findings.front().why != Why::fact) return false;
+  const double loss = (candidate.mean - baseline.mean) * (of.better == Better::smaller ? 1 : -1);
+  const double share = of.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
+  return loss > std::max(plan.absolute_margin, plan.margin * share) + of.rounding;
+}
+
+// Takes solved targets from the baseline, until the test of this size shows it.
+std::optional<double> visible_loss(const Judged& judged, const Plan& plan) {
+  Observations of = judged.observations;
+  of.groups.front().values = of.groups.back().values;
+  std::vector<double>& values = of.groups.front().values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == 0) continue;
+    values[i] = 0;
+    const Finding finding = compare(of, plan).front();
+    if (finding.verdict == Verdict::worse) return -*finding.estimate;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Gate gate(const Side& baseline, const Side& candidate) {
+  refuse_other_task(baseline, candidate);
+  StudyResults study = study_of_both(baseline, candidate);
+  Gate gate{.are_times_apart = !have_one_session(study)};
+  Judged answers = judged_answers(study);
+  gate.judged = judge(std::move(study));
+  gate.judged.metrics.push_back(std::move(answers));
+  for (const Judged& judged : gate.judged.metrics) {
+    const Observations& of = judged.observations;
+    const Finding& finding = judged.findings.front();
+    const Plan plan = plan_for(gate.judged.study, of);
+    const bool is_time = of.metric == metric_named("seconds").slug;
+    if (of.metric == "solved") gate.visible_loss = visible_loss(judged, plan);
+    if (is_time && gate.are_times_apart) continue;
+    const bool is_equal = finding.are_all_equal && (of.is_paired || of.metric == "answers");
+    if (is_lost_for_sure(judged, plan) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
+      gate.worse.push_back(of.quantity);
+    else if (!is_time && !is_equal && finding.why != Why::fact && finding.verdict >= Verdict::undecided)
+      gate.open.push_back(of.quantity);
+  }
+  return gate;
+}
+
+std::string sight_of(const Gate& gate) {
+  for (const Judged& each : gate.judged.metrics) {
+    if (each.observations.metric != "solved") continue;
+    const auto n = each.observations.groups.back().values.size();
+    return gate.visible_loss ? fmt::format("It can see a loss of {:.2g} points or more of {} targets solved.",
+                                           100 * *gate.visible_loss, n)
+                             : fmt::format("It can see no loss of {} targets solved: they are too few.", n);
+  }
+  return "The study has no tolerance, so no target counts as solved.";
+}
+
+int exit_code(const std::vector<Gate>& gates, bool is_strict) {
+  if (std::ranges::any_of(gates, [](const Gate& each) { return !each.worse.empty(); })) return 3;
+  return is_strict && std::ranges::any_of(gates, [](const Gate& each) { return !each.open.empty(); }) ? 4 : 0;
+}
+
+}  // namespace ikbench::compare

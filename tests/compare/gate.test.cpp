@@ -1,0 +1,145 @@
+#include "analysis/compare/gate.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+
+namespace {
+
+const Asked of_100{.start = "home", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked drawn_100{.start = "home", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+
+// A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
+// use up 1000.
+StudyResults version(
+    int seed, const Asked& asked = of_100, const Change& change = [](SolveRecord&) {},
+    const std::string& began = "today") {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::lognormal_distribution<double> factor(0, 0.3);
+  const auto draw = [&](SolveRecord& solve) {
+    const bool is_solved = (solve.point * 7) % 10 < 7;
+    solve.status = is_solved ? Status::ok : Status::tolerance_missed;
+    solve.evaluations = is_solved ? std::lround(100 * factor(random)) : 1000;
+    solve.position_error_cm = is_solved ? 0.01 : 5 * factor(random);
+    solve.variation_deg = 30 * factor(random);
+    solve.seconds = solve.cpu_seconds = 1e-5 * static_cast<double>(solve.evaluations);
+    change(solve);
+  };
+  return study(asked, draw, {"mine"}, {{.id = 1, .began = began, .environment = {{"cpu", "one"}}}});
+}
+
+Gate gate_of(const StudyResults& before, const StudyResults& after) {
+  return gate({.study = before, .solver = "mine"}, {.study = after, .solver = "mine"});
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("an unchanged solver passes, also where nothing may be open") {
+  const Gate gate = gate_of(version(1), version(1));
+  CHECK(gate.worse.empty());
+  CHECK(gate.open.empty());
+  CHECK(exit_code({gate}, true) == 0);
+}
+
+TEST_CASE("three times the evaluations on the targets that it solves are worse, however many it fails") {
+  const auto triple = [](SolveRecord& solve) {
+    if (solve.status == Status::ok) solve.evaluations *= 3;
+  };
+  const Gate gate = gate_of(version(1), version(2, of_100, triple));
+  CHECK(gate.worse == Names{"evaluations"});
+  CHECK(exit_code({gate}, false) == 3);
+  CHECK(exit_code({gate_of(version(2, of_100, triple), version(1))}, false) == 0);
+}
+
+TEST_CASE("5 crashes in 100 solves are worse where the baseline had none") {
+  for (const double tolerance : {0.0, 0.1}) {
+    Asked asked = of_100;
+    asked.tolerance_cm = tolerance;
+    const auto solved = [](SolveRecord& solve) { solve.status = Status::ok; };
+    const auto crash = [](SolveRecord& solve) { solve.status = solve.point % 20 == 0 ? Status::crashed : Status::ok; };
+    const Gate gate = gate_of(version(1, asked, solved), version(1, asked, crash));
+    CHECK(gate.worse == Names{"solves with an answer"});
+    CHECK(exit_code({gate}, false) == 3);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, solved))}, false) == 0);
+    CHECK(exit_code({gate_of(version(1, asked, crash), version(1, asked, crash))}, false) == 0);
+  }
+}
+
+TEST_CASE("the gate says the smallest loss that its test shows") {
+  const Gate paired = gate_of(version(1), version(1));
+  CHECK(*paired.visible_loss == Approx(0.06));  // McNemar: 2^(1 - 6) < 0.05
+  CHECK(sight_of(paired) == "It can see a loss of 6 points or more of 100 targets solved.");
+  const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
+  const Gate unpaired = gate_of(version(1, drawn_100), version(2, drawn_100, further));
+  CHECK(*unpaired.visible_loss == Approx(0.15));  // Fisher: p = 0.056 of 70 and 56, 0.041 of 70 and 55
+  Asked few = of_100;
+  few.points = 5;
+  CHECK_FALSE(gate_of(version(1, few), version(1, few)).visible_loss);
+}
+
+TEST_CASE("random targets of another seed are unpaired groups, other fixed targets another task") {
+  const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
+  const Gate gate = gate_of(version(1, drawn_100), version(2, drawn_100, further));
+  CHECK_FALSE(gate.judged.study.had_same_targets);
+  CHECK_FALSE(gate.judged.metrics.front().observations.is_paired);
+  CHECK(exit_code({gate}, false) == 0);
+  CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
+  CHECK_THROWS_AS(gate_of(version(1), version(2, of_100, further)), std::invalid_argument);
+  Asked looser = of_100;
+  looser.tolerance_cm = 0.2;
+  CHECK_THROWS_AS(gate_of(version(1), version(2, looser)), std::invalid_argument);
+}
+
+TEST_CASE("times of other sessions are told, and do not fail the gate") {
+  const auto slow = [](SolveRecord& solve) { solve.seconds = solve.cpu_seconds = 3 * solve.seconds; };
+  const Gate apart = gate_of(version(1), version(1, of_100, slow, "tomorrow"));
+  CHECK(apart.are_times_apart);
+  CHECK(apart.worse.empty());
+  CHECK(apart.open.empty());
+  const Gate one = gate_of(version(1), version(1, of_100, slow));
+  CHECK_FALSE(one.are_times_apart);
+  CHECK(one.worse == Names{"time"});
+}
+
+TEST_CASE("two labels of one study are compared as two versions are") {
+  const auto slower = [](SolveRecord& solve) {
+    solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
+  };
+  const StudyResults both = study(of_100, slower);
+  const Gate gate = compare::gate({.study = both, .solver = "A"}, {.study = both, .solver = "B"});
+  CHECK(gate.judged.study.solvers == Names{"B", "A"});
+  CHECK(gate.worse == Names{"evaluations"});
+}
+
+TEST_CASE("a loss of a solver that repeats itself is a fact") {
+  const Asked chained{.runs = 10, .points = 3};
+  const auto with = [&](double error) {
+    return study(chained,
+                 [error](SolveRecord& solve) {
+                   solve.answer_rad = {0.5 * solve.point};
+                   solve.position_error_cm = error;
+                 },
+                 {"mine"});
+  };
+  CHECK(gate_of(with(0.5), with(0.6)).worse == Names{"error"});
+  CHECK(gate_of(with(0.5), with(0.51)).worse.empty());
+  CHECK(exit_code({gate_of(with(0.5), with(0.4))}, true) == 0);
+}
+
+TEST_CASE("what is not decided fails a strict gate alone") {
+  Asked few = of_100;
+  few.points = 8;
+  const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
+  const Gate gate = gate_of(version(1, few), version(2, few, shift));
+  CHECK(gate.worse.empty());
+  CHECK_FALSE(gate.open.empty());
+  CHECK(exit_code({gate}, false) == 0);
+  CHECK(exit_code({gate}, true) == 4);
+}
