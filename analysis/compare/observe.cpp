@@ -281,12 +281,13 @@ std::string names_of(const std::vector<std::string>& who) {
 
 std::string words_of(const Doubt& doubt) {
   const std::string who = names_of(doubt.who), &what = doubt.what;
+  const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
   const std::string share = fmt::format("{:g} of {:g}", doubt.count, doubt.of);
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
-      return fmt::format("{} runs are missing or lack points ({})", share, who);
+      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack points" : what, of_whom);
     case DoubtKind::without_answer:
-      return fmt::format("{} solves gave no answer ({})", share, who);
+      return fmt::format("{} {}{}", share, what.empty() ? "solves gave no answer" : what, of_whom);
     case DoubtKind::claimed_but_wrong:
       return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
     case DoubtKind::outside_limits:
@@ -306,7 +307,8 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::plan_changed:
       return fmt::format("the plan was changed after {} solves were made: {}", share, what);
     case DoubtKind::repeats_itself:
-      return fmt::format("{} gave the same answers in all {:g} runs, which count as one", who, doubt.count);
+      return fmt::format("{} gave the same {} {:g} {}, which count as one", who, what.empty() ? "answers in all" : what,
+                         doubt.count, what.empty() ? "runs" : "times");
     case DoubtKind::other_version:
       return fmt::format("{:g} solves of another version are ignored ({})", doubt.count, who);
   }

@@ -207,22 +207,27 @@ void fill(const Layout& layout, const Items& items, Observed& observed) {
     group.lost += is_lost || is_short;
     if (!is_lost && !is_short) group.values.push_back(each.value);
   }
+  const std::string rows = layout.block ? "blocks have fewer rows" : "runs have fewer rows";
+  Doubt none{.kind = DoubtKind::without_answer, .what = "values are missing"};
+  Doubt fewer{.kind = DoubtKind::runs_missing, .what = rows + " than others, and count as lost"};
+  Doubt unlabelled{.kind = DoubtKind::runs_missing, .what = "rows have no label and are left out"};
+  const auto count = [](Doubt& doubt, const std::string& who, auto number, auto most_possible) {
+    if (number == 0) return;
+    if (!who.empty()) doubt.who.push_back(who);
+    doubt.count += static_cast<double>(number);
+    doubt.of += static_cast<double>(most_possible);
+  };
   for (std::size_t i = 0; i < of.groups.size(); ++i) {
     Group& group = of.groups[i];
-    if (layout.block)
-      group.lost += static_cast<int>(items.units) - std::exchange(all[i], static_cast<int>(items.units));
-    const auto doubt = [&](DoubtKind kind, int count, const char* what) {
-      if (count > 0) observed.doubts.push_back({kind, {group.name}, double(count), double(all[i]), what});
-    };
-    doubt(DoubtKind::without_answer, without[i], "no value");
-    doubt(DoubtKind::runs_missing, group.lost - without[i], layout.block ? "blocks without a row" : "fewer rows");
+    const int expected = layout.block ? static_cast<int>(items.units) : all[i];
+    group.lost += expected - all[i];
+    count(none, group.name, without[i], expected);
+    count(fewer, group.name, group.lost - without[i], expected);
   }
-  if (items.unlabelled > 0)
-    observed.doubts.push_back({DoubtKind::runs_missing,
-                               {},
-                               double(items.unlabelled),
-                               double(items.unlabelled + items.values.size()),
-                               "rows without a label are left out"});
+  count(unlabelled, "", items.unlabelled, items.unlabelled + items.values.size());
+  for (Doubt* doubt : {&none, &fewer, &unlabelled}) {
+    if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
+  }
 }
 
 // Chooses shares, ratios or differences by all values.
@@ -267,7 +272,10 @@ void join_copies(const Observations& answers, Observed& observed) {
     if (!is_constant(group) || !is_constant(answers.groups[i])) continue;
     group.copies = static_cast<int>(group.values.size());
     group.values.erase(group.values.begin() + 1, group.values.end());
-    observed.doubts.push_back({DoubtKind::repeats_itself, {group.name}, double(group.copies), double(group.copies)});
+    observed.doubts.push_back({.kind = DoubtKind::repeats_itself,
+                               .who = {group.name},
+                               .count = static_cast<double>(group.copies),
+                               .what = "value"});
   }
 }
 

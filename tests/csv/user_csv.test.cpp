@@ -338,3 +338,13 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
     }
   }
 }
+
+TEST_CASE("doubts of a file read as sentences") {
+  const Observed observed =
+      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,\n,y,3\n", "d.csv", {.values = {"v"}, .label = "s", .block = "p"})
+          .observed.front();
+  REQUIRE(observed.doubts.size() == 3);
+  CHECK(words_of(observed.doubts[0]) == "1 of 2 values are missing (B)");
+  CHECK(words_of(observed.doubts[1]) == "1 of 2 blocks have fewer rows than others, and count as lost (B)");
+  CHECK(words_of(observed.doubts[2]) == "1 of 4 rows have no label and are left out");
+}
