@@ -3,27 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
 namespace ikbench::compare {
 namespace {
 
-// What design and plan choose, never the values.
-enum class Method { ranks, signed_ranks, sign, welch, paired_t, fisher, mcnemar };
+// What design and plan choose, never the values: first those by ranks; by differences from signed_ranks to mcnemar.
+enum class Method { ranks, signed_ranks, sign, paired_t, mcnemar, welch, fisher };
 constexpr std::array<std::string_view, 7> method_names{"Brunner-Munzel and Mann-Whitney",
                                                        "Wilcoxon's signed ranks",
                                                        "sign test",
-                                                       "Welch's t",
                                                        "paired t",
-                                                       "Fisher's exact",
-                                                       "McNemar's exact"};
-
+                                                       "McNemar's exact",
+                                                       "Welch's t",
+                                                       "Fisher's exact"};
 bool is_by_ranks(Method method) { return method <= Method::sign; }
-bool is_by_difference(Method method) {
-  return method == Method::signed_ranks || method == Method::sign || method == Method::paired_t ||
-         method == Method::mcnemar;
-}
+bool is_by_difference(Method method) { return method >= Method::signed_ranks && method <= Method::mcnemar; }
+bool is_by_t(Method method) { return method == Method::paired_t || method == Method::welch; }
 
 Method method_of(const Observations& of, const Plan& plan, const Group& a, const Group& b) {
   if (a.summary || b.summary) return Method::welch;
@@ -34,15 +32,15 @@ Method method_of(const Observations& of, const Plan& plan, const Group& a, const
   return by_means ? Method::welch : Method::ranks;
 }
 
-bool is_by_t(Method method) { return method == Method::welch || method == Method::paired_t; }
 std::size_t size_of(const Group& group) {
   return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
 }
 
 struct Pair {
-  Group a, b;
+  Group a, b;  // of the blocks that both have
   Method method;
   double smallest_p = 1;
+  int direction = 0;
   Finding finding = {};
 };
 
@@ -72,19 +70,17 @@ struct Two {
       for (double& value : all) value = std::max(value, of.floor);
     }
     remove_rounding(all, of.rounding);
-    if (are_logs) {
-      for (double& value : all) value = std::log(value);
-    }
+    if (are_logs && std::ranges::any_of(all, [](double value) { return value <= 0; }))
+      throw std::invalid_argument("ratios of " + of.quantity + " need values above 0");
+    if (are_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
     a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
     b.assign(all.begin() + std::ssize(pair.a.values), all.end());
-    if (is_by_difference(pair.method)) subtract(are_logs ? 1 : 0);
-  }
-
- private:
-  // By block; where a group has one value, from that.
-  void subtract(double largest) {
+    if (!is_by_difference(pair.method)) return;
+    if (pair.method != Method::sign && a.size() != b.size())
+      throw std::invalid_argument("paired groups differ in size");
     std::vector<double> sizes{0};
-    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    double largest = are_logs ? 1 : 0;
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {  // by block; or from the one value of a group
       const double one = a[a.size() == 1 ? 0 : i], other = b[b.size() == 1 ? 0 : i];
       differences.push_back(one - other);
       sizes.push_back(std::abs(one - other));
@@ -95,59 +91,48 @@ struct Two {
   }
 };
 
-double smallest_p(const Pair& pair, const Two& two) {
-  const std::size_t few = std::min(size_of(pair.a), size_of(pair.b)), many = std::max(size_of(pair.a), size_of(pair.b));
-  const auto equal = static_cast<std::size_t>(std::ranges::count(two.differences, 0.0));
-  if (pair.method == Method::sign) return smallest_p_paired(many - equal);
-  if (few < 2) return 1;
-  if (is_by_t(pair.method)) return 0;
-  return is_by_difference(pair.method) ? smallest_p_paired(few) : smallest_p_unpaired(few, many);
+// The smallest that data of these sizes can give.
+double smallest_p(Method method, std::size_t m, std::size_t n) {
+  if (is_by_t(method)) return std::min(m, n) < 2 ? 1 : 0;
+  if (is_by_difference(method)) return smallest_p_paired(n);
+  return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n);
 }
 
-// What a pair's tests say on one scale.
-struct Outcome {
-  Tested tested;
-  std::optional<double> effect = {};  // of the larger
-  bool is_within = false, is_beyond = false, are_all_equal = false;
-};
+double smallest_p(const Observations& of, const Pair& pair) {
+  if (pair.method != Method::sign) return smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
+  const std::vector<double> differences = Two(of, pair, false).differences;
+  return smallest_p_paired(differences.size() - static_cast<std::size_t>(std::ranges::count(differences, 0.0)));
+}
 
 Tested tested_by(Method method, const Two& two, const Summary& one, const Summary& other, double alpha) {
-  switch (method) {
-    case Method::ranks:
-      return rank_test(two.a, two.b, alpha);
-    case Method::signed_ranks:
-      return signed_rank_test(two.differences, alpha);
-    case Method::sign:
-      return sign_test(two.differences, alpha);
-    case Method::paired_t:
-      return t_test(two.differences, alpha);
-    case Method::fisher:
-      return fisher(two.a, two.b, alpha);
-    case Method::mcnemar:
-      return mcnemar(two.a, two.b, alpha);
-    case Method::welch:
-      break;
-  }
-  return welch(one, other, alpha);
+  if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
+  if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
+  if (method == Method::sign) return sign_test(two.differences, alpha);
+  if (method == Method::paired_t) return t_test(two.differences, alpha);
+  if (method == Method::mcnemar) return mcnemar(two.a, two.b, alpha);
+  return method == Method::fisher ? fisher(two.a, two.b, alpha) : welch(one, other, alpha);
 }
 
-Outcome outcome(const Observations& of, const Plan& plan, const Pair& pair, bool are_logs, double alpha) {
+// Tests a pair on one scale, whose numbers it returns, and says in the finding what does not depend on their unit.
+Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool are_logs, double alpha,
+                Finding& finding) {
   const Two two(of, pair, are_logs);
   const Summary one = pair.a.summary ? *pair.a.summary : summarise(two.a);
   const Summary other = pair.b.summary ? *pair.b.summary : summarise(two.b);
-  const bool is_share = of.scale == Scale::share, by_difference = is_by_difference(pair.method);
-  const bool are_constant = one.sd == 0 && other.sd == 0;
-  Outcome result{.tested = tested_by(pair.method, two, one, other, alpha)};
-  std::optional<Interval>& interval = result.tested.interval;
-  if (by_difference) {
-    result.are_all_equal = std::ranges::count(two.differences, 0.0) == std::ssize(two.differences);
-    result.effect = a12(two.differences, std::array{0.0});
+  const bool is_share = of.scale == Scale::share, are_constant = one.sd == 0 && other.sd == 0;
+  Tested tested = tested_by(pair.method, two, one, other, alpha);
+  std::optional<Interval>& interval = tested.interval;
+  std::optional<double> share_larger;
+  if (is_by_difference(pair.method)) {
+    finding.are_all_equal = std::ranges::count(two.differences, 0.0) == std::ssize(two.differences);
+    share_larger = a12(two.differences, std::array{0.0});
   } else {
-    result.are_all_equal = are_constant && one.mean == other.mean;
-    if (!two.a.empty() && !two.b.empty()) result.effect = a12(two.a, two.b);
+    finding.are_all_equal = are_constant && one.mean == other.mean;
+    if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);
   }
+  if (share_larger) finding.effect = of.better == Better::larger ? *share_larger : 1 - *share_larger;
   if (is_share && are_constant && !interval) interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
-  if (!is_share && result.are_all_equal) interval.reset();
+  if (!is_share && finding.are_all_equal) interval.reset();
 
   const double relative = plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
   const double margin = is_share                ? plan.margin
@@ -157,30 +142,27 @@ Outcome outcome(const Observations& of, const Plan& plan, const Pair& pair, bool
   const auto lies_within = [margin](const std::optional<Interval>& each) {
     return each && each->low < each->high && each->low >= -margin && each->high <= margin;
   };
-  result.is_within = lies_within(interval);
-  if (result.is_within && is_by_ranks(pair.method))
-    result.is_within =
-        lies_within((by_difference ? t_test(two.differences, alpha) : welch(one, other, alpha)).interval);
-  if (!interval && result.are_all_equal)
-    result.is_within = 1 - wilson(1, std::min(one.n, other.n), alpha).low <= plan.margin;
-  result.is_beyond = interval && (interval->low > margin || interval->high < -margin);
-  return result;
+  const Method by_means = is_by_difference(pair.method) ? Method::paired_t : Method::welch;
+  finding.is_within_margin =
+      lies_within(interval) &&
+      (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha).interval));
+  if (!interval && finding.are_all_equal)
+    finding.is_within_margin = 1 - wilson(1, std::min(one.n, other.n), alpha).low <= plan.margin;
+  finding.is_beyond_margin = interval && (interval->low > margin || interval->high < -margin);
+  return tested;
 }
 
 bool does_one_value_decide(const Group& group) {
-  double sum = 0, largest = 0;
-  for (const double value : group.values) {
-    sum += std::abs(value);
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest > sum / 2;
+  std::vector<double> sizes = group.values;
+  for (double& size : sizes) size = std::abs(size);
+  return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
 }
 
-void judge(const Observations& of, const Plan& plan, Pair& pair, bool is_first_larger) {
+void judge(const Observations& of, const Plan& plan, Pair& pair) {
   Finding& finding = pair.finding;
   finding.verdict = finding.is_within_margin ? Verdict::same : Verdict::undecided;
   if (*finding.p >= plan.significance) return;
-  finding.verdict = is_first_larger == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
+  finding.verdict = (pair.direction > 0) == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
   if (of.scale == Scale::share || is_by_ranks(pair.method)) return;
   if (!does_one_value_decide(pair.a) && !does_one_value_decide(pair.b)) return;
   finding.verdict = Verdict::undecided;
@@ -209,14 +191,12 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
       Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(of, plan, *a, *b)});
       keep_common_blocks(pair.a, pair.b);
-      pair.finding = {.metric = of.metric, .first = a->name, .second = b->name};
-      pair.finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
-      pair.finding.why = a->lost > 0 || b->lost > 0       ? Why::lost
-                         : a->is_apart || b->is_apart     ? Why::apart
-                         : a->copies > 0 && b->copies > 0 ? Why::fact
-                                                          : Why::tested;
-      if (pair.finding.why == Why::tested && pair.finding.n > 0)
-        pair.smallest_p = smallest_p(pair, Two(of, pair, false));
+      Finding& finding = pair.finding = {.metric = of.metric, .first = a->name, .second = b->name};
+      finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
+      if (a->copies > 0 && b->copies > 0) finding.why = Why::fact;
+      if (a->is_apart || b->is_apart) finding.why = Why::apart;
+      if (a->lost > 0 || b->lost > 0) finding.why = Why::lost;
+      if (finding.why == Why::tested && finding.n > 0) pair.smallest_p = smallest_p(of, pair);
     }
   }
   return pairs;
@@ -234,30 +214,14 @@ std::vector<Pair*> testable(std::vector<Pair>& pairs, double significance) {
     if (worst < level) break;
     std::erase_if(family, [&](Pair* pair) {
       if (pair->smallest_p < worst) return false;
-      std::size_t n = 2;
-      while (!is_by_t(pair->method) &&
-             (is_by_difference(pair->method) ? smallest_p_paired(n) : smallest_p_unpaired(n, n)) >= level)
-        ++n;
       pair->finding.why = Why::too_few;
+      std::size_t n = 2;
+      while (smallest_p(pair->method, n, n) >= level) ++n;
       pair->finding.needed = static_cast<int>(n);
       return true;
     });
   }
   return family;
-}
-
-void check(const Observations& of, const Plan& plan) {
-  if (!plan.control.empty() && std::ranges::find(of.groups, plan.control, &Group::name) == of.groups.end())
-    throw std::invalid_argument("the control '" + plan.control + "' is no group");
-  const Group* before = nullptr;
-  for (const Group& group : of.groups) {
-    if (group.lost > 0 || size_of(group) == 0) continue;
-    if (of.is_paired && before && before->blocks.empty() && before->values.size() != group.values.size())
-      throw std::invalid_argument("paired groups differ in size");
-    if (of.scale == Scale::ratio && !group.summary && std::max(std::ranges::min(group.values), of.floor) <= 0)
-      throw std::invalid_argument("ratios of '" + group.name + "' need values above 0");
-    before = &group;
-  }
 }
 
 }  // namespace
@@ -268,40 +232,38 @@ std::string_view name_of(Verdict verdict) {
 }
 
 std::vector<Finding> compare(const Observations& of, const Plan& plan) {
-  check(of, plan);
+  if (!plan.control.empty() && std::ranges::find(of.groups, plan.control, &Group::name) == of.groups.end())
+    throw std::invalid_argument("the control '" + plan.control + "' is no group");
   std::vector<Pair> pairs = pairs_of(of, plan);
   const std::vector<Pair*> family = testable(pairs, plan.significance);
   const double alpha = plan.significance / static_cast<double>(std::max<std::size_t>(1, family.size()));
   std::vector<double> p;
-  std::vector<int> directions;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
     if (finding.why == Why::lost || finding.why == Why::apart || finding.n == 0) continue;
-    const bool are_logs = are_on_logs(of, pair);
-    Outcome found = outcome(of, plan, pair, are_logs, alpha);
+    const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
+    const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
     if (are_logs && plan.absolute_margin > 0) {
-      const Outcome plain = outcome(of, plan, pair, false, alpha);
-      found.is_within = found.is_within || plain.is_within;
-      found.is_beyond = found.is_beyond && plain.is_beyond;
+      Finding plain = finding;
+      examined(of, plan, pair, false, alpha, plain);
+      finding.is_within_margin |= plain.is_within_margin;
+      finding.is_beyond_margin &= plain.is_beyond_margin;
     }
     const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
     finding.scale = of.scale == Scale::ratio && !are_logs ? Scale::difference : of.scale;
-    finding.estimate = shown(found.tested.estimate);
-    if (found.effect) finding.effect = of.better == Better::larger ? *found.effect : 1 - *found.effect;
-    finding.are_all_equal = found.are_all_equal;
-    if (finding.why != Why::tested) continue;
+    finding.estimate = shown(tested.estimate);
+    finding.is_within_margin &= is_tested;
+    finding.is_beyond_margin &= is_tested;
+    if (!is_tested) continue;
     finding.test = method_names[static_cast<std::size_t>(pair.method)];
-    if (const auto& found_interval = found.tested.interval)
-      finding.interval = Interval{shown(found_interval->low), shown(found_interval->high)};
-    finding.is_within_margin = found.is_within;
-    finding.is_beyond_margin = found.is_beyond;
-    p.push_back(found.tested.p);
-    directions.push_back(found.tested.direction);
+    if (tested.interval) finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
+    p.push_back(tested.p);
+    pair.direction = tested.direction;
   }
   holm(p);
   for (std::size_t i = 0; i < family.size(); ++i) {
     family[i]->finding.p = p[i];
-    judge(of, plan, *family[i], directions[i] > 0);
+    judge(of, plan, *family[i]);
   }
   std::vector<Finding> findings;
   for (Pair& pair : pairs) findings.push_back(std::move(pair.finding));

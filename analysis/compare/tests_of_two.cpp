@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace ikbench::compare {
 namespace {
@@ -111,7 +113,7 @@ RankSum sum_of_some(const Ranks& ranks, std::size_t chosen) {
 }
 
 // Each rank or not, with even chances. The probabilities go to half of all, because the others mirror them.
-RankSum sum_of_any(const Ranks& ranks) {
+RankSum sum_of_any(const Ranks& ranks, std::size_t) {
   const double n = number(ranks.ranks.size());
   RankSum sum{.mean = n * (n + 1) / 4, .variance = n * (n + 1) * (2 * n + 1) / 24 - ranks.tie_sum / 48};
   if (ranks.ranks.size() > exact_paired) return sum;
@@ -130,10 +132,22 @@ RankSum sum_of_any(const Ranks& ranks) {
   return sum;
 }
 
-Ranks without_ties(std::size_t n) {
-  Ranks result{.ranks = std::vector<double>(n)};
-  std::iota(result.ranks.begin(), result.ranks.end(), 1.0);
-  return result;
+// Without ties the distribution is of the sizes alone, and is kept.
+template <RankSum (*sum_of)(const Ranks&, std::size_t)>
+const RankSum& without_ties(std::size_t n, std::size_t chosen) {
+  thread_local std::map<std::pair<std::size_t, std::size_t>, RankSum> known;
+  if (known.size() > 100) known.clear();
+  const auto [at, is_new] = known.try_emplace({n, chosen});
+  Ranks ranks{.ranks = std::vector<double>(is_new ? n : 0)};
+  std::iota(ranks.ranks.begin(), ranks.ranks.end(), 1.0);
+  if (is_new) at->second = sum_of(ranks, chosen);
+  return at->second;
+}
+
+template <RankSum (*sum_of)(const Ranks&, std::size_t)>
+double two_sided(const Ranks& ranks, std::size_t chosen, double sum) {
+  if (ranks.tie_sum == 0) return without_ties<sum_of>(ranks.ranks.size(), chosen).two_sided(sum);
+  return sum_of(ranks, chosen).two_sided(sum);
 }
 
 // Doubles in order as whole numbers; the function is its own inverse.
@@ -244,13 +258,13 @@ double brunner_munzel(Values first, Values second) {
 double mann_whitney(Values first, Values second) {
   if (first.size() > second.size()) return mann_whitney(second, first);
   const Ranks all = midranks(first, second);
-  return sum_of_some(all, first.size())
-      .two_sided(std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0));
+  const double sum = std::accumulate(all.ranks.begin(), all.ranks.begin() + std::ssize(first), 0.0);
+  return two_sided<sum_of_some>(all, first.size(), sum);
 }
 
 Tested rank_test(Values first, Values second, double alpha) {
   const std::size_t few = std::min(first.size(), second.size());
-  const RankSum sum = sum_of_some(without_ties(first.size() + second.size()), few);
+  const RankSum& sum = without_ties<sum_of_some>(first.size() + second.size(), few);
   std::vector<double> negative(second.begin(), second.end());
   for (double& value : negative) value = -value;
   const std::size_t rank = sum.critical(number(few) * number(few + 1) / 2, alpha);
@@ -273,7 +287,7 @@ Tested signed_rank_test(Values differences, double alpha) {
     if (difference != 0) sizes.push_back(std::abs(difference));
     difference /= 2;
   }
-  Tested tested = of_sums(half, half, true, sum_of_any(without_ties(half.size())).critical(0, alpha));
+  Tested tested = of_sums(half, half, true, without_ties<sum_of_any>(half.size(), 0).critical(0, alpha));
   const Ranks ranks = midranks(sizes);
   const double total = std::accumulate(ranks.ranks.begin(), ranks.ranks.end(), 0.0);
   double above = 0;
@@ -282,7 +296,7 @@ Tested signed_rank_test(Values differences, double alpha) {
     if (difference != 0) above += difference > 0 ? *rank : 0, ++rank;
   }
   tested.direction = sign_of(above - total / 2);
-  tested.p = sum_of_any(ranks).two_sided(std::min(above, total - above));
+  tested.p = two_sided<sum_of_any>(ranks, 0, std::min(above, total - above));
   return tested;
 }
 
