@@ -374,6 +374,7 @@ Tone tone_of(Verdict verdict) {
     case Verdict::fails:
       return Tone::bad;
     case Verdict::untested:
+    case Verdict::incomparable:
       return Tone::plain;
     default:
       return Tone::open;

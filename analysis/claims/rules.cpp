@@ -16,7 +16,6 @@ namespace {
 Claims none(const Case&) { return {}; }
 
 constexpr NamedRule rules[]{{"smallest", smallest},
-                            {"largest", largest},
                             {"ranking", ranking},
                             {"compromise", compromise},
                             {"differ", differ},
@@ -25,7 +24,7 @@ constexpr NamedRule rules[]{{"smallest", smallest},
                             {"inside_limits", inside_limits, false},
                             {"has_effect", has_effect},
                             {"in_time", in_time, false},
-                            {"too_slow", too_slow, false},
+                            {"ratios_of_times", ratios_of_times, false},
                             {"rounding_level", rounding_level, false},
                             {"rate_as_printed", rate_as_printed, false},
                             {"solves_more", solves_more, false},

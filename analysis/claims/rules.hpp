@@ -26,11 +26,9 @@ Claims judged(const ClaimsFile& file, const report::Reported& reported);
 
 // Rules on a solver's means against others', of the study's numbers or the printed ones (rules_of_means.cpp).
 
-// The solver's mean is the smallest, or the largest, in each of the claim's metrics. Of several solvers each is so
-// against all others.
+// The solver's mean is the smallest in each of the claim's metrics. Of several solvers each is so against all others.
 Claims smallest(const Case& of);
-Claims largest(const Case& of);
-// All solvers in the printed order. Times that are not comparable are not ranked.
+// All solvers in the printed order.
 Claims ranking(const Case& of);
 // The solver dominates the others: better in one of the metrics and worse in none.
 Claims compromise(const Case& of);
@@ -45,13 +43,14 @@ Claims least_spread(const Case& of);
 Claims least_at_each_point(const Case& of);
 // No answer has a joint outside its limits.
 Claims inside_limits(const Case& of);
+// Times of another program are not comparable: the ratios of the claim's solvers to its own one stand beside the
+// printed ones, of the study or of the first companion that has them.
+Claims ratios_of_times(const Case& of);
 // Its metric is smaller than in the companion that goes without something; fails if no answer changes.
 Claims has_effect(const Case& of);
 // The claim's solvers reach the tolerance within the limit at every target; in part, if their median times are within
-// it. Or they are too slow: their median times exceed it. From the study or the first companion that has them and a
-// tolerance.
+// it. From the study or the first companion that has them and a tolerance.
 Claims in_time(const Case& of);
-Claims too_slow(const Case& of);
 // The mean error of the first solver, on the claim's kind of path, is at most ten times the spacing of doubles at the
 // farthest target.
 Claims rounding_level(const Case& of);

@@ -55,13 +55,13 @@ std::vector<RankedSolver> rivals_of(const std::vector<std::string>& own, const E
   return ranked(std::move(rivals));
 }
 
-// Each solver against each rival. If they should be the largest, smaller rivals are the better ones.
-PairCounts held_against(const Evidence& evidence, const std::vector<std::string>& own, bool is_largest) {
+// Each solver against each rival; smaller is what is claimed.
+PairCounts held_against(const Evidence& evidence, const std::vector<std::string>& own) {
   PairCounts counts;
   for (const std::string& solver : own) {
     for (const RankedSolver& rival : rivals_of(own, evidence)) {
       const Relation relation = judge(evidence, solver, rival.solver).relation;
-      counts.add(is_largest == (evidence.better == Better::larger) ? relation : reversed(relation));
+      counts.add(evidence.better == Better::smaller ? relation : reversed(relation));
     }
   }
   return counts;
@@ -123,7 +123,7 @@ std::string other_estimands_against(const JudgedStudy& study, const std::vector<
   return words;
 }
 
-Claims compared(const Case& of, bool is_largest) {
+Claims compared(const Case& of) {
   const ClaimEntry& entry = of.entry;
   const std::vector<std::string> own = entry.own();
   const bool is_here = entry.study.empty();
@@ -135,30 +135,25 @@ Claims compared(const Case& of, bool is_largest) {
     const std::vector<Pair> printed = is_here ? of.pairs(metric) : std::vector<Pair>();
     const auto found = of.evidence(metric);
     if (!found || printed.size() == 1) return {};
-    here.push_back(verdict_on(held_against(*found, own, is_largest)));
-    std::string number(times_not_judged);
-    if (found->contrasts.empty() && metric == Metric::seconds) {
-      claim.evidence.push_back(not_judged_words(title(metric) + ": not judged") + '.');
-    } else {
-      claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, own, metric)));
-      std::vector<RankedSolver> rivals = rivals_of(own, *found);
-      const RankedSolver& nearest = is_largest ? rivals.back() : rivals.front();
+    here.push_back(verdict_on(held_against(*found, own)));
+    claim.evidence.push_back(fmt::format("{}: {}.", title_of(*found, metric), list_of(*found, own, metric)));
+    if (claim.number.empty()) {
+      const RankedSolver nearest = rivals_of(own, *found).front();
       std::vector<std::string> means;
       for (const std::string& solver : own) means.push_back(with_unit(mean_of(*found, solver), metric));
-      number = fmt::format("{} {}, {} {}", average_of(*found), listed(means), nearest.solver,
-                           number_of(nearest.mean, metric));
-      test = how_tested(*found, *found);
+      claim.number = fmt::format("{} {}, {} {}", average_of(*found), listed(means), nearest.solver,
+                                 number_of(nearest.mean, metric));
     }
-    if (claim.number.empty()) claim.number = number;
+    test = how_tested(*found, *found);
     if (printed.empty()) continue;
     const Evidence of_print = of.printed_evidence(printed);
-    in_print.push_back(verdict_on(held_against(of_print, own, is_largest)));
+    in_print.push_back(verdict_on(held_against(of_print, own)));
     printed_lists += fmt::format("{}{}", printed_lists.empty() ? "" : "; ", list_of(of_print, own, metric));
-    if (!test.empty()) test = how_tested(*found, of_print);
+    test = how_tested(*found, of_print);
   }
   claim.verdict = verdict_on(here);
   if (!printed_lists.empty()) claim.evidence.push_back(fmt::format("Printed: {}.", printed_lists));
-  if (!test.empty()) claim.evidence.push_back(test);
+  claim.evidence.push_back(test);
   if (!entry.note.empty()) claim.evidence.push_back(entry.note);
   if (!in_print.empty()) claim.printed = verdict_on(in_print);
   return {claim};
@@ -167,7 +162,7 @@ Claims compared(const Case& of, bool is_largest) {
 }  // namespace
 
 Claims smallest(const Case& of) {
-  Claims claims = compared(of, false);
+  Claims claims = compared(of);
   const ClaimEntry& entry = of.entry;
   const Metric metric = entry.metrics.front();
   const bool is_of_all = entry.metrics.size() == 1 && entry.study.empty() && entry.against.empty();
@@ -181,8 +176,6 @@ Claims smallest(const Case& of) {
                         fmt::format("The worst cases decide the mean, which the paper compares{}.", against));
   return claims;
 }
-
-Claims largest(const Case& of) { return compared(of, true); }
 
 namespace {
 
@@ -230,26 +223,16 @@ Claims ranking(const Case& of) {
   const Evidence tested_print = of.printed_evidence(printed);
   const FoundOrder in_print = found_order(tested_print, printed);
   Claim claim = of.begun();
+  const Evidence& tested = of.study().evidence(metric);
+  const auto [pairs, verdict] = found_order(tested, printed);
+  claim.verdict = verdict;
   claim.printed = in_print.verdict;
-  if (is_comparable(of.study(), metric)) {
-    const Evidence& tested = of.study().evidence(metric);
-    const auto [pairs, verdict] = found_order(tested, printed);
-    claim.verdict = verdict;
-    claim.number = fmt::format("{} of {} pairs by the test", pairs.better, pairs.all());
-    claim.evidence = {
-        fmt::format("Here, by the {} of the runs: {}.", average_name(metric), our_ranking(printed, metric)),
-        fmt::format("Found by {}: {} of {} pairs in the printed order and {} in the reverse.", pair_test_words(tested),
-                    pairs.better, pairs.all(), pairs.worse)};
-  } else {
-    claim.evidence = {not_judged_words("Here: not ranked") + '.'};
-    claim.number = times_not_judged;
-  }
-  claim.evidence.push_back(fmt::format("Printed, by {}: {} of {} pairs.", pair_test_words(tested_print),
-                                       in_print.pairs.better, in_print.pairs.all()));
-  if (metric == Metric::seconds && !of.file.implementation.empty()) {
-    claim.evidence.push_back(
-        fmt::format("Times depend on the implementation: {} there, C++ here.", of.file.implementation));
-  }
+  claim.number = fmt::format("{} of {} pairs by the test", pairs.better, pairs.all());
+  claim.evidence = {fmt::format("Here, by the {} of the runs: {}.", average_name(metric), our_ranking(printed, metric)),
+                    fmt::format("Found by {}: {} of {} pairs in the printed order and {} in the reverse.",
+                                pair_test_words(tested), pairs.better, pairs.all(), pairs.worse),
+                    fmt::format("Printed, by {}: {} of {} pairs.", pair_test_words(tested_print), in_print.pairs.better,
+                                in_print.pairs.all())};
   return {claim};
 }
 

@@ -117,7 +117,7 @@ Claims first_judged(const Case& of, const std::function<Claims(const StudyResult
 }
 
 // Holds the times of the claim's solvers, and the printed ones, against its limit.
-Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slow) {
+Claims held_against_limit(const Case& of, const StudyResults& study) {
   if (!std::isfinite(tolerance_cm(study))) return {};
   const ClaimEntry& entry = of.entry;
   const double limit = entry.limit_ms;
@@ -129,22 +129,18 @@ Claims held_against_limit(const Case& of, const StudyResults& study, bool is_slo
     const auto ours = std::ranges::find(all, solver, &TimeAssessment::solver);
     if (std::ranges::count(entry.solvers, solver) == 0 || ours == all.end() || ours->solves == 0) continue;
     const double median = ours->time_ms.median;
-    here.push_back(is_slow ? verdict_of(median >= limit) : verdict_of(ours->in_time == ours->solves, median < limit));
-    in_print.push_back(is_slow ? verdict_of(printed.mean >= limit)
-                               : verdict_of(printed.max < limit, printed.mean < limit));
-    list.push_back(is_slow
-                       ? fmt::format("{} {} ms", solver, short_number(median))
-                       : fmt::format("{}: {} of {} targets reach {} cm in less than {} ms, slowest {} ms, median {} ms",
-                                     solver, ours->in_time, ours->solves, tolerance_cm(study), limit,
-                                     short_number(ours->time_ms.max), short_number(median)));
+    here.push_back(verdict_of(ours->in_time == ours->solves, median < limit));
+    in_print.push_back(verdict_of(printed.max < limit, printed.mean < limit));
+    list.push_back(fmt::format("{}: {} of {} targets reach {} cm in less than {} ms, slowest {} ms, median {} ms",
+                               solver, ours->in_time, ours->solves, tolerance_cm(study), limit,
+                               short_number(ours->time_ms.max), short_number(median)));
     printed_list.push_back(fmt::format("{} mean {} ms, maximum {} ms", solver, printed.mean, printed.max));
-    claim.number = is_slow ? fmt::format("median {} ms with {}", short_number(median), solver)
-                           : fmt::format("{} of {} in time", ours->in_time, ours->solves);
+    claim.number = fmt::format("{} of {} in time", ours->in_time, ours->solves);
   }
   if (here.empty()) return {};
   if (times_are_comparable(study)) {
     claim.verdict = verdict_on(here);
-    claim.evidence = {fmt::format("Here, in C++{}: {}.", is_slow ? ", median" : "", fmt::join(list, "; "))};
+    claim.evidence = {fmt::format("Here, in C++: {}.", fmt::join(list, "; "))};
   } else {
     claim.number = times_not_judged;
     claim.evidence = {fmt::format("Not judged, because {} (see the warnings).", times_not_judged)};
@@ -194,11 +190,42 @@ std::vector<TimeAssessment> assess_times(const StudyResults& measured, double li
 }
 
 Claims in_time(const Case& of) {
-  return first_judged(of, [&](const StudyResults& study) { return held_against_limit(of, study, false); });
+  return first_judged(of, [&](const StudyResults& study) { return held_against_limit(of, study); });
 }
 
-Claims too_slow(const Case& of) {
-  return first_judged(of, [&](const StudyResults& study) { return held_against_limit(of, study, true); });
+Claims ratios_of_times(const Case& of) {
+  const ClaimEntry& entry = of.entry;
+  const bool is_of_means = entry.row.empty();
+  const auto rule = [&](const StudyResults& study) -> Claims {
+    std::map<std::string, double> here;  // medians, which one slow solve does not move
+    if (is_of_means) {
+      for (const Sample& each : samples(study, Metric::seconds)) here[each.solver] = describe(each.values).median;
+    } else {
+      for (const TimeAssessment& each : assess_times(study, entry.limit_ms)) here[each.solver] = each.time_ms.median;
+    }
+    const std::vector<PrintedRow> printed = is_of_means ? printed_rows(of.file, study, Metric::seconds)
+                                                        : printed_times(study.facts.published, entry.table, entry.row);
+    const auto base = std::ranges::find(printed, entry.solver, &PrintedRow::algorithm);
+    if (base == printed.end() || !here.contains(entry.solver)) return {};
+    Claim claim = of.begun();
+    std::vector<std::string> ratios;
+    for (const std::string& solver : entry.solvers) {
+      const auto row = std::ranges::find(printed, solver, &PrintedRow::algorithm);
+      const double ratio = here.contains(solver) ? here[solver] / here[entry.solver] : not_defined;
+      if (row == printed.end() || !std::isfinite(ratio)) continue;
+      ratios.push_back(fmt::format("{} {} times {}, printed {}", solver, short_number(ratio), entry.solver,
+                                   short_number(row->printed.median / base->printed.median)));
+    }
+    if (ratios.empty()) return {};
+    claim.verdict = Verdict::incomparable;
+    claim.number = times_are_comparable(study) ? ratios.front() : std::string();
+    claim.evidence = {fmt::format("The printed times are of {}, ours of C++.", of.file.implementation),
+                      times_are_comparable(study)
+                          ? fmt::format("Median times: {}.", fmt::join(ratios, "; "))
+                          : fmt::format("No ratios, because {} (see the warnings).", times_not_judged)};
+    return {claim};
+  };
+  return is_of_means ? rule(of.study()) : first_judged(of, rule);
 }
 
 Claims rounding_level(const Case& of) {

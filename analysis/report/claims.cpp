@@ -17,18 +17,19 @@ using namespace fmt::literals;
 
 namespace {
 
-constexpr std::array<Verdict, 6> in_order{Verdict::holds, Verdict::in_part,   Verdict::depends,
-                                          Verdict::fails, Verdict::undecided, Verdict::untested};
+constexpr std::array<Verdict, 7> in_order{Verdict::holds,     Verdict::in_part,  Verdict::depends,     Verdict::fails,
+                                          Verdict::undecided, Verdict::untested, Verdict::incomparable};
 
 // "2 hold in part"
 std::string counted(Verdict verdict, std::ptrdiff_t count) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> words{
       {{"holds", "hold"},
        {"holds in part", "hold in part"},
        {"is undecided", "are undecided"},
        {"fails", "fail"},
        {"depends on the interpretation", "depend on the interpretation"},
-       {"is untestable", "are untestable"}}};
+       {"is untestable", "are untestable"},
+       {"is not comparable", "are not comparable"}}};
   const auto& [one, several] = words[static_cast<std::size_t>(verdict)];
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
@@ -64,8 +65,8 @@ void join(Claim& claim, const ClaimShares& of) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 6> names{"holds", "holds in part", "undecided",
-                                                  "fails", "depends",       "cannot be tested here"};
+  constexpr std::array<std::string_view, 7> names{"holds",   "holds in part",         "undecided",     "fails",
+                                                  "depends", "cannot be tested here", "not comparable"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -90,7 +91,8 @@ Table claims_table(const std::vector<Claim>& claims, std::string name, std::stri
 }
 
 Table verdict_table(const std::vector<Claim>& claims) {
-  constexpr std::array<std::string_view, 6> names{"holds", "in part", "undecided", "fails", "depends", "untested"};
+  constexpr std::array<std::string_view, 7> names{"holds",   "in part",  "undecided",   "fails",
+                                                  "depends", "untested", "incomparable"};
   const auto word = [&](Verdict verdict) { return std::string(names[static_cast<std::size_t>(verdict)]); };
   const auto text = [](const std::string& of) { return of.empty() ? Cell() : Cell(of); };
   Table table{.name = "verdict",

@@ -12,8 +12,9 @@
 
 namespace ikbench::report {
 
-// depends: the answer depends on what the paper leaves open. untested: nothing here could decide it.
-enum class Verdict { holds, in_part, undecided, fails, depends, untested };
+// depends: the answer depends on what the paper leaves open. untested: nothing here could decide it. incomparable: it
+// is about another program or machine.
+enum class Verdict { holds, in_part, undecided, fails, depends, untested, incomparable };
 std::string_view name_of(Verdict verdict);
 
 enum class Claimant { paper, us };  // who made the claim: the paper, or we added it
@@ -42,7 +43,8 @@ std::string evidence_text(const Claim& claim);  // all of it
 Table claims_table(const std::vector<Claim>& claims, std::string name, std::string caption);
 
 // One row per claim for a screen and for JSON: here, printed, number, claim, id, by, section, depends_on. The verdicts
-// are single words: "holds", "in part", "undecided", "fails", "depends", "untested".
+// are single words: "holds", "in part", "undecided", "fails", "depends", "untested",
+// "incomparable".
 Table verdict_table(const std::vector<Claim>& claims);
 
 std::vector<Claim> claims_by(Claimant by, const std::vector<Claim>& claims);
