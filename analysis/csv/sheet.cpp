@@ -60,10 +60,11 @@ bool is_one_of(std::string_view text, const Words& words) {
 std::string in_quotes(std::string_view text) { return fmt::format("'{}'", numerics::front(text, 60)); }
 
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
-    : source_(source),
-      view_((results::expect_text(text, source),
-             results::view_csv(text, source, separator == 0 ? separator_of(text) : separator))),
-      decimal_(decimal) {
+    : source_(source), view_(text), decimal_(decimal) {
+  results::expect_text(text, source);
+  if (separator == 0) separator = separator_of(text);
+  if (decimal_ == 0 && separator == ',') decimal_ = '.';  // "1,234" may be a thousand
+  view_ = results::view_csv(text, source, separator);
   for (const std::string& title : view_.header) titles_.emplace_back(trimmed(title));
   for (std::uint32_t row = 0; row < view_.rows(); ++row) {
     std::size_t empty = 0;
@@ -97,8 +98,12 @@ std::size_t Sheet::column(std::string_view name) const {
 }
 
 std::optional<std::size_t> Sheet::column_like(const Words& names) const {
-  const auto found = std::ranges::find_if(titles_, [&](const std::string& each) { return is_one_of(each, names); });
-  return found == titles_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - titles_.begin()));
+  for (const std::string_view name : names) {
+    for (std::size_t i = 0; i < titles_.size(); ++i) {
+      if (lower_case(titles_[i]) == name) return i;
+    }
+  }
+  return std::nullopt;
 }
 
 std::string Sheet::names_of(const std::vector<std::size_t>& columns) const {

@@ -19,7 +19,8 @@ std::string in_quotes(std::string_view text);               // cut, for messages
 
 class Sheet {
  public:
-  // Separator and decimal mark are found where they are 0. The text must outlive the sheet.
+  // Separator and decimal mark are found where they are 0; between commas the mark is a point. The text must outlive
+  // the sheet.
   Sheet(std::string_view text, std::string_view source, char separator, char decimal);
 
   // Takes the rows with this value in this column alone: "metric=error".
@@ -31,7 +32,7 @@ class Sheet {
   std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
 
   std::size_t column(std::string_view name) const;
-  std::optional<std::size_t> column_like(const Words& names) const;  // the first with one of these names
+  std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
   std::string names_of(const std::vector<std::size_t>& columns) const;
 
   bool has_numbers(std::size_t column) const;

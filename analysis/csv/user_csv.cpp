@@ -66,6 +66,8 @@ Layout layout_of(const Sheet& sheet, const Request& request) {
   return layout;
 }
 
+constexpr Index first_without_run = Index{1} << 31;  // units of rows that name none
+
 struct Value {
   Index group, unit, row;  // unit: block, run or row
   double value;
@@ -96,13 +98,14 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
       if (!layout.label && !layout.block && row > used) break;
       items.unlabelled += name.empty();
       if (name.empty()) continue;
-      if (unit && sheet.cell(row, *unit).empty()) sheet.refuse(row, *unit, "is no name");
+      const std::string_view own = unit ? sheet.cell(row, *unit) : "";
+      if (own.empty() && (layout.block || layout.run)) sheet.refuse(row, *unit, "is no name");
       const Index group = number_of(name, groups);
       if (group == items.groups.size()) items.groups.emplace_back(name);
       if (group == most_groups)
         sheet.refuse(fmt::format("more than {} groups, the last {}; is --label right?", most_groups, in_quotes(name)));
       items.values.push_back({.group = group,
-                              .unit = unit ? number_of(sheet.cell(row, *unit), units) : row,
+                              .unit = own.empty() ? first_without_run + row : number_of(own, units),
                               .row = row,
                               .value = sheet.number(row, column)});
     }
@@ -249,8 +252,9 @@ void settle(const Items& items, Observed& observed, std::vector<std::string>& no
   of.trials = 1;
   if (negative > 0 || std::ranges::none_of(items.values, is_above)) {
     of.scale = Scale::difference;
-    notes.push_back(fmt::format("{} of {} values of {} are negative: differences are compared, not ratios.", negative,
-                                items.values.size(), of.quantity));
+    if (negative > 0)
+      notes.push_back(fmt::format("{} of {} values of {} are negative: differences are compared, not ratios.", negative,
+                                  items.values.size(), of.quantity));
   } else if (of.scale == Scale::ratio && of.floor == 0 && zero > 0) {
     of.floor = std::numeric_limits<double>::max();
     for (const Value& each : items.values) of.floor = each.value > 0 ? std::min(of.floor, each.value) : of.floor;

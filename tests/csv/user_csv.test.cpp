@@ -131,10 +131,10 @@ TEST_CASE("rows of several metrics are refused with the advice --where") {
 
 TEST_CASE("separators and decimal marks are found, or given") {
   const std::vector<double> a{0.5, 1.25}, b{3, 4};
-  for (const std::string text : {"s,v\nA,0.5\nA,1.25\nB,3\nB,4\n", "s;v\nA;0,5\nA;1,25\nB;3\nB;4\n",
-                                 "s\tv\nA\t0,5\nA\t1,25\nB\t3\nB\t4\n", "s;v\nA;0.5\nA;1.25\nB;3\nB;4\n",
-                                 "\"s, or t\";v\nA;0,5\nA;1,25\nB;3\nB;4\n", "s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n",
-                                 "\xEF\xBB\xBFs;v\r\n\"A\"; 0,5 \r\nA;\"1,25\"\r\nB;3\r\nB;4\r\n;\r\n"}) {
+  for (const std::string text :
+       {"s,v\nA,0.5\nA,1.25\nB,3\nB,4\n", "s;v\nA;0,5\nA;1,25\nB;3\nB;4\n", "s\tv\nA\t0,5\nA\t1,25\nB\t3\nB\t4\n",
+        "s;v\nA;0.5\nA;1.25\nB;3\nB;4\n", "\"s, or t\";v\nA;0,5\nA;1,25\nB;3\nB;4\n",
+        "\xEF\xBB\xBFs;v\r\n\"A\"; 0,5 \r\nA;\"1,25\"\r\nB;3\r\nB;4\r\n;\r\n"}) {
     CAPTURE(text);
     const Observations of = observations(text);
     REQUIRE(of.groups.size() == 2);
@@ -143,6 +143,9 @@ TEST_CASE("separators and decimal marks are found, or given") {
     CHECK(of.groups[1].values == b);
   }
   CHECK(has(complaint("s;v\nA;0,5\nA;1.5\nB;3\nB;4\n", {.values = {"v"}}), "data.csv:3:2"));
+  const std::string in_quotes = "s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n";  // or a thousand?
+  CHECK(has(complaint(in_quotes), "data.csv:2:2"));
+  CHECK(observations(in_quotes, {.decimal = ','}).groups[0].values == a);
   CHECK(observations("s;v,w\nA;1\nB;2\n", {.separator = ';'}).groups.size() == 2);
   CHECK(has(complaint("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = "s", .decimal = '.'}), "data.csv:2:2"));
 }
@@ -198,6 +201,12 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   CHECK(blocks.groups[0].values == std::vector{1.5, 4.5});
   CHECK(blocks.groups[1].lost == 1);
   CHECK(observations(text, {.values = {"e"}, .block = "run", .run = "run"}).is_paired);
+}
+
+TEST_CASE("rows without a run are observations of their own") {
+  const Observations of = observations("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n");
+  CHECK(of.groups[0].values == std::vector{1.0, 2.0});
+  CHECK(has(complaint("solver,seed,v\nA,,1\nA,,2\nB,1,3\nB,2,4\n", {.run = "seed"}), "data.csv:2:2"));
 }
 
 TEST_CASE("a block without a row of a group is lost to it") {
