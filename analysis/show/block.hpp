@@ -8,6 +8,7 @@
 
 #include "analysis/compare/tests_of_two.hpp"
 #include "analysis/figures/figure.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::show {
 
@@ -16,12 +17,18 @@ struct Printed {
   double ours;
   std::string printed;
 };
+// A number with a mark, "*", or that is an upper bound; files of numbers have the number alone.
+struct Marked {
+  double value;
+  std::string mark;
+  bool is_bound = false;
+};
 // A p-value: "0.0005", "< 0.0001".
 struct P {
   double value;
 };
-// An empty cell is std::monostate.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, P>;
+// Readers see "-" for an empty cell (std::monostate) and a number that is not finite.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked, P>;
 
 struct Column {
   std::string name;
@@ -30,18 +37,21 @@ struct Column {
 };
 
 struct Table {
-  std::string name;  // of its files and anchor
+  std::string name;  // of its files and anchor; empty: it has none
   std::string caption;
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows = {};
   std::vector<std::string> notes = {};
 };
 
+// All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON.
 std::string to_csv(const Table& table);
 std::string to_markdown(const Table& table);
 std::string to_latex(const Table& table);  // booktabs
 std::string to_html(const Table& table);
-std::string to_text(const Table& table);  // of a screen
+std::string to_text(const Table& table);  // of a screen: units stand at the numbers
+// An object for each row; names of columns in lower case with _ for blanks.
+numerics::OrderedJson to_json(const Table& table);
 
 struct Heading {
   std::string text;

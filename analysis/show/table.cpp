@@ -1,0 +1,223 @@
+// The writers of tables.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "analysis/show/block.hpp"
+#include "analysis/show/text.hpp"
+#include "results/csv.hpp"
+
+namespace ikbench::show {
+
+using Json = numerics::OrderedJson;
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+using Escape = std::string (*)(std::string_view);
+using Number = std::function<std::string(double value, int digits)>;
+
+// A cell for readers. `unit` stands after a number.
+struct Readable {
+  const Number& number;
+  int digits;
+  std::string unit = {}, at_most = "≤ ";
+
+  std::string operator()(std::monostate) const { return "-"; }
+  std::string operator()(const std::string& text) const { return text; }
+  std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
+  std::string operator()(double value) const { return number(value, digits) + (std::isfinite(value) ? unit : ""); }
+  std::string operator()(const compare::Interval& of) const {
+    return fmt::format("{} to {}{}", number(of.low, digits), number(of.high, digits), unit);
+  }
+  std::string operator()(const Printed& of) const {
+    return fmt::format("{}{} (printed {})", number(of.ours, digits), unit, of.printed);
+  }
+  std::string operator()(const Marked& of) const {
+    return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
+  }
+  std::string operator()(P p) const { return p_text(p.value); }
+};
+
+template <class Kind>
+bool has(const Table& table, std::size_t column) {
+  return std::ranges::any_of(table.rows, [=](const auto& row) { return std::holds_alternative<Kind>(row[column]); });
+}
+bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
+
+std::string head(const Column& column) {
+  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
+}
+
+// The table as texts; the first row is the head.
+Rows readable(const Table& table, Escape escape) {
+  static const Number number = number_text;
+  Rows rows(1);
+  for (const Column& column : table.columns) rows[0].push_back(escape(head(column)));
+  for (const auto& cells : table.rows) {
+    auto& row = rows.emplace_back();
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      row.push_back(escape(std::visit(Readable{number, table.columns[c].digits}, cells[c])));
+  }
+  return rows;
+}
+
+// The members of a cell in files of numbers, with the words that follow the name of its column.
+std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::size_t c, const Cell& cell) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  if (has<compare::Interval>(table, c)) {
+    const auto* of = std::get_if<compare::Interval>(&cell);
+    return {{"low", of ? number(of->low) : Json()}, {"high", of ? number(of->high) : Json()}};
+  }
+  if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
+  Json value;
+  if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
+  if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
+  if (const auto* of = std::get_if<Marked>(&cell)) value = number(of->value);
+  if (const auto* of = std::get_if<P>(&cell)) value = number(of->value);
+  if (has<Printed>(table, c)) return {{"", value}, {"printed", Json()}};
+  return {{"", value}};
+}
+
+// "error low", but "low" alone of the column "interval".
+std::string member_name(const std::string& column, std::string_view member) {
+  if (member.empty()) return column;
+  return column == "interval" ? std::string(member) : fmt::format("{} {}", column, member);
+}
+
+// The digits alone, without quotes of JSON.
+std::string csv_text(const Json& value) {
+  return value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+// -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
+std::string latex_number(double value, int digits) {
+  const std::string text = number_text(value, digits);
+  const std::size_t e = text.find('e');
+  if (e != std::string::npos)
+    return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
+  return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
+}
+
+std::string latex_cell(const Cell& cell, int digits) {
+  static const Number number = latex_number;
+  const Readable read{number, digits, "", "$\\le$ "};
+  if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
+  if (const auto* of = std::get_if<Printed>(&cell)) return read(Printed{of->ours, latex_text(of->printed)});
+  if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
+  if (const auto* of = std::get_if<P>(&cell); of && of->value < 0.0001) return "$<$ 0.0001";
+  return std::visit(read, cell);
+}
+
+}  // namespace
+
+std::string to_csv(const Table& table) {
+  std::string text;
+  std::vector<std::string> heads;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const Column& column = table.columns[c];
+    const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
+    for (const auto& [member, value] : members(table, c, {})) heads.push_back(member_name(column.name, member) + unit);
+  }
+  results::append_csv_row(text, heads);
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      for (const auto& [member, value] : members(table, c, row[c])) cells.push_back(csv_text(value));
+    }
+    results::append_csv_row(text, cells);
+  }
+  return text;
+}
+
+Json to_json(const Table& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json object = Json::object();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      for (const auto& [member, value] : members(table, c, row[c])) {
+        std::string name = member_name(table.columns[c].name, member);
+        for (char& letter : name) letter = letter == ' ' ? '_' : static_cast<char>(std::tolower(letter));
+        object[name] = value;
+      }
+    }
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+std::string to_markdown(const Table& table) {
+  std::string text;
+  const Rows rows = readable(table, markdown_text);
+  for (const auto& row : rows) {
+    text += fmt::format("| {} |\n", fmt::join(row, " | "));
+    if (&row != &rows.front()) continue;
+    for (std::size_t c = 0; c < row.size(); ++c) text += is_text(table, c) ? "|---" : "|--:";
+    text += "|\n";
+  }
+  for (const std::string& note : table.notes) text += fmt::format("\n{}\n", markdown_text(note));
+  return text;
+}
+
+std::string to_latex(const Table& table) {
+  std::string letters, text;
+  std::vector<std::string> heads;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    letters += is_text(table, c) ? 'l' : 'r';
+    heads.push_back(latex_text(head(table.columns[c])));
+  }
+  text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
+  for (const auto& row : table.rows) {
+    std::vector<std::string> cells;
+    for (std::size_t c = 0; c < row.size(); ++c) cells.push_back(latex_cell(row[c], table.columns[c].digits));
+    text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+  }
+  std::string notes;
+  for (const std::string& note : table.notes)
+    notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
+  return fmt::format(
+      "% Needs \\usepackage{{booktabs,adjustbox}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\n"
+      "\\begin{{adjustbox}}{{max width=\\columnwidth}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n"
+      "\\end{{tabular}}\n\\end{{adjustbox}}\n{}\\end{{table}}\n",
+      latex_text(table.caption), table.name, letters, text, notes);
+}
+
+std::string to_html(const Table& table) {
+  const Rows rows = readable(table, html_text);
+  const auto line = [&](const std::vector<std::string>& row, std::string_view tag) {
+    std::string text;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      text += fmt::format("<{}{}>{}</{}>", tag, is_text(table, c) ? "" : " class=\"number\"", row[c],
+                          tag.substr(0, tag.find(' ')));
+    return fmt::format("<tr>{}</tr>\n", text);
+  };
+  std::string text = fmt::format("<table><caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n", html_text(table.caption),
+                                 line(rows.front(), "th scope=\"col\""));
+  for (std::size_t r = 1; r < rows.size(); ++r) text += line(rows[r], "td");
+  return text + "</tbody></table>\n";
+}
+
+std::string to_text(const Table& table) {
+  constexpr std::size_t longest = 32;
+  static const Number number = number_text;
+  Rows rows(1);
+  for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));
+  for (const auto& cells : table.rows) {
+    auto& row = rows.emplace_back();
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const Column& column = table.columns[c];
+      const Readable read{number, column.digits, column.unit.empty() ? "" : ' ' + column.unit};
+      row.push_back(shortened(std::visit(read, cells[c]), longest));
+    }
+  }
+  std::string text = aligned(rows);
+  for (const std::string& note : table.notes) text += one_line(note) + '\n';
+  return text;
+}
+
+}  // namespace ikbench::show

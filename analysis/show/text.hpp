@@ -1,0 +1,30 @@
+// Any text (labels and titles come from files of users) made harmless for each writer, and numbers as text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ikbench::show {
+
+// One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
+std::string one_line(std::string_view text);
+std::size_t character_count(std::string_view utf8);
+// One line of at most so many characters; an ellipsis stands for its middle, because variants differ at their ends.
+std::string shortened(std::string_view text, std::size_t length);
+
+std::string html_text(std::string_view text);
+std::string markdown_text(std::string_view text);
+std::string latex_text(std::string_view text);
+
+// 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
+std::string number_text(double value, int digits = 3);
+std::string p_text(double p);      // "0.0005", "< 0.0001"
+std::string p_sentence(double p);  // "p = 0.0005", "p < 0.0001"
+std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");  // "A, B and C"
+
+// Rows of one line each, their columns padded.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace ikbench::show

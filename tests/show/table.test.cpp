@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <string>
+
+#include "analysis/show/block.hpp"
+#include "analysis/show/text.hpp"
+#include "results/csv.hpp"
+#include "tests/catch.hpp"
+#include "tests/show/judged.hpp"
+
+using namespace ikbench;
+using namespace ikbench::show;
+
+namespace {
+
+const std::string hostile =
+    "a|b <script>alert(1)</script> \\input{x} & % _ ~ \x1b[31m red \n | *new* \xff " + std::string(300, 'x');
+
+Table with_label(const std::string& label) {
+  return {.name = "results",
+          .caption = label,
+          .columns = {{"solver"}, {.name = "error", .unit = "mm"}, {"interval"}, {"p"}, {"n"}, {"time"}},
+          .rows = {{label, 0.12345678901234567, compare::Interval{1.0 / 3, 2}, P{1e-7}, std::int64_t{20},
+                    Marked{4200.25, "*"}},
+                   {"plain", Printed{1.5e-7, "0.0000"}, {}, P{0.0005}, {}, Marked{0.1, "", true}}},
+          .notes = {label}};
+}
+
+std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text, '\n'); }
+
+}  // namespace
+
+TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]") {
+  const results::CsvTable csv = results::parse_csv(to_csv(with_label(hostile)), "test");
+  CHECK(csv.header ==
+        std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "p", "n", "time"});
+  CHECK(csv.rows[0][0] == hostile);
+  CHECK(csv.number(0, "error [mm]") == 0.12345678901234567);
+  CHECK(csv.number(0, "low") == 1.0 / 3);
+  CHECK(csv.number(0, "p") == 1e-7);
+  CHECK(csv.number(0, "time") == 4200.25);
+  CHECK(csv.rows[1][2] == "0.0000");
+  CHECK(csv.rows[1][3].empty());
+
+  const auto json = to_json(with_label(hostile));
+  CHECK(json[0]["error"] == 0.12345678901234567);
+  CHECK(json[0]["high"] == 2.0);
+  CHECK(json[1]["error_printed"] == "0.0000");
+  CHECK(json[1]["low"].is_null());
+}
+
+TEST_CASE("readers see three digits, units, marks and small p-values", "[show]") {
+  CHECK(to_text(with_label("mine")) ==
+        "solver   error                         interval     p          n    time\n"
+        "mine     0.123 mm                      0.333 to 2   < 0.0001   20   4200 *\n"
+        "plain    1.5e-07 mm (printed 0.0000)   -            0.0005     -    ≤ 0.1\n"
+        "mine\n");
+  const std::string latex = to_latex(with_label("mine"));
+  CHECK(latex.find("mine & 0.123 & 0.333 to 2 & $<$ 0.0001 & 20 & 4200 {*} \\\\") != std::string::npos);
+  CHECK(latex.find("plain & $1.5 \\times 10^{-7}$ (printed 0.0000) & - & 0.0005 & - & $\\le$ 0.1 \\\\") !=
+        std::string::npos);
+  CHECK(number_text(3715.4) == "3715");
+  CHECK(number_text(0.00042, 3) == "0.00042");
+}
+
+TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
+  const Table table = with_label(hostile);
+  const std::string html = to_html(table), markdown = to_markdown(table), latex = to_latex(table),
+                    screen = to_text(table);
+  CHECK(html.find("<script") == std::string::npos);
+  for (const std::string& text : {html, markdown, latex, screen}) CHECK(text.find('\x1b') == std::string::npos);
+  CHECK(ends_in(screen) == ends_in(to_text(with_label("mine"))));
+  CHECK(ends_in(markdown) == ends_in(to_markdown(with_label("mine"))));
+  CHECK(ends_in(latex) == ends_in(to_latex(with_label("mine"))));
+  CHECK(character_count(screen.substr(0, screen.rfind('\n', screen.size() - 2))) < 3 * 110);  // head and two rows
+  const auto pipes = [](const std::string& text) { return std::ranges::count(text, '|'); };
+  CHECK(pipes(markdown) == pipes(to_markdown(with_label("mine"))));
+  CHECK(markdown.find("<script") == std::string::npos);
+  CHECK(latex.find("\\input") == std::string::npos);
+  CHECK(latex.find("\\textbackslash{}input\\{x\\} \\& \\% \\_ \\textasciitilde{}") != std::string::npos);
+}
