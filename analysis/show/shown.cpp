@@ -1,0 +1,118 @@
+#include "analysis/show/shown.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace ikbench::show {
+
+using namespace compare;
+
+namespace {
+
+void scale(double factor, auto&... values) { ((values *= factor), ...); }
+
+Judged in_unit(Judged judged, double factor, std::string unit) {
+  Observations& of = judged.observations;
+  of.unit = std::move(unit);
+  scale(factor, of.floor, of.rounding);
+  for (Group& group : of.groups) {
+    for (double& value : group.values) scale(factor, value);
+    scale(factor, group.at_most);
+    if (group.summary) scale(factor, group.summary->mean, group.summary->sd);
+  }
+  for (Description& its : judged.described)
+    scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest);
+  for (Finding& finding : judged.findings) {
+    if (finding.scale == Scale::ratio) continue;
+    if (finding.estimate) scale(factor, *finding.estimate);
+    if (finding.interval) scale(factor, finding.interval->low, finding.interval->high);
+  }
+  return judged;
+}
+
+Finding turned(Finding finding) {
+  std::swap(finding.first, finding.second);
+  const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
+  if (finding.estimate) finding.estimate = turn(*finding.estimate);
+  if (const auto of = finding.interval) finding.interval = Interval{turn(of->high), turn(of->low)};
+  if (finding.effect) finding.effect = 1 - *finding.effect;
+  if (finding.verdict == Verdict::better) {
+    finding.verdict = Verdict::worse;
+  } else if (finding.verdict == Verdict::worse) {
+    finding.verdict = Verdict::better;
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Doubt> Shown::all_doubts() const {
+  std::vector<Doubt> all = doubts;
+  for (const Judged& judged : metrics) {
+    for (const Doubt& doubt : judged.doubts) {
+      const auto is_same = [&](const Doubt& other) { return words_of(other) == words_of(doubt); };
+      if (std::ranges::none_of(all, is_same)) all.push_back(doubt);
+    }
+  }
+  return all;
+}
+
+Shown shown(std::vector<Judged> metrics, const results::Plan& plan) {
+  Shown shown{.metrics = std::move(metrics), .plan = plan};
+  for (Judged& judged : shown.metrics) {
+    if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
+    for (Finding& finding : judged.findings) {
+      const bool is_behind = finding.verdict == Verdict::worse ||
+                             (finding.verdict != Verdict::better && finding.effect && *finding.effect < 0.5);
+      if (plan.control.empty() ? is_behind : finding.first == plan.control) finding = turned(std::move(finding));
+    }
+  }
+  return shown;
+}
+
+Shown shown(const JudgedStudy& judged) {
+  const results::Definition& definition = judged.study.definition;
+  Shown all = shown(judged.metrics, definition.plan);
+  all.deciding = judged.deciding;
+  all.doubts = judged.doubts;
+  all.noun = definition.is_chained() || judged.study.points == 1 ? "runs" : "targets";
+  if (definition.has_tolerance() && !definition.is_chained())
+    all.notes.emplace_back("Joint motion, time and evaluations are those of solved targets.");
+  for (Judged& metric : all.metrics) {
+    const std::string unit = metric.observations.unit;
+    if (unit == "s") metric = in_unit(std::move(metric), 1000, "ms");
+    if (unit == "cm" && definition.published.empty()) metric = in_unit(std::move(metric), 10, "mm");
+  }
+  return all;
+}
+
+bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }
+
+double told(const Judged& judged, std::size_t group, const results::Plan& plan) {
+  const Description& its = judged.described[group];
+  const bool is_mean = is_share(judged) || plan.test == results::Plan::Test::means || std::isnan(its.median);
+  return judged.observations.groups[group].lost > 0 ? unknown : is_mean ? its.mean : its.median;
+}
+
+std::vector<std::size_t> best_first(const Judged& judged, const results::Plan& plan) {
+  std::vector<std::size_t> order(judged.described.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const double value = told(judged, i, plan);
+    const bool is_best = judged.observations.groups[i].name == judged.headline.best;
+    const double place = judged.observations.better == Better::larger ? -value : value;
+    return is_best ? std::pair(0, 0.0) : std::isnan(value) ? std::pair(2, 0.0) : std::pair(1, place);
+  });
+  return order;
+}
+
+const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other) {
+  const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {
+    return (finding.first == one && finding.second == other) || (finding.first == other && finding.second == one);
+  });
+  return found == judged.findings.end() ? nullptr : &*found;
+}
+
+}  // namespace ikbench::show

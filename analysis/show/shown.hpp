@@ -1,0 +1,52 @@
+// Judged metrics as readers see them: in their units, and the better one of a pair first.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/compare/judge.hpp"
+#include "analysis/show/block.hpp"
+#include "results/plan.hpp"
+
+namespace ikbench::show {
+
+struct Shown {
+  std::vector<compare::Judged> metrics;
+  std::size_t deciding = 0;  // metric of the headline
+  results::Plan plan;
+  std::vector<compare::Doubt> doubts;  // of all
+  std::string noun = "observations";   // what these are
+  std::vector<std::string> notes;      // on the table of results
+
+  const compare::Judged& decisive() const { return metrics[deciding]; }
+  // Those of all and of each metric, each once.
+  std::vector<compare::Doubt> all_doubts() const;
+};
+
+// Shares in percent; of studies times in ms, and errors in mm, but in cm where a paper's study is repeated. With a
+// control it is the second of each pair.
+Shown shown(std::vector<compare::Judged> metrics, const results::Plan& plan);
+Shown shown(const compare::JudgedStudy& judged);
+
+bool is_share(const compare::Judged& judged);
+// What tables and sentences tell of a group: the mean of shares and where the plan compares means, else the median.
+double told(const compare::Judged& judged, std::size_t group, const results::Plan& plan);
+std::vector<std::size_t> best_first(const compare::Judged& judged, const results::Plan& plan);  // groups
+// Of two groups; null if they are no pair.
+const compare::Finding* finding_of(const compare::Judged& judged, std::string_view one, std::string_view other);
+
+// The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
+Table results_table(const Shown& shown);  // a row a solver
+Table pairs_table(const Shown& shown);
+Table descriptives_table(const Shown& shown);
+Table anova_table(const Shown& shown);
+
+// How it was made. They have no files.
+Table study_table(const compare::StudyResults& study);
+Table options_table(const compare::StudyResults& study);
+Table plan_table(const compare::StudyResults& study);
+Table machine_table(const compare::StudyResults& study);
+
+}  // namespace ikbench::show

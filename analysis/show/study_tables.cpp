@@ -1,0 +1,259 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "analysis/show/shown.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+#include "numerics/json.hpp"
+
+namespace ikbench::show {
+
+using namespace compare;
+
+namespace {
+
+constexpr std::string_view star = "*", not_compared = "!";
+
+std::int64_t count(double number) { return std::llround(number); }
+
+// A value of a group, which may only be an upper bound.
+Cell value_cell(const Group& group, double value, std::string_view mark = {}) {
+  const bool is_bound = group.at_most > 0 && value == group.at_most;
+  if (std::isnan(value)) return {};
+  return is_bound || !mark.empty() ? Cell(Marked{value, std::string(mark), is_bound}) : Cell(value);
+}
+
+// The star of what is shown to be worse than the best group that is compared.
+std::string_view mark_of(const Judged& judged, std::size_t group, const results::Plan& plan) {
+  const std::vector<Group>& groups = judged.observations.groups;
+  if (groups[group].is_apart) return not_compared;
+  const std::vector<std::size_t> order = best_first(judged, plan);
+  const auto best = std::ranges::find_if(order, [&](std::size_t i) { return !groups[i].is_apart; });
+  const Finding* finding = finding_of(judged, groups[*best].name, groups[group].name);
+  const Verdict worse = finding && finding->first == groups[group].name ? Verdict::worse : Verdict::better;
+  return *best != group && finding && finding->verdict == worse ? star : "";
+}
+
+void add_setting(Table& table, std::string what, std::string value) {
+  if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
+}
+
+Table settings(std::string caption) { return {.caption = std::move(caption), .columns = {{"what"}, {"value"}}}; }
+
+std::string with_blanks(std::string text) {
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+std::string limit(double value, std::string_view unit) {
+  return value > 0 ? fmt::format("{}{}", number_text(value, 6), unit) : "";
+}
+
+std::string stops_of(const results::Definition::Stop& stop) {
+  std::vector<std::string> stops{limit(10 * stop.tolerance_cm, " mm"), limit(stop.tolerance_deg, " deg"),
+                                 limit(static_cast<double>(stop.iterations), " iterations"),
+                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
+                                 limit(1000 * stop.seconds, " ms")};
+  std::erase(stops, "");
+  return listed(stops, " or ");
+}
+
+}  // namespace
+
+Table results_table(const Shown& shown) {
+  Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
+  const Judged& decisive = shown.decisive();
+  for (const std::size_t i : best_first(decisive, shown.plan))
+    table.rows.push_back({decisive.observations.groups[i].name});
+  const bool are_means = shown.plan.test == results::Plan::Test::means;
+  const auto add = [&](const Judged& judged, const std::string& name, bool is_other) {
+    table.columns.push_back({.name = name, .unit = judged.observations.unit});
+    for (auto& row : table.rows) {
+      const std::vector<Group>& groups = judged.observations.groups;
+      const auto group = std::ranges::find(groups, std::get<std::string>(row[0]), &Group::name);
+      const auto i = static_cast<std::size_t>(group - groups.begin());
+      const Description none, &its = group == groups.end() ? none : judged.described[i];
+      if (its.n == 0 || group->lost > 0) {
+        row.emplace_back();
+      } else if (is_other) {
+        row.push_back(value_cell(*group, are_means ? its.median : its.mean));
+      } else {
+        row.push_back(value_cell(*group, told(judged, i, shown.plan), mark_of(judged, i, shown.plan)));
+      }
+    }
+  };
+  const std::string& quantity = decisive.observations.quantity;
+  add(decisive, quantity, false);
+  if (!is_share(decisive)) add(decisive, (are_means ? "median " : "mean ") + quantity, true);
+  for (const Judged& judged : shown.metrics) {
+    if (&judged != &decisive) add(judged, judged.observations.quantity, false);
+  }
+  bool has_star = false, is_any_apart = false;
+  for (const auto& row : table.rows) {
+    for (const Cell& cell : row) {
+      const auto* marked = std::get_if<Marked>(&cell);
+      has_star |= marked && marked->mark == star;
+      is_any_apart |= marked && marked->mark == not_compared;
+    }
+  }
+  std::string note = are_means ? "means" : "medians";
+  if (has_star)
+    note += fmt::format("; {} worse than the best of the column (p < {}, Holm); no star: not shown to differ", star,
+                        number_text(shown.plan.significance));
+  table.notes.push_back(note);
+  if (is_any_apart) table.notes.push_back(fmt::format("{} not compared", not_compared));
+  return table;
+}
+
+Table pairs_table(const Shown& shown) {
+  Table table{.name = "pairs",
+              .caption = "Pairs: the first against the second",
+              .columns = {{"metric"},
+                          {"first"},
+                          {"second"},
+                          {"estimate"},
+                          {"interval"},
+                          {"unit"},
+                          {"p"},
+                          {"A12"},
+                          {"test"},
+                          {"verdict"}}};
+  for (const Judged& judged : shown.metrics) {
+    for (const Finding& finding : judged.findings) {
+      const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
+      table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
+                            cell(finding.interval), unit_of(finding, judged), finding.p ? Cell(P{*finding.p}) : Cell(),
+                            cell(finding.effect), std::string(finding.test),
+                            verdict_words(finding, judged, shown.plan)});
+    }
+  }
+  table.notes = {
+      "Only the metric of the headline was chosen before; all others are exploratory. p by Holm over the pairs "
+      "of a metric; A12: share of comparisons in which the first is better."};
+  return table;
+}
+
+Table descriptives_table(const Shown& shown) {
+  Table table{.name = "descriptives",
+              .caption = "Described",
+              .columns = {{"metric"},
+                          {"solver"},
+                          {"n"},
+                          {"mean"},
+                          {"sd"},
+                          {"median"},
+                          {"lower quartile"},
+                          {"upper quartile"},
+                          {"smallest"},
+                          {"largest"},
+                          {"interval"},
+                          {"unit"},
+                          {"lost"}}};
+  bool is_any_lost = false;
+  for (const Judged& judged : shown.metrics) {
+    const Observations& of = judged.observations;
+    for (std::size_t i = 0; i < of.groups.size(); ++i) {
+      const Description& its = judged.described[i];
+      const Group& group = of.groups[i];
+      auto& row = table.rows.emplace_back();
+      row = {of.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
+      const bool is_count = is_share(judged) && of.trials == 1;
+      for (const double value : {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest})
+        row.push_back(is_count ? Cell() : value_cell(group, value));
+      Cell interval;
+      if (is_share(judged) && its.n > 0) {
+        const Interval share = wilson(its.mean / 100, its.n * of.trials, shown.plan.significance);
+        interval = Interval{100 * share.low, 100 * share.high};
+      }
+      row.push_back(interval);
+      row.emplace_back(of.unit);
+      row.emplace_back(std::int64_t{group.lost});
+      is_any_lost |= group.lost > 0;
+    }
+  }
+  table.notes = {fmt::format("n: {}. Quartiles as MATLAB's. Interval: Wilson's.", shown.noun)};
+  if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not compared.");
+  return table;
+}
+
+Table anova_table(const Shown& shown) {
+  Table table{.name = "anova",
+              .caption = "Do the solvers differ at all?",
+              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {"p"}}};
+  for (const Judged& judged : shown.metrics) {
+    const std::string& quantity = judged.observations.quantity;
+    if (is_share(judged)) continue;
+    if (const auto& of = judged.anova)
+      table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), P{of->p}});
+    if (const auto& of = judged.kruskal_wallis)
+      table.rows.push_back({quantity, "Kruskal-Wallis (H)", of->statistic, count(of->df), {}, P{of->p}});
+  }
+  return table;
+}
+
+Table study_table(const StudyResults& study) {
+  const results::Definition& of = study.definition;
+  Table table = settings("Study");
+  add_setting(table, "study", of.title.empty() ? study.entry.name : fmt::format("{}: {}", study.entry.name, of.title));
+  add_setting(table, "arm", of.robot);
+  add_setting(table, "targets",
+              fmt::format("{} a run, {}{}", study.points, with_blanks(of.path),
+                          of.draws_targets ? ", drawn for each run anew" : ""));
+  add_setting(table, "search", with_blanks(of.search));
+  add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(of.start));
+  add_setting(table, "joint limits", of.limits);
+  add_setting(table, "a solve ends at", stops_of(of.stop));
+  add_setting(table, "runs", fmt::to_string(study.runs));
+  add_setting(table, "seed", fmt::to_string(of.seed));
+  for (const std::string& departure : of.departures) add_setting(table, "departs from the published study", departure);
+  return table;
+}
+
+Table options_table(const StudyResults& study) {
+  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
+  for (const results::Series& series : study.entry.series) {
+    std::vector<std::string> options;
+    const auto json = numerics::parsed_ordered_json(series.options);
+    for (auto each = json.begin(); json.is_object() && each != json.end(); ++each)
+      options.push_back(
+          fmt::format("{} = {}", each.key(), each->is_string() ? each->get<std::string>() : numerics::text_of(*each)));
+    table.rows.push_back({series.label, with_blanks(series.algorithm), fmt::format("{}", fmt::join(options, ", "))});
+  }
+  return table;
+}
+
+Table plan_table(const StudyResults& study) {
+  const results::Plan& plan = study.definition.plan;
+  Table table = settings("How it is judged");
+  add_setting(table, "test", plan.test == results::Plan::Test::means ? "of means" : "of ranks");
+  add_setting(table, "metric of the headline",
+              !plan.metric.empty()               ? plan.metric
+              : study.definition.has_tolerance() ? "solved"
+                                                 : "error");
+  add_setting(table, "compared with", plan.control);
+  add_setting(table, "significance", number_text(plan.significance));
+  add_setting(table, "margin that matters",
+              number_text(100 * plan.margin) + " %" +
+                  (plan.margin_cm > 0 ? fmt::format(", {} mm", number_text(10 * plan.margin_cm)) : ""));
+  return table;
+}
+
+Table machine_table(const StudyResults& study) {
+  Table table = settings("Machine");
+  for (const char* fact : {"cpu", "os", "compiler", "build_type", "version", "commit", "jobs", "date"}) {
+    std::set<std::string> values;
+    for (const results::Session& session : study.sessions) {
+      if (const auto found = session.environment.find(fact); found != session.environment.end())
+        values.insert(found->second);
+    }
+    add_setting(table, with_blanks(fact), fmt::format("{}", fmt::join(values, "; ")));
+  }
+  return table;
+}
+
+}  // namespace ikbench::show

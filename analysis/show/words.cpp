@@ -1,0 +1,228 @@
+#include "analysis/show/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/show/text.hpp"
+
+namespace ikbench::show {
+
+using namespace compare;
+
+namespace {
+
+constexpr std::size_t most_named = 5;  // solvers of a sentence
+
+bool counts(const Judged& judged) {  // 88 of 100
+  return is_share(judged) && judged.observations.trials == 1;
+}
+
+// A label as sentences have it.
+std::string label(std::string_view name) { return shortened(name, 40); }
+std::string label_of(const Judged& judged, std::size_t group) { return label(judged.observations.groups[group].name); }
+
+// A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
+std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, bool is_first) {
+  const Description& its = judged.described[group];
+  const double value = told(judged, group, shown.plan);
+  if (std::isnan(value)) return "not known";
+  if (counts(judged)) {
+    const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
+    if (is_first) return fmt::format("{} of {} {}", count, its.n, shown.noun);
+    return its.n == judged.described.front().n ? count : fmt::format("{} of {}", count, its.n);
+  }
+  const Observations& of = judged.observations;
+  const bool is_bound = value == of.groups[group].at_most && value > 0;
+  return fmt::format("{}{}{}{}", is_bound ? "at most " : "", number_text(value),
+                     is_first && !of.unit.empty() ? " " : "", is_first ? of.unit : "");
+}
+
+// "it solved 100 of 100 targets; PSO 88, mine 54", or with the first one's name.
+std::string numbers_of(const Shown& shown, bool is_named) {
+  const Judged& judged = shown.decisive();
+  const Observations& of = judged.observations;
+  const std::vector<std::size_t> order = best_first(judged, shown.plan);
+  const std::string first = label_of(judged, order[0]);
+  const std::string number = number_of(shown, judged, order[0], true);
+  const bool is_mean = is_share(judged) || shown.plan.test == results::Plan::Test::means;
+  const std::string quantity = fmt::format("{}{}", is_mean ? is_share(judged) ? "" : "mean " : "median ", of.quantity);
+  std::string text = of.metric == "solved" ? fmt::format("{} solved {}", is_named ? first : "it", number)
+                     : is_named            ? fmt::format("the {} of {} is {}", quantity, first, number)
+                                           : fmt::format("its {} is {}", quantity, number);
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < std::min(order.size(), most_named); ++i)
+    others.push_back(fmt::format("{} {}", label_of(judged, order[i]), number_of(shown, judged, order[i], false)));
+  if (order.size() > most_named) others.push_back(fmt::format("{} more", order.size() - most_named));
+  return text + (others.empty() ? "" : "; ") + listed(others, order.size() > most_named ? " and " : ", ");
+}
+
+std::string names_of(std::vector<std::string> names) {
+  for (std::string& name : names) name = label(name);
+  if (names.size() <= most_named) return listed(names);
+  return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
+}
+
+std::string all_of(const Judged& judged) {
+  std::vector<std::string> names;
+  for (const Group& group : judged.observations.groups) names.push_back(group.name);
+  return names_of(names);
+}
+
+bool all_are(const Judged& judged, Verdict verdict) {
+  return std::ranges::all_of(judged.findings, [=](const Finding& finding) { return finding.verdict == verdict; });
+}
+
+// Empty unless all solvers solved all targets, or none.
+std::string all_or_none(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  if (judged.observations.metric != "solved") return {};
+  const auto all_have = [&](double share) {
+    return std::ranges::all_of(judged.described, [=](const Description& its) { return its.mean == share; });
+  };
+  const std::string who = all_of(judged);
+  const std::string what =
+      counts(judged) ? fmt::format("all {} {}", judged.described.front().n, shown.noun) : "every target";
+  if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
+  return all_have(0) ? fmt::format("{} solved no target", who) : "";
+}
+
+std::string usual(const Judged& judged) {
+  const Observations& of = judged.observations;
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(of.groups, name, &Group::name) - of.groups.begin());
+  };
+  const std::size_t a = place(judged.headline.usual), b = place(judged.headline.by_mean);
+  const auto two = [&](double one, double other) {
+    return fmt::format("{} and {}{}{}", number_text(one), number_text(other), of.unit.empty() ? "" : " ", of.unit);
+  };
+  const bool is_smaller = of.better == Better::smaller;
+  return fmt::format(
+      "{} usually has the {} {} (median of it and {}: {}), but its mean is {} ({}): few values decide it",
+      label(judged.headline.usual), is_smaller ? "smaller" : "larger", of.quantity, label(judged.headline.by_mean),
+      two(judged.described[a].median, judged.described[b].median), is_smaller ? "larger" : "smaller",
+      two(judged.described[a].mean, judged.described[b].mean));
+}
+
+std::string against_control(const Shown& shown) {
+  std::vector<std::string> parts;
+  for (const Verdict verdict :
+       {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
+    std::vector<std::string> who;
+    for (const Finding& finding : shown.decisive().findings) {
+      if (finding.verdict == verdict) who.push_back(finding.first);
+    }
+    if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
+  }
+  return fmt::format("Against {}: {}", label(shown.plan.control), listed(parts, ", "));
+}
+
+std::string not_tested(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  const Finding& finding = judged.findings.front();
+  const int n = judged.described.front().n;
+  switch (finding.why) {
+    case Why::too_few:
+      return fmt::format("Not tested: {} {} cannot decide it, {} can; {}", n, shown.noun, finding.needed,
+                         numbers_of(shown, true));
+    case Why::fact:
+      return fmt::format("A fact of these {}, since the solvers repeat themselves: {}", shown.noun,
+                         numbers_of(shown, true));
+    default:
+      return fmt::format("Not tested: {}", numbers_of(shown, true));
+  }
+}
+
+// Where no solver is best: those that none is shown to beat.
+std::string unbeaten(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  std::set<std::string> beaten, tested;
+  for (const Finding& finding : judged.findings) {
+    if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
+    if (finding.verdict == Verdict::better) beaten.insert(finding.second);
+    if (finding.verdict == Verdict::worse) beaten.insert(finding.first);
+  }
+  std::vector<std::string> rest;
+  for (const std::size_t i : best_first(judged, shown.plan)) {
+    if (const std::string& name = judged.observations.groups[i].name; tested.contains(name) && !beaten.contains(name))
+      rest.push_back(name);
+  }
+  const std::string numbers = numbers_of(shown, true);
+  const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
+  return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
+}
+
+std::string sentence(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  const Headline& head = judged.headline;
+  const std::size_t groups = judged.described.size();
+  if (groups == 0) return "Nothing is solved";
+  if (!head.best.empty() && groups == 2) {
+    const std::size_t other = best_first(judged, shown.plan)[1];
+    return fmt::format("{} is better than {}: {}", label(head.best), label_of(judged, other), numbers_of(shown, false));
+  }
+  if (!head.best.empty()) return fmt::format("{} is best: {}", label(head.best), numbers_of(shown, false));
+  if (!head.usual.empty()) return usual(judged);
+  if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
+  if (judged.findings.empty()) return numbers_of(shown, true);
+  if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
+  if (!shown.plan.control.empty() && groups > 2) return against_control(shown);
+  if (all_are(judged, Verdict::same))
+    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged, shown.plan),
+                       numbers_of(shown, true));
+  return all_are(judged, Verdict::not_tested) ? not_tested(shown) : unbeaten(shown);
+}
+
+}  // namespace
+
+std::string headline(const Shown& shown) {
+  std::string text = sentence(shown) + '.';
+  if (text.starts_with("the ")) text[0] = 'T';
+  return text;
+}
+
+std::string margin_words(const Judged& judged, const results::Plan& plan) {
+  const std::string& unit = judged.observations.unit;
+  const std::string relative = fmt::format("{} {}", number_text(100 * plan.margin), is_share(judged) ? "points" : "%");
+  if (plan.margin_cm == 0 || (unit != "cm" && unit != "mm")) return relative;
+  return fmt::format("{} or {} {}", relative, number_text(plan.margin_cm * (unit == "mm" ? 10 : 1)), unit);
+}
+
+std::string verdict_words(const Finding& finding, const Judged& judged, const results::Plan& plan) {
+  const std::string margin = margin_words(judged, plan);
+  if (finding.verdict == Verdict::same) return finding.are_all_equal ? "same: all equal" : "same within " + margin;
+  std::string words(compare::name_of(finding.verdict));
+  if (finding.is_within_margin) words += ", by less than " + margin;
+  switch (finding.why) {
+    case Why::tested:
+      return words;
+    case Why::lost:
+      return words + ": values are missing";
+    case Why::apart:
+      return "not compared";
+    case Why::fact:
+      return words + ": both repeat themselves";
+    case Why::too_few:
+      return fmt::format("{}: it takes {}", words, finding.needed);
+    case Why::few_decide:
+      return words + ": few values decide the mean";
+  }
+  return words;
+}
+
+std::string unit_of(const Finding& finding, const Judged& judged) {
+  if (!finding.estimate) return "";
+  return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
+}
+
+std::string amount_words(const Finding& finding, const Judged& judged) {
+  if (!finding.estimate) return "";
+  std::string text = fmt::format("{} {}", number_text(*finding.estimate), unit_of(finding, judged));
+  if (const auto& of = finding.interval)
+    text += fmt::format(" ({} to {})", number_text(of->low), number_text(of->high));
+  return text;
+}
+
+}  // namespace ikbench::show

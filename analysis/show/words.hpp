@@ -1,0 +1,22 @@
+// The few sentences of reports and screens. Numbers are those of the tables.
+#pragma once
+
+#include <string>
+
+#include "analysis/show/shown.hpp"
+
+namespace ikbench::show {
+
+// One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
+std::string headline(const Shown& shown);
+
+// "better", "same within 5 %", "not decided", "not tested: it takes 5"
+std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged, const results::Plan& plan);
+// "times", "points", or the metric's unit.
+std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
+// "12 points (4 to 22)"
+std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
+// "5 %", "5 points"
+std::string margin_words(const compare::Judged& judged, const results::Plan& plan);
+
+}  // namespace ikbench::show

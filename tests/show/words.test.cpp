@@ -1,0 +1,105 @@
+#include "analysis/show/words.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/show/text.hpp"
+#include "tests/catch.hpp"
+#include "tests/show/judged.hpp"
+
+using namespace ikbench;
+using namespace ikbench::show;
+using compare::Observations;
+
+namespace {
+
+Shown of(Observations observations, const results::Plan& plan = {}) {
+  const compare::Plan same{
+      .test = plan.test == results::Plan::Test::means ? compare::Plan::Test::means : compare::Plan::Test::ranks,
+      .significance = plan.significance,
+      .margin = plan.margin,
+      .control = plan.control};
+  Shown result = shown({judged(std::move(observations), same)}, plan);
+  result.noun = "targets";
+  return result;
+}
+
+Observations errors(std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  return numbers("error", "error", "mm", std::move(groups));
+}
+
+// Beats the middle of the others at most values; its few large values are far larger.
+std::vector<double> heavy(double middle) {
+  std::vector<double> values = values_around(middle, 0.1);
+  values[3] = 1000 * middle;
+  return values;
+}
+
+std::string table_of_verdicts(const Shown& shown) {
+  std::string text;
+  for (const compare::Judged& judged : shown.metrics) {
+    for (const compare::Finding& finding : judged.findings)
+      text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second,
+                          verdict_words(finding, judged, shown.plan), amount_words(finding, judged));
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
+  std::string all;
+  const auto add = [&](const std::string& what, const Shown& shown) {
+    all += fmt::format("{}:\n  {}\n{}", what, headline(shown), table_of_verdicts(shown));
+  };
+  const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.1, 0.5);
+  add("best of three", of(shares({{"mine", solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
+  add("better of two", of(shares({{"mine", solved(9)}, {"DLS", solved(20)}})));
+  add("all", of(shares({{"LM", solved(20)}, {"DLS", solved(20)}})));
+  add("all of three, enough to be the same",
+      of(shares({{"LM", solved(200, 200)}, {"DLS", solved(200, 200)}, {"KDL", solved(200, 200)}})));
+  add("none", of(shares({{"LM", solved(0)}, {"DLS", solved(0)}})));
+  add("not decided", of(shares({{"LM", solved(18)}, {"DLS", solved(20)}})));
+  add("not decided between two", of(errors({{"A", c}, {"B", a}, {"C", b}, {"D", a}})));
+  add("not decided between the first two", of(errors({{"A", a}, {"B", values_around(1.2, 0.5)}, {"C", b}})));
+  add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
+  add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
+  add("usually better", of(errors({{"A", heavy(1)}, {"B", b}})));
+  add("the same", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.001, 0.01)}})));
+  add("better by little", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.02, 0.01)}})));
+  add("with a control", of(errors({{"A", a}, {"old", b}, {"C", c}}), {.control = "old"}));
+  add("many", of(errors({{"A", a}, {"B", b}, {"C", b}, {"D", b}, {"E", b}, {"F", b}, {"G", b}})));
+  add("alone", of(errors({{"A", a}})));
+
+  Observations repeated = errors({{"A", {1}}, {"B", {2}}});
+  repeated.groups[0].copies = repeated.groups[1].copies = 20;
+  add("facts", of(repeated));
+  Observations lost = errors({{"A", a}, {"B", b}});
+  lost.groups[1].lost = 3;
+  add("lost values", of(lost));
+  Observations bound = errors({{"A", std::vector<double>(20, 0.1)}, {"B", b}});
+  bound.groups[0].at_most = 0.1;
+  add("at the tolerance", of(bound));
+  Observations several = shares({{"A", {0.5, 0.75, 1, 0.75}}, {"B", {1, 1, 1, 0.75}}});
+  several.trials = 4;
+  add("several runs a target", of(several));
+  Shown circle = of(errors({{"A", a}, {"B", b}, {"C", c}}));
+  circle.metrics[0].headline = {.is_circle = true};
+  add("a circle", circle);
+  check_golden("headlines.txt", all);
+}
+
+TEST_CASE("a pair is told from the better one, and from the control's other", "[show]") {
+  const Shown plain = of(errors({{"bad", values_around(3, 0.5)}, {"good", values_around(1, 0.5)}}));
+  const compare::Finding& finding = plain.metrics[0].findings[0];
+  CHECK(finding.first == "good");
+  CHECK(finding.verdict == compare::Verdict::better);
+  CHECK(*finding.estimate == Catch::Detail::Approx(1 / 3.0).epsilon(1e-9));
+  CHECK(finding.interval->low < *finding.estimate);
+  CHECK(*finding.estimate < finding.interval->high);
+  CHECK(*finding.effect > 0.9);
+
+  const Shown gate = of(errors({{"old", values_around(1, 0.5)}, {"new", values_around(3, 0.5)}}), {.control = "old"});
+  CHECK(gate.metrics[0].findings[0].first == "new");
+  CHECK(gate.metrics[0].findings[0].verdict == compare::Verdict::worse);
+  CHECK(*gate.metrics[0].findings[0].estimate == Catch::Detail::Approx(3).epsilon(1e-9));
+}
