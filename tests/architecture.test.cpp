@@ -43,6 +43,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"analysis/csv", {"numerics", "results", "analysis/compare"}},
       {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
       {"analysis/figures", {"numerics", "robots", "results", "analysis/statistics", "analysis/inference"}},
+      {"analysis/show", {"numerics", "robots", "results", "analysis/compare", "analysis/figures"}},
       {"analysis/report",
        {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
       {"analysis/claims",

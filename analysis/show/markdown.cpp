@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+
+namespace ikbench::show {
+
+namespace {
+
+struct MarkdownWriter {
+  const Pictures& pictures;
+  bool is_first = false;
+
+  std::string operator()(const Heading& heading) const {
+    return fmt::format("{} {}\n\n", is_first ? "#" : "##", markdown_text(heading.text));
+  }
+  std::string operator()(const Text& text) const { return markdown_text(text.text) + "\n\n"; }
+  std::string operator()(const Table& table) const {
+    return fmt::format("**{}**\n\n{}\n", markdown_text(table.caption), to_markdown(table));
+  }
+  std::string operator()(const figures::Figure& figure) const {
+    const std::string caption = markdown_text(figure.caption);
+    if (pictures.types.empty() || pictures.not_drawn.contains(figure.name)) return caption + "\n\n";
+    return fmt::format("![{}](figures/{}.{})\n\n", caption, figure.name, pictures.types.front());
+  }
+  std::string operator()(const Scene&) const { return ""; }
+};
+
+}  // namespace
+
+std::string to_markdown(const std::vector<Blocks>& sections, const Pictures& pictures) {
+  std::string text;
+  for (const Blocks& blocks : sections) {
+    for (const Block& block : blocks) text += std::visit(MarkdownWriter{pictures, text.empty()}, block);
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,138 @@
+#include "analysis/show/moving_arm.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "analysis/show/text.hpp"
+#include "numerics/json.hpp"
+#include "numerics/units.hpp"
+#include "results/files.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::show {
+
+using namespace results;
+using compare::StudyResults;
+using Json = numerics::OrderedJson;
+
+namespace {
+
+constexpr std::size_t most_points = 200;
+constexpr std::size_t most_solvers = 24;
+
+// Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m; null if not finite.
+Json rounded(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) {
+    list.push_back(std::isfinite(value) ? Json(std::round(value * 1e5) / 1e5) : Json(nullptr));
+  }
+  return list;
+}
+
+// Joints of an answer outside their limits, and by how much. Up to 1e-9 is rounding, as in experiments/verifier.cpp.
+// Computed here because the page has rounded angles.
+Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
+  constexpr double rounding = 1e-9;
+  Json list = Json::array();
+  if (!(solve.limit_violation_deg > 0 || solve.limit_violation_m > 0)) return list;
+  for (std::size_t joint = 0; joint < solve.answer_rad.size(); ++joint) {
+    const auto j = static_cast<Eigen::Index>(joint);
+    const double q = solve.answer_rad[joint], outside = std::max(arm.limits.lower[j] - q, q - arm.limits.upper[j]);
+    if (!(outside > rounding)) continue;
+    const bool slides = arm.chain.links()[joint].joint == robots::Joint::slides;
+    list.push_back({{"joint", joint},
+                    {"by", slides ? outside * 100 : outside / numerics::degree},
+                    {"unit", slides ? " cm" : "\u00b0"}});
+  }
+  return list;
+}
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+// The first run of a solver, point by point; a start only if it differs from the previous answer.
+Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
+  const std::span<const SolveRecord> solves = study.of(solver);
+  if (solves.empty()) return nullptr;
+  Json steps = Json::array();
+  const SolveRecord* before = nullptr;
+  for (const SolveRecord& solve : solves) {
+    if (steps.size() == most_points || solve.run != solves.front().run) break;
+    Json step{{"point", solve.point},
+              {"target", rounded(solve.target_position_m)},
+              {"answer", rounded(solve.answer_rad)},
+              {"error_mm", json_number(10 * solve.position_error_cm)},
+              {"variation_deg", json_number(solve.variation_deg)},
+              {"outside", joints_outside(solve, arm)}};
+    if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
+    steps.push_back(std::move(step));
+    before = &solve;
+  }
+  return {{"name", one_line(solver)}, {"steps", std::move(steps)}};
+}
+
+Json drawn(const robots::Frame& frame) {
+  const auto numbers = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"position_m", numbers(frame.position)}, {"rpy_rad", numbers(frame.rpy)}};
+}
+
+Json drawn(const robots::Chain& chain) {
+  constexpr std::array joints{"turns", "slides", "coupled"};
+  Json links = Json::array();
+  for (const robots::DhLink& link : chain.links()) {
+    links.push_back({{"joint", joints[static_cast<std::size_t>(link.joint)]},
+                     {"offset_rad", link.offset},
+                     {"d_m", link.d},
+                     {"a_m", link.a},
+                     {"alpha_rad", link.alpha}});
+  }
+  return {{"links", std::move(links)}, {"base", drawn(chain.base())}, {"tool", drawn(chain.tool())}};
+}
+
+bool can_be_drawn(const StudyResults& study, std::size_t joints) {
+  const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
+  return std::ranges::all_of(study.solves, [&](const SolveRecord& solve) {
+    return solve.target_position_m.size() == 3 && std::ranges::all_of(solve.target_position_m, is_near) &&
+           solve.start_rad.size() == joints && solve.answer_rad.size() == joints;
+  });
+}
+
+// "<" is escaped, so that no text ends the element.
+std::string json_in_page(const Json& json) {
+  std::string text = numerics::text_of(json);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> moving_arm(const StudyResults& study) {
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
+  Json solvers = Json::array();
+  for (const std::string& solver : study.solvers) {
+    if (solvers.size() == most_solvers) break;
+    Json run = first_run(study, solver, *arm);
+    if (!run.is_null()) solvers.push_back(std::move(run));
+  }
+  if (solvers.empty()) return std::nullopt;
+  return json_in_page({{"arm", drawn(arm->chain)}, {"solvers", std::move(solvers)}});
+}
+
+std::optional<std::string> drawing_library() {
+  for (const std::filesystem::path folder : {"/usr/share/javascript/three", "/usr/share/nodejs/three"}) {
+    std::string library;
+    for (const char* name : {"build/three.min.js", "examples/js/controls/OrbitControls.js"}) {
+      const auto text = read_file(folder / name);
+      const bool is_safe =
+          text && text->find("</script") == std::string::npos && text->find("<!--") == std::string::npos;
+      if (!is_safe) break;
+      library += *text + '\n';
+      if (std::string_view(name).starts_with("examples")) return library;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ikbench::show

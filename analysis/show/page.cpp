@@ -1,0 +1,180 @@
+// Writes a report as a page of HTML that loads nothing.
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <span>
+#include <string_view>
+
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+#include "numerics/embedded_file.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::show {
+
+namespace {
+
+constexpr numerics::EmbeddedFile templates[]{
+#include "templates.inc"
+};
+
+std::string_view template_named(std::string_view name) {
+  return std::ranges::find(templates, name, &numerics::EmbeddedFile::name)->text;
+}
+
+// Replaces each {{name}} of the template. What it is replaced by is not looked at.
+std::string filled(std::string_view page, const std::map<std::string, std::string, std::less<>>& values) {
+  std::string text;
+  for (std::size_t at = 0, open = 0; open != std::string_view::npos;) {
+    open = page.find("{{", at);
+    text += page.substr(at, open - at);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = page.find("}}", open);
+    text += values.find(page.substr(open + 2, close - open - 2))->second;
+    at = close + 2;
+  }
+  return text;
+}
+
+std::string base64(std::string_view bytes) {
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // plus a terminating zero
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
+  text.pop_back();
+  return text;
+}
+
+// Safe as an anchor and in a link.
+std::string id_of(std::string_view name) {
+  std::string id;
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (is_letter || (!id.empty() && id.back() != '-')) id += is_letter ? c : '-';
+  }
+  return id;
+}
+
+std::string menu(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::string text = "<details class=\"menu\"><summary>Download</summary><div>";
+  for (const auto& [name, file] : files) text += fmt::format("<a href=\"{}\" download>{}</a>", html_text(file), name);
+  return text + "</div></details>\n";
+}
+
+std::string upper(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::toupper(letter));
+  return text;
+}
+
+struct PageWriter {
+  const Pictures& pictures;
+
+  std::string operator()(const Heading& heading) const {
+    const std::string id = id_of(heading.text);
+    return fmt::format("<h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n", id, html_text(heading.text));
+  }
+  std::string operator()(const Text& text) const { return fmt::format("<p>{}</p>\n", html_text(text.text)); }
+  std::string operator()(const Table& table) const {
+    const std::string id = id_of(table.name);
+    std::string text = fmt::format(
+        "<div class=\"card\"{}>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n{}</div>\n",
+        id.empty() ? "" : fmt::format(" id=\"table-{}\"", id), html_text(table.caption), to_html(table));
+    for (const std::string& note : table.notes) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
+    const std::string file = "tables/" + table.name;
+    if (!id.empty()) text += menu({{"CSV", file + ".csv"}, {"LaTeX", file + ".tex"}, {"Markdown", file + ".md"}});
+    return text + "</div>\n";
+  }
+  std::string operator()(const figures::Figure& figure) const {
+    constexpr std::size_t largest = 400'000;  // of a picture in the page [bytes]
+    const std::string caption = html_text(figure.caption);
+    const bool is_drawn = !pictures.not_drawn.contains(figure.name);
+    std::string picture;
+    if (const auto svg = results::read_file(pictures.folder / "figures" / (figure.name + ".svg")); is_drawn && svg) {
+      picture = svg->size() <= largest
+                    ? fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n", caption, base64(*svg))
+                    : fmt::format("<p><a href=\"figures/{0}.svg\">{0}.svg</a></p>\n", html_text(figure.name));
+    }
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const std::string& type : pictures.types) {
+      if (is_drawn) files.emplace_back(upper(type), fmt::format("figures/{}.{}", figure.name, type));
+    }
+    return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n{}</figure>\n", id_of(figure.name),
+                       figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption,
+                       files.empty() ? "" : menu(files));
+  }
+  std::string operator()(const Scene&) const { return std::string(template_named("stage.html")); }
+};
+
+// The first section: the sentence, what was studied, and side by side the table and the arm.
+std::string answer(const Blocks& blocks, const PageWriter& write, const std::string& contents) {
+  std::string head, body, stage;
+  for (const Block& block : blocks) {
+    if (const auto* heading = std::get_if<Heading>(&block); heading && head.empty())
+      head = fmt::format("<h1>{}</h1>\n", html_text(heading->text));
+    else if (std::holds_alternative<Scene>(block))
+      stage = std::visit(write, block);
+    else
+      (std::holds_alternative<Text>(block) && body.empty() ? head : body) += std::visit(write, block);
+  }
+  return fmt::format("<header>\n{}{}<div class=\"answer\">\n<div>\n{}</div>\n{}</div>\n</header>\n", head, contents,
+                     body, stage);
+}
+
+std::string section(const Blocks& blocks, const PageWriter& write) {
+  std::string text = "<section>\n";
+  bool is_among_figures = false;
+  for (const Block& block : blocks) {
+    const bool is_figure = std::holds_alternative<figures::Figure>(block);
+    if (is_figure != is_among_figures) text += is_figure ? "<div class=\"figures\">\n" : "</div>\n";
+    is_among_figures = is_figure;
+    text += std::visit(write, block);
+  }
+  return text + (is_among_figures ? "</div>\n</section>\n" : "</section>\n");
+}
+
+std::string contents_of(std::span<const Blocks> sections) {
+  std::string text = "<nav aria-label=\"Contents\">";
+  for (const Blocks& blocks : sections) {
+    if (const auto* heading = std::get_if<Heading>(&blocks.front()))
+      text += fmt::format("<a href=\"#{}\">{}</a>\n", id_of(heading->text), html_text(heading->text));
+  }
+  return text + "</nav>\n";
+}
+
+const Scene* scene_in(const Blocks& blocks) {
+  const auto found =
+      std::ranges::find_if(blocks, [](const Block& block) { return std::holds_alternative<Scene>(block); });
+  return found == blocks.end() ? nullptr : &std::get<Scene>(*found);
+}
+
+}  // namespace
+
+std::string to_page(const std::string& title, const std::vector<Blocks>& sections, const Pictures& pictures,
+                    const std::string& program) {
+  const PageWriter write{pictures};
+  Blocks first = sections.front();
+  const Scene* scene = scene_in(first);
+  const auto library = scene ? drawing_library() : std::nullopt;
+  const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
+  std::string scripts = script(template_named("page.js"));
+  if (library) {
+    scripts += std::string(template_named("licence.html")) + script(*library) +
+               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", scene->json) +
+               script(template_named("moving_arm.js"));
+  } else {
+    std::erase_if(first, [](const Block& block) { return std::holds_alternative<Scene>(block); });
+  }
+  const std::span rest(sections.begin() + 1, sections.end());
+  std::string text = answer(first, write, contents_of(rest));
+  for (const Blocks& blocks : rest) text += section(blocks, write);
+  return filled(template_named("page.html"), {{"title", html_text(title)},
+                                              {"style", std::string(template_named("page.css"))},
+                                              {"sections", std::move(text)},
+                                              {"program", html_text(program.empty() ? "ikbench" : program)},
+                                              {"scripts", std::move(scripts)}});
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "analysis/show/report.hpp"
+#include "analysis/show/words.hpp"
+#include "numerics/json.hpp"
+#include "results/export.hpp"
+#include "results/files.hpp"
+
+namespace ikbench::show {
+
+using Json = numerics::OrderedJson;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
+
+// What the report of a folder says that it has written: files of ours in that folder, whatever it says.
+std::vector<std::string> files_of_earlier(const fs::path& folder) {
+  const auto text = results::read_file(folder / own_files[2]);
+  const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
+  std::vector<std::string> files;
+  if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) return files;
+  for (const Json& each : json["files"]) {
+    if (!each.is_string()) continue;
+    const fs::path file(each.get<std::string>());
+    const fs::path top = file.empty() ? file : *file.begin();
+    if (file == file.lexically_normal() && file.has_filename() && (top == "tables" || top == "figures"))
+      files.push_back(file);
+  }
+  return files;
+}
+
+void write_table(const Table& table, const fs::path& folder, const std::string& program) {
+  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
+  results::write_file(folder / (table.name + ".csv"), to_csv(table));
+  results::write_file(folder / (table.name + ".md"), to_markdown(table));
+  results::write_file(folder / (table.name + ".tex"), to_latex(table) + made);
+}
+
+// Files of these figures, wherever they stand below the folder.
+std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code none;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "figures", none)) {
+    const auto is_its = [&](const figures::Figure& figure) { return entry.path().stem() == figure.name; };
+    if (entry.is_regular_file(none) && (entry.path().stem() == "style" || std::ranges::any_of(figures, is_its)))
+      files.push_back(entry.path().lexically_relative(folder));
+  }
+  return files;
+}
+
+std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
+  std::vector<figures::Figure> figures;
+  for (const Blocks& blocks : sections) {
+    for (const Block& block : blocks) {
+      if (const auto* figure = std::get_if<figures::Figure>(&block)) figures.push_back(*figure);
+    }
+  }
+  return figures;
+}
+
+}  // namespace
+
+Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options) {
+  const std::vector<std::string> earlier = files_of_earlier(folder);
+  const std::vector<Blocks> sections = sections_of(of);
+  const std::vector<figures::Figure> figures = figures_in(sections);
+  Published published{.page = folder / own_files[0]};
+  Pictures pictures{.folder = folder};
+  for (const results::Picture type : options.style.formats) pictures.types.emplace_back(name_of(type));
+  for (const fs::path& place : {folder, folder / "tables", folder / "figures"}) results::remove_litter(place);
+  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder / "figures", options)) {
+    if (!outcome.rendered) pictures.not_drawn.insert(outcome.name);
+    if (!outcome.error.empty())
+      published.warnings.push_back(fmt::format("{} is not drawn: {}", outcome.name, outcome.error));
+  }
+
+  std::vector<std::string> files(own_files.begin(), own_files.end());
+  for (const Blocks& blocks : sections) {
+    for (const Block& block : blocks) {
+      const auto* table = std::get_if<Table>(&block);
+      if (!table || table->name.empty()) continue;
+      write_table(*table, folder / "tables", options.program);
+      for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
+    }
+  }
+  std::ranges::move(files_of(figures, folder), std::back_inserter(files));
+  std::ranges::sort(files);
+
+  Json json = to_json(of.shown);
+  json["files"] = files;
+  results::write_csv(folder / "solves.csv", [&](const auto& take) { std::ranges::for_each(of.study.solves, take); });
+  results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
+  results::write_file(folder / "report.md", to_markdown(sections, pictures));
+  const std::string& title = of.study.definition.title;
+  results::write_file(published.page,
+                      to_page(title.empty() ? of.study.entry.name : title, sections, pictures, options.program));
+  for (const std::string& file : earlier) {
+    std::error_code none;
+    if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);
+  }
+  return published;
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,123 @@
+#include "analysis/show/screen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+
+namespace ikbench::show {
+
+using namespace compare;
+using Json = numerics::OrderedJson;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr std::size_t width = 100, most_rows = 7, most_warnings = 3;
+
+Lines lines_of(const std::string& text) {
+  Lines lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  return lines;
+}
+
+// Breaks between words; further lines begin with `indent`.
+Lines wrapped(const std::string& text, const std::string& indent) {
+  Lines lines(1);
+  std::istringstream all(one_line(text));
+  for (std::string word; all >> word;) {
+    const std::string blank = lines.back().empty() || lines.back() == indent ? "" : " ";
+    if (!blank.empty() && character_count(lines.back()) + 1 + character_count(word) > width)
+      lines.push_back(indent + word);
+    else
+      lines.back() += blank + word;
+  }
+  return lines;
+}
+
+// A line a pair: those of the best solver first.
+Lines pairs_of(const Shown& shown) {
+  const bool has_two = shown.decisive().described.size() == 2;
+  std::vector<std::vector<std::string>> rows;
+  for (const Judged& judged : shown.metrics) {
+    if (!has_two && &judged != &shown.decisive()) continue;
+    std::vector<Finding> findings = judged.findings;
+    std::ranges::stable_partition(findings, [&](const Finding& of) { return of.first == judged.headline.best; });
+    for (const Finding& of : findings) {
+      auto& row = rows.emplace_back();
+      if (has_two) row.push_back("  " + judged.observations.quantity);
+      row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", shortened(of.first, 24), shortened(of.second, 24)));
+      row.push_back(verdict_words(of, judged, shown.plan));
+      row.push_back(amount_words(of, judged));
+      row.push_back(of.p ? p_sentence(*of.p) : "");
+    }
+  }
+  return lines_of(aligned(rows));
+}
+
+Lines table_of(const Shown& shown) {
+  Table table = results_table(shown);
+  table.columns[0].name = "";
+  const std::size_t all = table.rows.size();
+  if (all > most_rows) table.rows.resize(most_rows - 1);
+  const std::vector<std::string> notes = std::exchange(table.notes, {});
+  Lines lines = lines_of(to_text(table));
+  if (all > most_rows) lines.push_back(fmt::format("  and {} more solvers", all - most_rows + 1));
+  for (std::string& line : wrapped(notes.front(), "")) lines.push_back(std::move(line));  // warnings say the rest
+  return lines;
+}
+
+Lines warnings_of(const Shown& shown) {
+  const std::vector<Doubt> doubts = shown.all_doubts();
+  const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
+  Lines lines;
+  for (std::size_t i = 0; i < shown_doubts; ++i) {
+    for (std::string& line : wrapped("! " + words_of(doubts[i]), "  ")) lines.push_back(std::move(line));
+  }
+  if (doubts.size() > shown_doubts)
+    lines.push_back(fmt::format("! and {} more warnings", doubts.size() - shown_doubts));
+  return lines;
+}
+
+}  // namespace
+
+std::string screen(const Shown& shown, const std::string& page) {
+  const Lines head = wrapped(headline(shown), ""), table = table_of(shown), warnings = warnings_of(shown);
+  Lines pairs = pairs_of(shown);
+  const std::size_t others = head.size() + table.size() + warnings.size() + (page.empty() ? 1 : 2);
+  const std::size_t room = others + 1 < screen_lines ? screen_lines - others : 1;
+  if (const std::size_t all = pairs.size(); all > room) {
+    pairs.resize(room - 1);
+    pairs.push_back(fmt::format("  and {} more pairs", all - pairs.size()));
+  }
+  std::string text;
+  for (const Lines& part : {head, pairs, Lines{""}, table, warnings}) {
+    for (const std::string& line : part) text += line + '\n';
+  }
+  return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
+}
+
+Json to_json(const Shown& shown) {
+  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
+  Json findings = to_json(pairs_table(shown)), doubts = Json::array();
+  std::size_t row = 0;
+  for (const Judged& judged : shown.metrics) {
+    for (const Finding& finding : judged.findings)
+      findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
+  }
+  for (const Doubt& doubt : shown.all_doubts()) doubts.push_back(words_of(doubt));
+  return {{"headline", headline(shown)},
+          {"metric", shown.decisive().observations.quantity},
+          {"groups", to_json(descriptives_table(shown))},
+          {"tests", to_json(anova_table(shown))},
+          {"findings", std::move(findings)},
+          {"doubts", std::move(doubts)}};
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+
+namespace ikbench::show {
+
+using namespace compare;
+
+namespace {
+
+Table with_notes(Table table, const std::vector<std::string>& notes) {
+  table.notes.insert(table.notes.end(), notes.begin(), notes.end());
+  return table;
+}
+
+Blocks with_heading(std::string heading, Blocks blocks) {
+  if (!blocks.empty()) blocks.insert(blocks.begin(), Heading{std::move(heading)});
+  return blocks;
+}
+
+std::string what_is_studied(const StudyResults& study) {
+  const results::Definition& of = study.definition;
+  return fmt::format("{}: {}, {} runs of {} targets ({}).", study.entry.name, of.robot, study.runs, study.points,
+                     of.path);
+}
+
+Blocks first(const Reported& of) {
+  Blocks blocks = of.first;
+  if (blocks.empty())
+    blocks = {Heading{headline(of.shown)}, Text{what_is_studied(of.study)},
+              with_notes(results_table(of.shown), of.shown.notes)};
+  if (auto arm = moving_arm(of.study)) blocks.emplace_back(Scene{std::move(*arm)});
+  return blocks;
+}
+
+Blocks pictures(const Reported& of) { return with_heading("Pictures", {of.figures.begin(), of.figures.end()}); }
+
+Blocks table_if_any(std::string heading, Table table) {
+  return table.rows.empty() ? Blocks() : Blocks{Heading{std::move(heading)}, std::move(table)};
+}
+
+Blocks pairs(const Reported& of) { return table_if_any("Who is better?", pairs_table(of.shown)); }
+Blocks descriptives(const Reported& of) { return table_if_any("All numbers", descriptives_table(of.shown)); }
+Blocks anova(const Reported& of) { return table_if_any("All solvers at once", anova_table(of.shown)); }
+
+Blocks companions(const Reported& of) {
+  Blocks blocks;
+  for (const Reported& companion : of.companions) {
+    Table table = with_notes(results_table(companion.shown), companion.shown.notes);
+    table.name += '-' + companion.study.entry.name;
+    table.caption = companion.study.entry.name;
+    blocks.emplace_back(Text{headline(companion.shown)});
+    blocks.emplace_back(std::move(table));
+  }
+  return with_heading("Other studies", std::move(blocks));
+}
+
+Blocks warnings(const Reported& of) {
+  Blocks blocks;
+  for (const Doubt& doubt : of.shown.all_doubts()) blocks.emplace_back(Text{words_of(doubt) + '.'});
+  return with_heading("Warnings", std::move(blocks));
+}
+
+Blocks setup(const Reported& of) {
+  return with_heading("Set-up",
+                      {study_table(of.study), options_table(of.study), plan_table(of.study), machine_table(of.study)});
+}
+
+}  // namespace
+
+Reported reported(JudgedStudy judged, std::vector<figures::Figure> figures) {
+  Reported of{.shown = shown(judged), .figures = std::move(figures)};
+  of.study = std::move(judged.study);
+  return of;
+}
+
+std::vector<Blocks> sections_of(const Reported& of) {
+  std::vector<Blocks> sections;
+  const auto add = [&](std::string_view name, Blocks blocks) {
+    if (!blocks.empty()) sections.push_back(std::move(blocks));
+    if (name == "pictures") std::ranges::copy(of.additions, std::back_inserter(sections));
+  };
+#define SECTION(name) add(#name, name(of));
+#include "analysis/show/sections.inc"
+#undef SECTION
+  return sections;
+}
+
+}  // namespace ikbench::show

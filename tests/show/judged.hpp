@@ -1,0 +1,105 @@
+// A study of three solvers, judged: its values are made, its findings are those of compare().
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/compare/judge.hpp"
+#include "analysis/show/report.hpp"
+#include "results/files.hpp"
+#include "tests/catch.hpp"
+#include "tests/sources.hpp"
+
+namespace ikbench::show {
+
+// 20 values around a middle, a spread apart.
+inline std::vector<double> values_around(double middle, double spread) {
+  std::vector<double> values;
+  for (int i = 0; i < 20; ++i) values.push_back(middle * std::exp(spread * ((i * 7) % 20 - 9.5) / 10));
+  return values;
+}
+
+inline std::vector<double> solved(int count, int n = 20) {
+  std::vector<double> values(static_cast<std::size_t>(n), 0);
+  std::fill_n(values.begin(), count, 1);
+  return values;
+}
+
+inline compare::Observations shares(std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  compare::Observations of{.metric = "solved",
+                           .quantity = "solved",
+                           .better = compare::Better::larger,
+                           .scale = compare::Scale::share,
+                           .is_paired = true};
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .values = std::move(values)});
+  return of;
+}
+
+inline compare::Observations numbers(std::string metric, std::string quantity, std::string unit,
+                                     std::vector<std::pair<std::string, std::vector<double>>> groups) {
+  compare::Observations of{
+      .metric = std::move(metric), .quantity = std::move(quantity), .unit = std::move(unit), .floor = 1e-9};
+  for (auto& [name, values] : groups) of.groups.push_back({.name = name, .values = std::move(values)});
+  return of;
+}
+
+inline compare::Judged judged(compare::Observations of, const compare::Plan& plan = {}) {
+  return compare::judge(compare::Observed{.observations = std::move(of)}, plan);
+}
+
+inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
+  compare::JudgedStudy all;
+  compare::StudyResults& study = all.study;
+  study.entry = {.name = "mine",
+                 .series = {{"1@a", mine, "python_pso", R"({"w":"0.7"})"},
+                            {"2@a", "PSO", "particle_swarm", R"({"inertia":"0.53514"})"},
+                            {"3@a", "DLS", "damped_least_squares", R"({"damping":"0.001"})"}}};
+  results::Definition& definition = study.definition;
+  definition.robot = "ur5e";
+  definition.search = "all_joints";
+  definition.start = "middle";
+  definition.path = "random";
+  definition.limits = "recorded";
+  definition.runs = study.runs = 4;
+  definition.points = study.points = 5;
+  definition.seed = 1;
+  definition.draws_targets = true;
+  definition.stop = {.tolerance_cm = 0.01, .iterations = 100, .evaluations = 4000};
+  study.solvers = {mine, "PSO", "DLS"};
+  study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
+
+  all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
+  all.metrics.push_back(judged(
+      numbers("error", "error", "cm",
+              {{mine, values_around(0.017, 2)}, {"PSO", values_around(0.042, 1)}, {"DLS", values_around(0.0017, 1)}})));
+  all.metrics.push_back(judged(
+      numbers("variation", "joint motion", "deg",
+              {{mine, values_around(491, 0.5)}, {"PSO", values_around(524, 0.5)}, {"DLS", values_around(340, 0.5)}})));
+  compare::Observations times = numbers(
+      "time", "time", "s",
+      {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
+  times.groups[0].is_apart = true;
+  all.metrics.push_back(judged(std::move(times)));
+  all.metrics.back().doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
+                                       .who = {mine},
+                                       .count = 20,
+                                       .of = 20,
+                                       .what = "the machine was busy"});
+  all.metrics.push_back(judged(
+      numbers("evaluations", "evaluations", "",
+              {{mine, values_around(3715, 0.1)}, {"PSO", values_around(2620, 0.1)}, {"DLS", values_around(17, 0.1)}})));
+  return all;
+}
+
+// The text is that of the file; with IKBENCH_GOLDEN set it becomes that.
+inline void check_golden(const std::string& name, const std::string& text) {
+  const std::filesystem::path file = "tests/show/golden/" + name;
+  if (std::getenv("IKBENCH_GOLDEN")) results::write_file(file, text);
+  CHECK(text_of(file) == text);
+}
+
+}  // namespace ikbench::show

@@ -1,0 +1,227 @@
+#include "analysis/show/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <sstream>
+
+#include "analysis/show/moving_arm.hpp"
+#include "analysis/show/screen.hpp"
+#include "analysis/show/text.hpp"
+#include "analysis/show/words.hpp"
+#include "numerics/json.hpp"
+#include "results/csv.hpp"
+#include "results/files.hpp"
+#include "tests/catch.hpp"
+#include "tests/scratch_folder.hpp"
+#include "tests/show/judged.hpp"
+
+using namespace ikbench;
+using namespace ikbench::show;
+namespace fs = std::filesystem;
+
+namespace {
+
+figures::Figure figure(const std::string& name) {
+  return {.name = name,
+          .caption = "Median error by iteration",
+          .settings = "set logscale y\n",
+          .plot = "plot data using 1:2\n",
+          .data = "1 2\n2 1\n"};
+}
+
+Reported report_of(const std::string& mine = "mine") {
+  return reported(judged_study(mine), {figure("solved"), figure("error-boxes")});
+}
+
+std::size_t words_in(const std::string& text) {
+  std::istringstream all(text);
+  std::size_t count = 0;
+  for (std::string word; all >> word;)
+    count += std::ranges::any_of(word, [](unsigned char c) { return std::isalnum(c); });
+  return count;
+}
+
+std::string visible(std::string page) {
+  page = std::regex_replace(page, std::regex("<(style|script)[^>]*>[^]*?</(style|script)>"), "");
+  return std::regex_replace(page, std::regex("<[^>]*>"), " ");
+}
+
+std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+Shown of_many(std::size_t solvers) {
+  std::vector<std::pair<std::string, std::vector<double>>> groups;
+  for (std::size_t i = 0; i < solvers; ++i)
+    groups.emplace_back(fmt::format("solver {}", i), values_around(1 + 0.3 * static_cast<double>(i), 0.5));
+  Shown all =
+      shown({judged(numbers("error", "error", "mm", groups)), judged(numbers("time", "time", "ms", groups))}, {});
+  for (int i = 0; i < 9; ++i)
+    all.doubts.push_back({.kind = compare::DoubtKind::runs_missing, .who = {"a"}, .count = 1.0 + i, .of = 20});
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("each section has its words", "[show]") {
+  const Pictures pictures{.types = {"svg"}};
+  for (const Blocks& blocks : sections_of(report_of())) {
+    const std::string text = to_markdown({blocks}, pictures);
+    std::string name = std::get<Heading>(blocks.front()).text;
+    if (name.ends_with('.')) name = "first";
+    for (char& letter : name) letter = letter == ' ' ? '-' : static_cast<char>(std::tolower(letter));
+    std::erase(name, '?');
+    check_golden(name + ".md", text);
+  }
+  check_golden("screen.txt", screen(report_of().shown, "out/mine/report.html"));
+}
+
+TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
+  const Reported report = report_of();
+  const auto json = to_json(report.shown);
+  const Table results = results_table(report.shown);
+  const std::string on_screen = screen(report.shown);
+  for (const auto& row : results.rows) {
+    const auto& solver = std::get<std::string>(row[0]);
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      const std::string& metric = results.columns[c].name;
+      const auto group = std::ranges::find_if(
+          json["groups"], [&](const auto& each) { return each["metric"] == metric && each["solver"] == solver; });
+      INFO(metric << " of " << solver);
+      REQUIRE(group != json["groups"].end());
+      const auto* marked = std::get_if<Marked>(&row[c]);
+      const double value = marked ? marked->value : std::get<double>(row[c]);
+      CHECK((*group)[metric == "solved" ? "mean" : "median"] == value);
+      CHECK((*group)["unit"] == results.columns[c].unit);
+      CHECK(on_screen.find(number_text(value)) != std::string::npos);
+    }
+  }
+  CHECK(std::string(json["headline"]) == "DLS is best: it solved 20 of 20 targets; PSO 13, mine 6.");
+  for (const auto& finding : json["findings"]) {
+    if (finding["metric"] != "solved") continue;
+    const std::string first = finding["first"], second = finding["second"];
+    const std::string amount = fmt::format("{} points ({} to {})", number_text(finding["estimate"]),
+                                           number_text(finding["low"]), number_text(finding["high"]));
+    INFO(first << " vs " << second << ": " << amount);
+    CHECK(on_screen.find(amount) != std::string::npos);
+    CHECK(on_screen.find(p_sentence(finding["p"])) != std::string::npos);
+  }
+  CHECK(json["findings"].size() == 15);
+  CHECK(json["findings"][1]["verdict"] == "better");
+  CHECK(json["tests"].size() == 6);  // none of shares, nor of times that are not all compared
+}
+
+TEST_CASE("a screen has at most 20 lines, whatever was compared", "[show]") {
+  CHECK(lines_in(screen(report_of().shown, "out/mine/report.html")) <= screen_lines);
+  for (const std::size_t solvers : {1, 2, 3, 6, 7, 8, 24}) {
+    const std::string text = screen(of_many(solvers), "out/many/report.html");
+    INFO(text);
+    CHECK(lines_in(text) <= screen_lines);
+    CHECK(text.find("more warnings") != std::string::npos);
+  }
+  const std::string text = screen(shown(judged_study(std::string(300, 'x') + "\x1b[2J\n")));
+  CHECK(text.find('\x1b') == std::string::npos);
+  CHECK(lines_in(text) <= screen_lines);
+}
+
+TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
+  const ScratchFolder folder;
+  const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
+  const figures::RenderOptions options{.render = false};
+  Reported before = report_of();
+  before.figures.push_back(figure("gone"));
+  results::write_file(folder.path / "store.sqlite", "not ours");
+  results::write_file(folder.path / "tables" / "own.csv", "not ours");
+  publish(before, folder.path, options);
+  CHECK(fs::exists(folder.path / "figures"));
+  const auto has_gone = [&] {
+    return std::ranges::any_of(fs::recursive_directory_iterator(folder.path),
+                               [](const auto& entry) { return entry.path().stem() == "gone"; });
+  };
+  CHECK(has_gone());
+  const Published published = publish(report_of(hostile), folder.path, options);
+  CHECK_FALSE(has_gone());
+  CHECK(fs::exists(folder.path / "store.sqlite"));
+  CHECK(fs::exists(folder.path / "tables" / "own.csv"));
+
+  const auto json = numerics::parsed_json(*results::read_file(folder.path / "results.json"));
+  CHECK(json["files"].size() < 50);
+  for (const auto& file : json["files"]) CHECK(fs::is_regular_file(folder.path / std::string(file)));
+  for (const char* file : {"report.html", "report.md", "results.json", "solves.csv", "tables/results.csv",
+                           "tables/pairs.tex", "tables/descriptives.md", "tables/anova.csv"})
+    CHECK(std::ranges::find(json["files"], file) != json["files"].end());
+
+  const std::string page = *results::read_file(published.page), text = *results::read_file(folder.path / "report.md");
+  CHECK(page.find("<script>alert") == std::string::npos);
+  CHECK(page.find("src=\"http") == std::string::npos);
+  CHECK(page.find("{{") != std::string::npos);  // the label's own, as text
+  CHECK(text.find("<script>") == std::string::npos);
+}
+
+TEST_CASE("only files that a report can have written are removed", "[show]") {
+  const ScratchFolder folder;
+  results::write_file(folder.path / "out" / "tables" / "old.csv", "");
+  results::write_file(folder.path / "out" / "store.sqlite", "");
+  results::write_file(folder.path / "precious", "");
+  results::write_file(folder.path / "out" / "results.json",
+                      R"({"files": ["tables/old.csv", "store.sqlite", "../precious", "tables/../../precious", 7]})");
+  publish(report_of(), folder.path / "out", {.render = false});
+  CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "old.csv"));
+  CHECK(fs::exists(folder.path / "out" / "store.sqlite"));
+  CHECK(fs::exists(folder.path / "precious"));
+}
+
+TEST_CASE("a report of three solvers is short", "[show]") {
+  const std::vector<Blocks> sections = sections_of(report_of());
+  const std::string page = to_page("mine", sections, {.types = {"svg", "pdf", "png"}}, "ikbench 2.0");
+  CHECK(words_in(visible(page)) < 900);
+  CHECK(words_in(to_markdown(sections, {.types = {"svg"}})) < 1200);
+}
+
+TEST_CASE("a paper has its own first screen and sections", "[show]") {
+  Reported paper = report_of();
+  paper.first = {Heading{"The paper's claim holds."},
+                 Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
+  paper.additions = {{Heading{"Claims"}, Text{"It holds."}}};
+  paper.companions.push_back(report_of());
+  const std::vector<Blocks> sections = sections_of(paper);
+  std::vector<std::string> headings;
+  for (const Blocks& blocks : sections) headings.push_back(std::get<Heading>(blocks.front()).text);
+  CHECK(headings == std::vector<std::string>{"The paper's claim holds.", "Pictures", "Claims", "Who is better?",
+                                             "All numbers", "All solvers at once", "Other studies", "Warnings",
+                                             "Set-up"});
+}
+
+TEST_CASE("the moving arm has the first run of each solver, and no text that ends its element", "[show]") {
+  compare::StudyResults study;
+  study.entry.definition = R"({"arm": {"links": [
+      {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]},
+      {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]}],
+      "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}}})";
+  study.solvers = {"</script>", "B"};
+  study.runs = 2;
+  study.points = 1;
+  for (const std::string& solver : study.solvers) {
+    for (const int run : {1, 2}) {
+      results::SolveRecord solve{.solver = solver, .run = run};
+      solve.target_position_m = {1, 1, 0};
+      solve.start_rad = {0, 0};
+      solve.answer_rad = {0.5 * run, 2};
+      solve.position_error_cm = 0.1;
+      solve.limit_violation_deg = 24;
+      study.solves.push_back(solve);
+    }
+  }
+  const auto scene = moving_arm(study);
+  REQUIRE(scene);
+  CHECK(scene->find('<') == std::string::npos);
+  const auto json = numerics::parsed_json(*scene);
+  CHECK(json["solvers"][0]["name"] == "</script>");
+  CHECK(json["solvers"][1]["steps"].size() == 1);
+  CHECK(json["solvers"][1]["steps"][0]["answer"] == std::vector<double>{0.5, 2});
+  CHECK(json["solvers"][1]["steps"][0]["error_mm"] == 1);
+  CHECK(json["solvers"][1]["steps"][0]["outside"][0]["joint"] == 1);
+  study.entry.definition = "{}";
+  CHECK_FALSE(moving_arm(study));
+}
