@@ -106,8 +106,9 @@ std::vector<Row> rows() {
        .counts = Counts::same_as_first,
        .draw = tenth_more,
        .in_blocks = true},
+      // Not 0: of five values the one failure may lie just above the tolerance (0.0002 and 0.0005 of 10 000 sets).
       {.name = "false same: 100 % against 90 % at the tolerance",
-       .most = 0,
+       .most = 0.001,
        .counts = Counts::same_as_first,
        .draw = failing,
        .floor = 0.01},
