@@ -9,14 +9,15 @@ namespace {
 
 struct MarkdownWriter {
   const Pictures& pictures;
-  bool is_first = false;
+  bool is_first = false, is_below_heading = false;
 
   std::string operator()(const Heading& heading) const {
     return fmt::format("{} {}\n\n", is_first ? "#" : "##", markdown_text(heading.text));
   }
   std::string operator()(const Text& text) const { return markdown_text(text.text) + "\n\n"; }
   std::string operator()(const Table& table) const {
-    return fmt::format("**{}**\n\n{}\n", markdown_text(table.caption), to_markdown(table));
+    const std::string caption = is_below_heading ? "" : fmt::format("**{}**\n\n", markdown_text(table.caption));
+    return caption + to_markdown(table) + '\n';
   }
   std::string operator()(const figures::Figure& figure) const {
     const std::string caption = markdown_text(figure.caption);
@@ -31,7 +32,11 @@ struct MarkdownWriter {
 std::string to_markdown(const std::vector<Blocks>& sections, const Pictures& pictures) {
   std::string text;
   for (const Blocks& blocks : sections) {
-    for (const Block& block : blocks) text += std::visit(MarkdownWriter{pictures, text.empty()}, block);
+    bool is_below_heading = false;
+    for (const Block& block : blocks) {
+      text += std::visit(MarkdownWriter{pictures, text.empty(), is_below_heading}, block);
+      is_below_heading = std::holds_alternative<Heading>(block);
+    }
   }
   text.pop_back();
   return text;

@@ -55,6 +55,7 @@ Json json_number(double value) { return std::isfinite(value) ? Json(value) : Jso
 Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::span<const SolveRecord> solves = study.of(solver);
   if (solves.empty()) return nullptr;
+  const bool in_mm = study.definition.published.empty();  // as in tables
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
   for (const SolveRecord& solve : solves) {
@@ -62,14 +63,14 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
-              {"error_mm", json_number(10 * solve.position_error_cm)},
+              {"error", json_number((in_mm ? 10 : 1) * solve.position_error_cm)},
               {"variation_deg", json_number(solve.variation_deg)},
               {"outside", joints_outside(solve, arm)}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));
     before = &solve;
   }
-  return {{"name", one_line(solver)}, {"steps", std::move(steps)}};
+  return {{"name", one_line(solver)}, {"unit", in_mm ? "mm" : "cm"}, {"steps", std::move(steps)}};
 }
 
 Json drawn(const robots::Frame& frame) {

@@ -94,7 +94,8 @@ struct PageWriter {
     std::string picture;
     if (const auto svg = results::read_file(pictures.folder / "figures" / (figure.name + ".svg")); is_drawn && svg) {
       picture = svg->size() <= largest
-                    ? fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n", caption, base64(*svg))
+                    ? fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></div>\n",
+                                  caption, base64(*svg))
                     : fmt::format("<p><a href=\"figures/{0}.svg\">{0}.svg</a></p>\n", html_text(figure.name));
     }
     std::vector<std::pair<std::string, std::string>> files;

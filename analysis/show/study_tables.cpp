@@ -88,7 +88,7 @@ Table results_table(const Shown& shown) {
     }
   };
   const std::string& quantity = decisive.observations.quantity;
-  add(decisive, quantity, false);
+  add(decisive, (is_share(decisive) ? "" : are_means ? "mean " : "median ") + quantity, false);
   if (!is_share(decisive)) add(decisive, (are_means ? "median " : "mean ") + quantity, true);
   for (const Judged& judged : shown.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity, false);
@@ -134,7 +134,8 @@ Table pairs_table(const Shown& shown) {
   }
   table.notes = {
       "Only the metric of the headline was chosen before; all others are exploratory. p by Holm over the pairs "
-      "of a metric; A12: share of comparisons in which the first is better."};
+      "of a metric, whose intervals hold all together and so are wider; A12: share of comparisons in which the first is "
+      "better."};
   return table;
 }
 
@@ -172,7 +173,7 @@ Table descriptives_table(const Shown& shown) {
       }
       row.push_back(interval);
       row.emplace_back(of.unit);
-      row.emplace_back(std::int64_t{group.lost});
+      row.push_back(group.lost > 0 ? Cell(std::int64_t{group.lost}) : Cell());
       is_any_lost |= group.lost > 0;
     }
   }

@@ -53,6 +53,18 @@ std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
+// Readers see no column that is empty in every row.
+Table without_empty_columns(Table table) {
+  for (std::size_t c = table.columns.size(); c-- > 0;) {
+    const auto is_empty = [=](const auto& row) { return std::holds_alternative<std::monostate>(row[c]); };
+    if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+  return table;
+}
+
 // The table as texts; the first row is the head.
 Rows readable(const Table& table, Escape escape) {
   static const Number number = number_text;
@@ -151,7 +163,8 @@ Json to_json(const Table& table) {
   return rows;
 }
 
-std::string to_markdown(const Table& table) {
+std::string to_markdown(const Table& whole) {
+  const Table table = without_empty_columns(whole);
   std::string text;
   const Rows rows = readable(table, markdown_text);
   for (const auto& row : rows) {
@@ -164,7 +177,8 @@ std::string to_markdown(const Table& table) {
   return text;
 }
 
-std::string to_latex(const Table& table) {
+std::string to_latex(const Table& whole) {
+  const Table table = without_empty_columns(whole);
   std::string letters, text;
   std::vector<std::string> heads;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -187,13 +201,18 @@ std::string to_latex(const Table& table) {
       latex_text(table.caption), table.name, letters, text, notes);
 }
 
-std::string to_html(const Table& table) {
+std::string to_html(const Table& whole) {
+  constexpr std::size_t long_text = 28;  // breaks anywhere
+  const Table table = without_empty_columns(whole);
   const Rows rows = readable(table, html_text);
   const auto line = [&](const std::vector<std::string>& row, std::string_view tag) {
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c)
-      text += fmt::format("<{}{}>{}</{}>", tag, is_text(table, c) ? "" : " class=\"number\"", row[c],
-                          tag.substr(0, tag.find(' ')));
+      text += fmt::format("<{}{}>{}</{}>", tag,
+                          !is_text(table, c)                    ? " class=\"number\""
+                          : character_count(row[c]) > long_text ? " class=\"long\""
+                                                                : "",
+                          row[c], tag.substr(0, tag.find(' ')));
     return fmt::format("<tr>{}</tr>\n", text);
   };
   std::string text = fmt::format("<table><caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n", html_text(table.caption),
@@ -202,7 +221,8 @@ std::string to_html(const Table& table) {
   return text + "</tbody></table>\n";
 }
 
-std::string to_text(const Table& table) {
+std::string to_text(const Table& whole) {
+  const Table table = without_empty_columns(whole);
   constexpr std::size_t longest = 32;
   static const Number number = number_text;
   Rows rows(1);

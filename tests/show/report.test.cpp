@@ -220,7 +220,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
   CHECK(json["solvers"][0]["name"] == "</script>");
   CHECK(json["solvers"][1]["steps"].size() == 1);
   CHECK(json["solvers"][1]["steps"][0]["answer"] == std::vector<double>{0.5, 2});
-  CHECK(json["solvers"][1]["steps"][0]["error_mm"] == 1);
+  CHECK(json["solvers"][1]["steps"][0]["error"] == 1);
   CHECK(json["solvers"][1]["steps"][0]["outside"][0]["joint"] == 1);
   study.entry.definition = "{}";
   CHECK_FALSE(moving_arm(study));

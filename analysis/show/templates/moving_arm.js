@@ -108,7 +108,7 @@
       this.controls = new THREE.OrbitControls(this.camera, this.canvas);
       this.controls.enableKeys = false;
       this.controls.target.copy(centre);
-      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(1.05 * size));
+      this.camera.position.copy(centre).add(new THREE.Vector3(0.75, -1.05, 0.45).multiplyScalar(size));
       this.controls.update();
       this.moving = new THREE.Group();
       this.fixed = new THREE.Group();
@@ -184,7 +184,7 @@
     tell(index, move) {
       const digits = (value, count) => value === null ? 'none' : Number(value.toPrecision(count)).toString();
       const joints = move.outside.map(each => `joint ${each.joint + 1} by ${digits(each.by, 2)}${each.unit}`);
-      const words = `Target ${move.point}: error ${digits(move.error_mm, 2)} mm, joints move ${digits(move.variation_deg, 3)}\u00b0.`;
+      const words = `Target ${move.point}: error ${digits(move.error, 2)} ${this.solver.unit}, joints move ${digits(move.variation_deg, 3)}\u00b0.`;
       if (this.told === index + words) return;
       this.told = index + words;
       this.text.textContent = words;
