@@ -31,7 +31,7 @@ struct ClaimEntry {
   std::string table;  // table or figure of the report with its numbers; empty: the table of means
   std::string note;   // addition to the evidence, if the rule has a place for it
   // For some rules only.
-  std::vector<std::string> solvers;            // its solvers, instead of the one
+  std::vector<std::string> solvers;            // its solvers, instead of the one; of "has_effect" the companion's
   double limit_ms = 0;                         // limit of a solve in time
   std::string row;                             // names a printed row's solver: "{bats} bats"
   std::string path;                            // the kind of path that it is about

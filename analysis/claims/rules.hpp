@@ -46,7 +46,8 @@ Claims inside_limits(const Case& of);
 // Times of another program are not comparable: the ratios of the claim's solvers to its own one stand beside the
 // printed ones, of the study or of the first companion that has them.
 Claims ratios_of_times(const Case& of);
-// Its metric is smaller than in the companion that goes without something; fails if no answer changes.
+// Its metric is smaller than that of each of the claim's solvers of the companion, which go without something; fails
+// against those whose answers are its own.
 Claims has_effect(const Case& of);
 // The claim's solvers reach the tolerance within the limit at every target; in part, if their median times are within
 // it. From the study or the first companion that has them and a tolerance.

@@ -73,35 +73,40 @@ Claims has_effect(const Case& of) {
   const JudgedStudy* const without = of.companion();
   const std::string& solver = of.entry.solver;
   if (without == nullptr || !of.has_solver()) return {};
-  std::size_t shared = 0, changed = 0;
-  for (const Solve& solve : solves_of(of.study(), solver)) {
-    const Solve* const other = solve_at(solves_of(*without, solver), {solve.run, solve.point});
-    if (other == nullptr) continue;
-    ++shared;
-    changed += has_same_answer(solve, *other) ? 0 : 1;
-  }
-  if (shared == 0) return {};
-  Claim claim = of.begun();
-  claim.number = fmt::format("{} of {} answers change", changed, shared);
-  if (changed == 0) {
-    claim.verdict = Verdict::fails;
-    claim.evidence = {fmt::format("All {} answers are the same to the last bit {}", shared, of.entry.note)};
-    return {claim};
-  }
   const Metric metric = of.entry.metrics.front();
-  const auto means_in = [&](const StudyResults& study) {
+  const auto means_in = [&](const StudyResults& study, const std::string& label) {
     const std::vector<Sample> all = samples(study, metric);
-    const auto own = std::ranges::find(all, solver, &Sample::solver);
+    const auto own = std::ranges::find(all, label, &Sample::solver);
     return own == all.end() ? GroupSummary() : summarise(own->values);
   };
-  const GroupSummary with = means_in(of.study()), other = means_in(*without);
-  const Finding found = judge(with, other, info_of(metric).better, of.study().plan);
-  PairCounts one;
-  one.add(found.relation);
-  claim.verdict = verdict_on(one);
-  claim.evidence = {fmt::format("{} of {} answers change without it.", changed, shared),
-                    fmt::format("{}: {} with, {} without{}.", title(metric), with_unit(with.mean, metric),
-                                number_of(other.mean, metric), in_brackets(found.p))};
+  Claim claim = of.begun();
+  std::vector<Verdict> verdicts;
+  for (const std::string& label : of.entry.own()) {
+    std::size_t shared = 0, changed = 0;
+    for (const Solve& solve : solves_of(of.study(), solver)) {
+      const Solve* const other = solve_at(solves_of(*without, label), {solve.run, solve.point});
+      if (other == nullptr) continue;
+      ++shared;
+      changed += has_same_answer(solve, *other) ? 0 : 1;
+    }
+    if (shared == 0) return {};
+    if (changed == 0) {
+      verdicts.push_back(Verdict::fails);
+      claim.evidence.push_back(fmt::format("{} all {} answers are the same to the last bit.", of.entry.note, shared));
+      continue;
+    }
+    const GroupSummary with = means_in(of.study(), solver), other = means_in(*without, label);
+    const Finding found = judge(with, other, info_of(metric).better, of.study().plan);
+    PairCounts one;
+    one.add(found.relation);
+    verdicts.push_back(verdict_on(one));
+    claim.number = fmt::format("mean {}, {} {}", with_unit(with.mean, metric), label, number_of(other.mean, metric));
+    claim.evidence.push_back(fmt::format("{}: {} {}, {} of {} {}{}.", title(metric), solver,
+                                         with_unit(with.mean, metric), label, without->name,
+                                         number_of(other.mean, metric), in_brackets(found.p)));
+  }
+  claim.verdict = verdict_on(verdicts);
+  if (claim.number.empty()) claim.number = "no answer changes";
   return {claim};
 }
 

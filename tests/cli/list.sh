@@ -42,7 +42,7 @@ for column in $(head -n 1 .out | tr , '\n' | sed -E 's/_[0-9]+$//' | sort -u); d
 done
 
 # A listed study is a study file.
-for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-bounds slim2023-frequency slim2023-context slim2023-all-joints; do
+for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-bounds slim2023-elongation slim2023-context slim2023-all-joints; do
   succeeds list studies $study
   cp .out $study.toml
   succeeds run $study.toml "${small[@]}" --no-report --out "from-$study"

@@ -4,7 +4,7 @@
 source "$(dirname "$0")/common.sh"
 
 references=$scripts/../../results/reference.inc
-studies=(slim2023 slim2023-context slim2023-all-joints slim2023-limits slim2023-bounds slim2023-frequency slim2023-time slim2023-dobot)
+studies=(slim2023 slim2023-context slim2023-all-joints slim2023-limits slim2023-bounds slim2023-elongation slim2023-time slim2023-dobot)
 
 succeeds reproduce --verbose --jobs 4 --quick --no-figures --out whole
 for study in "${studies[@]}"; do
