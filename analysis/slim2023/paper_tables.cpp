@@ -113,7 +113,7 @@ std::optional<Table> table_7(const StudyResults& study) {
 std::optional<Table> table_8(const StudyResults& study) {
   const CsvTable printed = printed_table(study.facts.published, "table-8");
   if (study.facts.path != "circle" || printed.rows.empty()) return std::nullopt;
-  constexpr std::size_t angles = 3;
+  constexpr std::array<std::size_t, 4> joints{0, 1, 2, 0};  // theta4 is theta1
   Table table{.name = "table-8",
               .caption = "joint angles and position error along the circle",
               .columns = printed.header,
@@ -129,9 +129,9 @@ std::optional<Table> table_8(const StudyResults& study) {
       row.push_back(same == printed.rows.end() ? Cell(ours) : OursAndPrinted{ours, (*same)[row.size()], nearness});
     };
     const std::vector<double>& answer = solve.answer_rad;
-    for (std::size_t joint = 0; joint < angles; ++joint) {
+    for (const std::size_t joint : joints) {
       const double angle = joint < answer.size() ? answer[joint] / degree : not_defined;
-      const bool does_agree = same != printed.rows.end() && agrees(angle, (*same)[1 + joint]);
+      const bool does_agree = same != printed.rows.end() && agrees(angle, (*same)[row.size()]);
       add(angle, does_agree ? Nearness::within : Nearness::far);
       agreeing += does_agree ? 1 : 0;
     }
@@ -139,9 +139,9 @@ std::optional<Table> table_8(const StudyResults& study) {
   }
   table.notes = {
       fmt::format(
-          "{} of the {} printed angles agree with ours to the printed digit. The paper prints theta4 too, which "
-          "turns the tool about the vertical and equals theta1.",
-          agreeing, angles * printed.rows.size()),
+          "{} of the {} printed angles agree with ours to the printed digit. theta4 turns the tool about the vertical; "
+          "in print it equals theta1, and ours is set so.",
+          agreeing, joints.size() * printed.rows.size()),
       "The paper does not print the four lengths of the arm, so we fitted them to the angles of this table. Agreement "
       "therefore tests the closed form and the solver, but not the geometry."};
   std::ranges::move(status_notes(study), std::back_inserter(table.notes));

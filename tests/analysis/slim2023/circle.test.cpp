@@ -46,12 +46,12 @@ void check_drawn(const std::vector<Figure>& figures) {
 
 }  // namespace
 
-TEST_CASE("angles by the closed form are the 60 printed ones of Table 8", "[circle]") {
+TEST_CASE("angles by the closed form are the 80 printed ones of Table 8", "[circle]") {
   const Table table = *table_8(circle_study(synthetic::dobot_solves()));
   REQUIRE(table.rows.size() == 20);
   CHECK(readable(cell_at(table, 0, "theta2_deg")).ends_with(" (printed 66.5)"));  // the printed Table 8
   CHECK(readable(cell_at(table, 11, "error_cm")).ends_with(" (printed 9.61e-14)"));
-  CHECK(has_note(table, "60 of the 60 printed angles agree with ours"));
+  CHECK(has_note(table, "80 of the 80 printed angles agree with ours"));
   CHECK(has_note(table, "fitted them to the angles of this table"));
 }
 
@@ -60,12 +60,12 @@ TEST_CASE("printed angles that do not agree are counted and coloured", "[circle]
   solves[4].answer_rad[0] += 0.2 * degree;  // theta1
   solves[6].answer_rad[2] -= 40 * degree;
   const Table table = *table_8(circle_study(solves));
-  CHECK(has_note(table, "58 of the 60 printed angles"));
+  CHECK(has_note(table, "77 of the 80 printed angles"));
   CHECK(std::get<OursAndPrinted>(cell_at(table, 4, "theta1_deg")).nearness == Nearness::far);
   CHECK(std::get<OursAndPrinted>(cell_at(table, 4, "theta2_deg")).nearness == Nearness::within);
   solves.pop_back();
   solves[0].answer_rad[1] = NAN;
-  CHECK(has_note(*table_8(circle_study(solves)), "54 of the 60"));
+  CHECK(has_note(*table_8(circle_study(solves)), "72 of the 80"));
 }
 
 TEST_CASE("only a circle that claims to be the paper's has a Table 8, and it is not held against Table 3", "[circle]") {
@@ -77,7 +77,7 @@ TEST_CASE("only a circle that claims to be the paper's has a Table 8, and it is 
 
 TEST_CASE("Table 8 of nothing solved, of other numbers of points and joints stands", "[circle]") {
   CHECK(table_8(circle_study({}))->rows.empty());
-  CHECK(has_note(*table_8(circle_study({})), "0 of the 60 printed angles"));
+  CHECK(has_note(*table_8(circle_study({})), "0 of the 80 printed angles"));
   const Table longer = *table_8(circle_study(synthetic::dobot_solves(23)));
   REQUIRE(longer.rows.size() == 23);
   CHECK(std::holds_alternative<double>(cell_at(longer, 22, "theta1_deg")));
