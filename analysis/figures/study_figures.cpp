@@ -238,8 +238,19 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
                                      study.points <= 2 ? 1 : round_step(study.points, 2), -range, range,
                                      range <= 180 ? "set ytics 60\n" : "");
   std::map<std::pair<double, double>, std::vector<std::size_t>> pairs;  // each once, with the joints that have it
-  for (const auto& [joint, lower, upper] : limits_deg(study.facts, joints)) pairs[{lower, upper}].push_back(joint);
-  std::vector<std::string> limits;
+  std::vector<std::string> limits, rings;
+  for (const auto& [joint, lower, upper] : limits_deg(study.facts, joints)) {
+    pairs[{lower, upper}].push_back(joint);
+    constexpr double rounding = 1e-6;  // of an angle that is at its limit
+    const double least = lower - rounding, most = upper + rounding;
+    const bool leaves = std::ranges::any_of(drawn, [&](const std::vector<double>& row) {
+      return joint <= row.size() && (row[joint - 1] < least || row[joint - 1] > most);
+    });
+    if (!leaves) continue;
+    rings.push_back(fmt::format(
+        "data index panel using 1:(${0} < {1} || ${0} > {2} ? ${0} : NaN) with points ls {3} pt 6 ps 0.9 notitle",
+        joint + 1, text_of(least), text_of(most), joint));
+  }
   for (const auto& [pair, of_joints] : pairs) {
     limits.push_back(fmt::format("{} to {} deg (joint{} {})", rounded_number(pair.first, 4),
                                  rounded_number(pair.second, 4), of_joints.size() == 1 ? "" : "s",
@@ -251,6 +262,7 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
     }
   }
   if (!limits.empty()) figure.caption += fmt::format(" Dashed: the joint limits, {}.", fmt::join(limits, "; "));
+  if (!rings.empty()) figure.caption += " Rings: angles outside them.";
   if (panels < solvers.size()) {
     figure.caption += fmt::format(" Only the first {} of {} solvers are shown.", panels, solvers.size());
   }
@@ -264,17 +276,19 @@ std::optional<Figure> joints_figure(const StudyResults& all, const std::string& 
                                   study.facts.slides.contains(joint - 1) ? " [cm]" : ""));
     if (is_hidden) figure.caption += fmt::format(" Joint {} (wide) moves as joint {} does.", joint, later[joint - 1]);
   }
+  clauses.insert(clauses.end(), rings.begin(), rings.end());
   figure.plot = fmt::format(
       "set multiplot layout {}, {} rowsfirst margins margin(1.7), 1 - margin(0.2), up(1.54 + 0.36 * legend_rows), 1 - up(0.6) "
       "spacing margin(0.5), up(1.2)\nset key\n",
       rows, columns);
   for (std::size_t i = 0; i < panels; ++i) {
     const bool is_inner = i % columns > 0;  // the first of its row has the axis of all
+    const std::string letter = panels > 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";
     figure.plot += fmt::format(
         "panel = {}\nset xlabel '{}'\nset ylabel '{}'\nset format y '{}'\nset title {} noenhanced offset 0, -0.7\n{}\n"
         "unset key\n",
         i, i + columns < panels ? "" : "point", is_inner ? "" : "joint angle [deg]", is_inner ? "" : "%g",
-        gnuplot_string(shortened(solvers[i], 2 * longest_label)), plot_command(clauses));
+        gnuplot_string(letter + shortened(solvers[i], 2 * longest_label)), plot_command(clauses));
   }
   figure.plot += "unset multiplot";
   return figure;

@@ -336,6 +336,25 @@ TEST_CASE("panels in a row share the first one's numbers on the axis", "[figure]
   CHECK(formats == std::vector<std::string>{"'%g'", "''", "''", "'%g'", "''", "''"});
 }
 
+TEST_CASE("several panels have letters, and angles outside the joint limits have rings", "[figure]") {
+  std::vector<SolveRecord> solves = synthetic::dobot_solves();
+  const auto drawn = [&] {
+    return *joints_figure(
+        make_study(StudyEntry{.name = "s", .definition = synthetic::dobot_definition, .series = {}}, solves), "joints");
+  };
+  CHECK(contains(drawn().plot, "set title 'IK-BA'"));
+  CHECK(!contains(drawn().caption, "Rings"));
+  for (const SolveRecord& solve : synthetic::dobot_solves()) {
+    solves.push_back(solve);
+    solves.back().solver = "BA";
+  }
+  solves.back().answer_rad[0] = 2;  // rad; its limit is 90 deg
+  CHECK(contains(drawn().plot, "set title '(a) IK-BA'"));
+  CHECK(contains(drawn().plot, "set title '(b) BA'"));
+  CHECK(contains(drawn().plot, "using 1:($2 < -90.000001 || $2 > 90.000001 ? $2 : NaN) with points"));
+  CHECK(contains(drawn().caption, "Rings: angles outside them."));
+}
+
 TEST_CASE("numbers from elsewhere stand in grey below the values of their group", "[figure]") {
   const StudyResults study = make_study("s", synthetic::solves({.solvers = {"A", "B"}, .runs = 3}));
   const Figure figure =
