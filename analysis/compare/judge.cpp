@@ -51,7 +51,7 @@ bool has_meaning(const StudyResults& study, const Metric& metric) {
 }  // namespace
 
 Judged judge(Observed observed, const Plan& plan) {
-  Judged judged{.observations = std::move(observed.observations), .doubts = std::move(observed.doubts)};
+  Judged judged{.observations = std::move(observed.observations), .plan = plan, .doubts = std::move(observed.doubts)};
   const Observations& of = judged.observations;
   for (const Group& group : of.groups) judged.described.push_back(describe(group));
   judged.anova = anova(of);

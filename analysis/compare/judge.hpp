@@ -13,6 +13,7 @@ namespace ikbench::compare {
 // One metric.
 struct Judged {
   Observations observations;
+  Plan plan;                           // by which it was judged
   std::vector<Description> described;  // one for each group
   std::optional<TestOfAll> anova, kruskal_wallis;
   std::vector<Finding> findings;  // one for each pair of the plan

@@ -80,7 +80,10 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
       published.warnings.push_back(fmt::format("{} is not drawn: {}", outcome.name, outcome.error));
   }
 
-  std::vector<std::string> files(own_files.begin(), own_files.end());
+  std::vector<std::string>& files = published.files;
+  std::ranges::copy(own_files, std::back_inserter(files));
+  const bool is_of_study = !of.study.entry.series.empty();
+  if (!is_of_study) files.pop_back();
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       const auto* table = std::get_if<Table>(&block);
@@ -94,7 +97,8 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
 
   Json json = to_json(of.shown);
   json["files"] = files;
-  results::write_csv(folder / "solves.csv", [&](const auto& take) { std::ranges::for_each(of.study.solves, take); });
+  if (is_of_study)
+    results::write_csv(folder / own_files[3], [&](const auto& take) { std::ranges::for_each(of.study.solves, take); });
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   results::write_file(folder / "report.md", to_markdown(sections, pictures));
   const std::string& title = of.study.definition.title;

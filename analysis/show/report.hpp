@@ -13,7 +13,7 @@ namespace ikbench::show {
 
 // What sections are made of.
 struct Reported {
-  compare::StudyResults study;
+  compare::StudyResults study;  // a user's file: its name alone
   Shown shown;
   std::vector<figures::Figure> figures;
   std::vector<Reported> companions = {};  // of a paper: studies beside this one
@@ -42,6 +42,7 @@ numerics::OrderedJson to_json(const Shown& shown);
 
 struct Published {
   std::filesystem::path page;         // report.html
+  std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
 // Writes report.html, report.md, results.json, solves.csv, tables/ and figures/; removes what an earlier report wrote,

@@ -53,7 +53,7 @@ Lines pairs_of(const Shown& shown) {
       auto& row = rows.emplace_back();
       if (has_two) row.push_back("  " + judged.observations.quantity);
       row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", shortened(of.first, 24), shortened(of.second, 24)));
-      row.push_back(verdict_words(of, judged, shown.plan));
+      row.push_back(verdict_words(of, judged));
       row.push_back(amount_words(of, judged));
       row.push_back(of.p ? p_sentence(*of.p) : "");
     }

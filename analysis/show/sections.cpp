@@ -33,10 +33,13 @@ std::string what_is_studied(const StudyResults& study) {
 
 Blocks first(const Reported& of) {
   Blocks blocks = of.first;
-  if (blocks.empty())
-    blocks = {Heading{headline(of.shown)}, Text{what_is_studied(of.study)},
-              with_notes(results_table(of.shown), of.shown.notes)};
-  if (auto arm = moving_arm(of.study)) blocks.emplace_back(Scene{std::move(*arm)});
+  const bool is_of_study = !of.study.entry.series.empty();
+  if (blocks.empty()) {
+    blocks.emplace_back(Heading{headline(of.shown)});
+    if (is_of_study) blocks.emplace_back(Text{what_is_studied(of.study)});
+    blocks.emplace_back(with_notes(results_table(of.shown), of.shown.notes));
+  }
+  if (auto arm = is_of_study ? moving_arm(of.study) : std::nullopt) blocks.emplace_back(Scene{std::move(*arm)});
   return blocks;
 }
 
@@ -69,6 +72,7 @@ Blocks warnings(const Reported& of) {
 }
 
 Blocks setup(const Reported& of) {
+  if (of.study.entry.series.empty()) return {};  // of a user's file
   return with_heading("Set-up",
                       {study_table(of.study), options_table(of.study), plan_table(of.study), machine_table(of.study)});
 }

@@ -16,7 +16,7 @@ void scale(double factor, auto&... values) { ((values *= factor), ...); }
 Judged in_unit(Judged judged, double factor, std::string unit) {
   Observations& of = judged.observations;
   of.unit = std::move(unit);
-  scale(factor, of.floor, of.rounding);
+  scale(factor, of.floor, of.rounding, judged.plan.absolute_margin);
   for (Group& group : of.groups) {
     for (double& value : group.values) scale(factor, value);
     scale(factor, group.at_most);

@@ -128,8 +128,7 @@ Table pairs_table(const Shown& shown) {
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
                             cell(finding.interval), unit_of(finding, judged), finding.p ? Cell(P{*finding.p}) : Cell(),
-                            cell(finding.effect), std::string(finding.test),
-                            verdict_words(finding, judged, shown.plan)});
+                            cell(finding.effect), std::string(finding.test), verdict_words(finding, judged)});
     }
   }
   table.notes = {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "analysis/show/text.hpp"
 
@@ -170,8 +171,7 @@ std::string sentence(const Shown& shown) {
   if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
   if (!shown.plan.control.empty() && groups > 2) return against_control(shown);
   if (all_are(judged, Verdict::same))
-    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged, shown.plan),
-                       numbers_of(shown, true));
+    return fmt::format("{} are the same within {}: {}", all_of(judged), margin_words(judged), numbers_of(shown, true));
   return all_are(judged, Verdict::not_tested) ? not_tested(shown) : unbeaten(shown);
 }
 
@@ -183,15 +183,17 @@ std::string headline(const Shown& shown) {
   return text;
 }
 
-std::string margin_words(const Judged& judged, const results::Plan& plan) {
+std::string margin_words(const Judged& judged) {
+  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.plan.absolute_margin);
   const std::string& unit = judged.observations.unit;
-  const std::string relative = fmt::format("{} {}", number_text(100 * plan.margin), is_share(judged) ? "points" : "%");
-  if (plan.margin_cm == 0 || (unit != "cm" && unit != "mm")) return relative;
-  return fmt::format("{} or {} {}", relative, number_text(plan.margin_cm * (unit == "mm" ? 10 : 1)), unit);
+  std::string words = fmt::format("{} {}", number_text(100 * relative), is_share(judged) ? "points" : "%");
+  if (absolute == 0 || is_share(judged)) return words;
+  words = relative == 0 ? "" : words + " or ";
+  return words + number_text(absolute) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string verdict_words(const Finding& finding, const Judged& judged, const results::Plan& plan) {
-  const std::string margin = margin_words(judged, plan);
+std::string verdict_words(const Finding& finding, const Judged& judged) {
+  const std::string margin = margin_words(judged);
   if (finding.verdict == Verdict::same) return finding.are_all_equal ? "same: all equal" : "same within " + margin;
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
@@ -219,7 +221,8 @@ std::string unit_of(const Finding& finding, const Judged& judged) {
 
 std::string amount_words(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) return "";
-  std::string text = fmt::format("{} {}", number_text(*finding.estimate), unit_of(finding, judged));
+  const std::string unit = unit_of(finding, judged);
+  std::string text = number_text(*finding.estimate) + (unit.empty() ? "" : " " + unit);
   if (const auto& of = finding.interval)
     text += fmt::format(" ({} to {})", number_text(of->low), number_text(of->high));
   return text;

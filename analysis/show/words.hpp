@@ -11,12 +11,12 @@ namespace ikbench::show {
 std::string headline(const Shown& shown);
 
 // "better", "same within 5 %", "not decided", "not tested: it takes 5"
-std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged, const results::Plan& plan);
+std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
 // "times", "points", or the metric's unit.
 std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
 // "12 points (4 to 22)"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
-// "5 %", "5 points"
-std::string margin_words(const compare::Judged& judged, const results::Plan& plan);
+// "5 %", "5 points", "5 % or 0.1 mm"
+std::string margin_words(const compare::Judged& judged);
 
 }  // namespace ikbench::show

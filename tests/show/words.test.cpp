@@ -39,7 +39,7 @@ std::string table_of_verdicts(const Shown& shown) {
   for (const compare::Judged& judged : shown.metrics) {
     for (const compare::Finding& finding : judged.findings)
       text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second,
-                          verdict_words(finding, judged, shown.plan), amount_words(finding, judged));
+                          verdict_words(finding, judged), amount_words(finding, judged));
   }
   return text;
 }
