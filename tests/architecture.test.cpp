@@ -52,7 +52,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"analysis", {"numerics", "analysis/report", "analysis/claims"}},
       {"cli",
        {"numerics", "robots", "solvers", "results", "experiments", "analysis/statistics", "analysis/inference",
-        "analysis/figures", "analysis/report", "analysis"}},
+        "analysis/csv", "analysis/show", "analysis/figures", "analysis/report", "analysis"}},
       {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments"}},
   };
   for (const std::string& paper : papers()) {

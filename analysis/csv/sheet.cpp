@@ -57,7 +57,12 @@ bool is_one_of(std::string_view text, const Words& words) {
   return std::ranges::find(words, lower_case(text)) != words.end();
 }
 
-std::string in_quotes(std::string_view text) { return fmt::format("'{}'", numerics::front(text, 60)); }
+std::string in_quotes(std::string_view text) {
+  std::string line(numerics::front(text, 60));
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return fmt::format("'{}'", line);
+}
 
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
     : source_(source), view_(text), decimal_(decimal) {

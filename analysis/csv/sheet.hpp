@@ -15,7 +15,7 @@ namespace ikbench::csv {
 using Words = std::initializer_list<std::string_view>;
 std::string lower_case(std::string_view text);              // ASCII letters
 bool is_one_of(std::string_view text, const Words& words);  // in any case
-std::string in_quotes(std::string_view text);               // cut, for messages
+std::string in_quotes(std::string_view text);               // one line, cut, for messages
 
 class Sheet {
  public:

@@ -13,6 +13,7 @@
 #include <unordered_set>
 
 #include "analysis/csv/sheet.hpp"
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::csv {
@@ -86,6 +87,15 @@ Index number_of(std::string_view text, std::unordered_map<std::string_view, Inde
   return known.try_emplace(text, static_cast<Index>(known.size())).first->second;
 }
 
+// Refuses a row that repeats another in all but this text.
+void refuse_other(const Sheet& sheet, Index row, Index other, std::size_t column) {
+  const std::string_view text = sheet.cell(row, column);
+  if (sheet.cell(other, column) == text) return;
+  sheet.refuse(other, column,
+               fmt::format("repeats no row with {}: choose rows with --where '{}={}', or compare within --block '{}'",
+                           in_quotes(text), sheet.titles()[column], numerics::front(text, 60), sheet.titles()[column]));
+}
+
 Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t>& columns) {
   const Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
   std::unordered_map<std::string_view, Index> groups, units;
@@ -129,20 +139,13 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
 // Rows of a mean differ in numbers alone: other text tells of several metrics or problems.
 void refuse_mixed(const Sheet& sheet, const Layout& layout, const Items& items) {
   for (std::size_t column = 0; column < sheet.titles().size(); ++column) {
-    const bool is_metric = is_one_of(sheet.titles()[column], metric_names);
-    if (layout.has(column) || !(is_metric || items.are_averaged) || sheet.has_numbers(column)) continue;
+    if (!items.are_averaged || layout.has(column) || sheet.has_numbers(column)) continue;
     std::unordered_set<std::string_view> different;
     for (const Value& each : items.values) different.insert(sheet.cell(each.row, column));
-    if (!is_metric && different.size() == items.values.size()) continue;  // times of day and the like
+    if (different.size() == items.values.size()) continue;  // times of day and the like
     for (std::size_t i = 1; i < items.values.size(); ++i) {
       const Value &before = items.values[i - 1], &each = items.values[i];
-      const std::string_view one = sheet.cell(before.row, column);
-      const bool belong = is_metric || (before.group == each.group && before.unit == each.unit);
-      if (belong && sheet.cell(each.row, column) != one)
-        sheet.refuse(each.row, column,
-                     fmt::format("repeats no row with '{1}': choose rows with --where '{0}={1}', or compare within "
-                                 "--block '{0}'",
-                                 sheet.titles()[column], one));
+      if (before.group == each.group && before.unit == each.unit) refuse_other(sheet, before.row, each.row, column);
     }
   }
 }
@@ -160,7 +163,8 @@ const Metric* metric_of(const Sheet& sheet, const std::string& name) {
     if (sheet.cell(row, study) != sheet.cell(sheet.rows().front(), study))
       sheet.refuse(row, study, "is not the only one; choose with --where study=NAME");
     if (how == "tolerance_missed" || sheet.cell(row, stop) == "tolerance") unknown = "the tolerance";
-    if (metric->kind == Kind::cost && how != "ok") unknown = "which solves have an answer";
+    if (metric->kind == Kind::cost && is_one_of(how, {"crashed", "timed_out", "broke_protocol", "declined"}))
+      unknown = "what a solve without an answer costs";
   }
   if (unknown)
     sheet.refuse(
@@ -168,12 +172,18 @@ const Metric* metric_of(const Sheet& sheet, const std::string& name) {
   return &*metric;
 }
 
-// "error_cm" and "error [cm]" have a unit.
+// "error_cm" and "error [cm]" have a unit; columns of our own have the names of a report.
 Observations quantity_of(const std::string& title, bool is_larger_better) {
   const bool is_bracketed = title.ends_with(']');
   const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
   Observations of{.metric = "", .quantity = title, .better = is_larger_better ? Better::larger : Better::smaller};
   for (const char c : lower_case(title)) of.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  const auto metric = std::ranges::find(metrics(), title, &Metric::column);
+  if (metric != metrics().end()) {
+    of.metric = metric->slug, of.quantity = metric->name, of.unit = metric->unit;
+    if (metric->kind == Kind::share) of.better = Better::larger;
+    return of;
+  }
   if (at == std::string::npos || at == 0) return of;
   const std::string unit = title.substr(at + 1, title.size() - at - (is_bracketed ? 2 : 1));
   if (!is_bracketed && !is_one_of(unit, {"cm", "mm", "m", "deg", "rad", "ms", "s"})) return of;
@@ -289,6 +299,10 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   Sheet sheet(text, source, request.separator, request.decimal);
   for (const std::string& each : request.where) sheet.choose(each);
   const Layout layout = layout_of(sheet, request);
+  if (const Column metric = sheet.column_like(metric_names);
+      metric && !layout.has(*metric) && !sheet.has_numbers(*metric)) {
+    for (const Index row : sheet.rows()) refuse_other(sheet, sheet.rows().front(), row, *metric);
+  }
   Quantities quantities;
   const std::size_t count = layout.label ? layout.values.size() : 1;
   for (std::size_t i = 0; i < count; ++i) {
@@ -298,7 +312,6 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     Observations& of = observed.observations;
     const Metric* metric = metric_of(sheet, title);
     if (metric) {
-      of.metric = metric->slug, of.quantity = metric->name, of.unit = metric->unit;
       of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
     } else {
       refuse_mixed(sheet, layout, items);

@@ -178,8 +178,8 @@ for edge in "analysis.margin_percent=99 analysis.significance=0.2" \
   succeeds compare --verbose edge/store.sqlite $fewer --label K-ABC --metric variation_deg
   has "$out" "some difference is found with a probability of at most $(awk "BEGIN { print 100 * ${significance#*=} }") %"
   "$program" export edge/store.sqlite >edge.csv
-  succeeds stats edge.csv --value position_error_cm --group solver --run run --no-figures --margin "${margin#*=}%" \
-    --significance "${significance#*=}" --out edge_stats
+  succeeds stats edge.csv --value position_error_cm --run run --margin "${margin#*=}%" \
+    --significance "${significance#*=}"
   rm -r edge
 done
 

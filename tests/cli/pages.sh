@@ -65,7 +65,7 @@ check_page() {
   cd "$work" || exit 1
 }
 
-for name in tutorial which-solver is-my-variant-better figures-for-my-paper; do
+for name in tutorial which-solver is-my-variant-better figures-for-my-paper your-own-csv; do
   check_page "docs/$name.md"
 done
 check_page README.md

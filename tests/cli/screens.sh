@@ -25,7 +25,7 @@ fits "" report $store --no-figures --out reported
 [ "$(tail -n 1 .out)" = "Report: reported/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
 fits "" compare $store other.sqlite
 fits "" compare newton "$long" --store $store
-fits "" stats values.csv --value error --value time --value cost --no-figures --out stats
+fits "" stats values.csv --value error --value time --value cost --out stats
 fits "" "${small_multiverse[@]}" --out small
 fits "" merge merged $store
 fits "" robot ur5e
@@ -62,8 +62,8 @@ as_json 'of["study"] == "mine" and len(of["pairs"]) == 45 and of["pairs"][0]["re
   report $store --no-figures --out reported
 as_json 'of["report"] == "mine/report.html" and of["warnings"] is not None' run mine.toml --no-figures --out mine
 as_json 'all(row["B_is"] for row in of["rows"])' compare $store other.sqlite
-as_json 'of["quantities"][1]["quantity"] == "time" and len(of["quantities"][1]["pairs"]) == 28' \
-  stats values.csv --value error --value time --no-figures --out stats
+as_json 'len(of["findings"]) == 2 * 28 and of["findings"][28]["metric"] == "time"' \
+  stats values.csv --value error --value time --out stats
 as_json 'of[0]["holds_percent"] is not None' "${small_multiverse[@]}" --out small
 as_json 'of["added"] == 0 and of["missing"] == {}' merge merged $store
 as_json 'of["joints"] == 6 and len(of["links"]) == 6 and of["tool_at"]["position_m"]' robot ur5e
