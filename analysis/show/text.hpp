@@ -1,18 +1,15 @@
 // Any text (labels and titles come from files of users) made harmless for each writer, and numbers as text.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "numerics/utf8.hpp"
+
 namespace ikbench::show {
 
-// One line of valid UTF-8: control characters become blanks, bytes that are none U+FFFD.
-std::string one_line(std::string_view text);
-std::size_t character_count(std::string_view utf8);
-// One line of at most so many characters; an ellipsis stands for its middle, because variants differ at their ends.
-std::string shortened(std::string_view text, std::size_t length);
+using numerics::character_count, numerics::one_line, numerics::shortened;
 
 std::string html_text(std::string_view text);
 std::string markdown_text(std::string_view text);
