@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <boost/crc.hpp>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -56,41 +55,40 @@ void remove_pictures(const Figure& figure, const std::filesystem::path& folder, 
   }
 }
 
-// Makes the same figure the same bytes: Cairo writes the time of drawing into a PDF, after its own name. The program
-// takes their place, and blanks what is left of it, because offsets follow.
-void name_program_in_pdf(std::string& pdf, const std::string& program) {
+// Cairo writes the time of drawing into a PDF; without it the same figure has the same bytes. Offsets follow, so blanks
+// take its place.
+void remove_date(std::string& pdf) {
   const std::size_t date = pdf.find("/CreationDate (");
   if (date == std::string::npos) return;
   const std::size_t end = std::min(pdf.find(')', date), pdf.size() - 1) + 1;
-  const std::size_t producer = pdf.rfind("/Producer (", date);
-  const std::string creator = program.empty() ? "" : fmt::format("/Creator ({})", program);
-  const bool fits = producer != std::string::npos && creator.size() <= end - producer && !creator.empty();
-  const std::size_t begin = fits ? producer : date;
-  pdf.replace(begin, end - begin, fmt::format("{:<{}}", fits ? creator : "", end - begin));
-}
-
-void name_program_in_svg(std::string& svg, const std::string& program) {
-  if (const std::size_t end = svg.find("</desc>"); end != std::string::npos) svg.insert(end, "for " + program);
-}
-
-// Adds a chunk of text after the header, which has 13 bytes (https://www.w3.org/TR/png/#11tEXt).
-void name_program_in_png(std::string& png, const std::string& program) {
-  constexpr std::size_t end_of_header = 8 + 4 + 4 + 13 + 4;
-  if (png.size() < end_of_header) return;  // not a picture
-  const auto number = [](std::uint32_t value) {
-    std::string bytes;
-    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
-    return bytes;
-  };
-  const std::string text = std::string("Software") + '\0' + program, chunk = "tEXt" + text;
-  boost::crc_32_type sum;
-  sum.process_bytes(chunk.data(), chunk.size());
-  png.insert(end_of_header, number(static_cast<std::uint32_t>(text.size())) + chunk + number(sum.checksum()));
+  pdf.replace(date, end - date, std::string(end - date, ' '));
 }
 
 void replace_all(std::string& text, std::string_view old, std::string_view by) {
   for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
     text.replace(at, old.size(), by);
+}
+
+// The first clause of the caption.
+std::string title_of(const Figure& figure) {
+  std::string title = figure.caption.substr(0, std::min(figure.caption.find(": "), figure.caption.find(". ")));
+  if (title.ends_with('.')) title.pop_back();
+  replace_all(title, "&", "&amp;");
+  replace_all(title, "<", "&lt;");
+  replace_all(title, ">", "&gt;");
+  return title;
+}
+
+// What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
+void complete_svg(std::string& svg, const Figure& figure) {
+  const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
+  if (box == std::string::npos || end == std::string::npos) return;
+  std::string size = svg.substr(box + 13, end - box - 13);
+  replace_all(size, " ", "pt\" height=\"");
+  svg.insert(box, "width=\"" + size + "pt\" ");
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + title_of(figure) + "</title>");
+  replace_all(svg, "font-family=\"Liberation Sans\"", "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
+  replace_all(svg, "]]>", "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
 }
 
 // Draws in the workshop, then writes the pictures to their place. Throws std::invalid_argument with the reason if it
@@ -113,16 +111,8 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
       // gnuplot does not say that a disk is full
       throw std::runtime_error(
           fmt::format("cannot write '{}': {} wrote only a part of it; is the disk full?", place.string(), gnuplot));
-    if (type == Picture::pdf) name_program_in_pdf(*picture, options.program);
-    if (type == Picture::png && !options.program.empty()) name_program_in_png(*picture, options.program);
-    if (type == Picture::svg) {
-      if (!options.program.empty()) name_program_in_svg(*picture, options.program);
-      // gnuplot names only one font, and machines without it would show other letters.
-      replace_all(*picture, "font-family=\"Liberation Sans\"",
-                  "font-family=\"Liberation Sans, Arial, Helvetica, sans-serif\"");
-      replace_all(*picture, "]]>",
-                  "]]&gt;");  // gnuplot leaves the > of a label as it is, and XML forbids ]]> in a text
-    }
+    if (type == Picture::pdf) remove_date(*picture);
+    if (type == Picture::svg) complete_svg(*picture, figure);
     write_file(place, *picture);
   }
 }

@@ -28,13 +28,20 @@ struct Figure {
   double legend_cm = 0;    // the width of one
 };
 
+// What a figure is about: the name of its files, the plain text below it, and its values.
+struct About {
+  std::string name, caption;
+  std::string quantity = {}, unit = {};
+  double floor = 0;  // a logarithmic axis has smaller values at its edge
+};
+
 struct RenderOptions {
   bool render = true;               // false: writes only scripts and data, and all pictures stay
   std::string gnuplot = "gnuplot";  // the program, sought on the PATH
   int jobs = 2;                     // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
-  std::string program = {};  // what writes the report, with its version; it is in the pictures. Empty: not said
+  std::string program = {};  // what writes the report, with its version; pictures do not say it
 };
 
 struct FigureOutcome {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -35,9 +34,9 @@ constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
                                                                 {"nlopt", 2},
                                                                 {"pagmo", 4}};
 
-std::optional<std::size_t> own_place(std::string_view algorithm, std::size_t colours) {
+std::optional<std::size_t> own_place(std::string_view algorithm) {
   for (const auto& [name, place] : own_places) {
-    if (name == algorithm) return place % colours;
+    if (name == algorithm) return place;
   }
   return std::nullopt;
 }
@@ -89,38 +88,28 @@ std::string shade_of(const std::string& colour) {
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
   const std::size_t own_colours = style.palette.size();
   const bool is_short = own_colours < named_colours.size();
-  const bool is_in_order = is_short && std::ranges::any_of(solvers, &NamedSolver::is_chosen);
   std::map<std::string, std::size_t> places;
-  std::map<std::size_t, std::string> owners;  // algorithms, by their place
-  for (const NamedSolver& solver : solvers) {
-    const auto given = style.colours.find(solver.label);
+  for (const auto& [label, algorithm] : solvers) {
+    const auto given = style.colours.find(label);
     if (given != style.colours.end()) {
-      places.emplace(solver.label, place_in(style.palette, given->second));
-    } else if (const auto own = own_place(solver.algorithm, own_colours); own && !is_in_order) {
-      const std::string& owner = owners.emplace(*own, solver.algorithm).first->second;
-      if (!is_short || owner == solver.algorithm) places.emplace(solver.label, *own);
+      places.emplace(label, place_in(style.palette, given->second));
+    } else if (const auto own = own_place(algorithm); own && !is_short) {
+      places.emplace(label, *own);
     }
   }
   std::vector<std::size_t> users(style.palette.size());
   for (const auto& [label, place] : places) ++users[place];
-  std::vector<NamedSolver> in_order = solvers;
-  if (is_in_order) std::stable_partition(in_order.begin(), in_order.end(), std::mem_fn(&NamedSolver::is_chosen));
   std::map<std::string, std::size_t> places_of;  // of algorithms that are not built in
-  for (const NamedSolver& solver : in_order) {
-    if (places.contains(solver.label)) continue;
-    const bool has_family = !is_short;
-    if (const auto known = places_of.find(solver.algorithm); has_family && known != places_of.end()) {
-      places.emplace(solver.label, known->second);
-      continue;
-    }
+  for (const auto& [label, algorithm] : solvers) {
+    if (places.contains(label)) continue;
     const auto rarest = std::min_element(users.begin(), users.begin() + static_cast<std::ptrdiff_t>(own_colours));
-    places.emplace(solver.label, static_cast<std::size_t>(rarest - users.begin()));
-    if (has_family) places_of.emplace(solver.algorithm, places.at(solver.label));
-    ++*rarest;
+    const auto place = static_cast<std::size_t>(rarest - users.begin());
+    places.emplace(label, is_short ? place : places_of.emplace(algorithm, place).first->second);
+    ++users[places.at(label)];
   }
   std::map<std::string, int> styles;
   std::ranges::fill(users, 0);
-  for (const NamedSolver& solver : in_order) {
+  for (const NamedSolver& solver : solvers) {
     if (styles.contains(solver.label)) continue;
     const std::size_t place = places.at(solver.label);
     styles.emplace(solver.label, static_cast<int>(1 + place + style.palette.size() * users[place]++));

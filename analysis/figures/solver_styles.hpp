@@ -12,15 +12,12 @@ namespace ikbench::figures {
 
 struct NamedSolver {
   std::string label, algorithm;
-  bool is_chosen = false;  // for the figures, by the user
 };
 
 // The line styles of all solvers of a report, by label. A solver has the colour of style.colours, or else, if it is
-// built in, its own of the palette; each other algorithm gets a colour of the palette that no solver of the report has,
-// while there are any; so do built-in ones to which a short palette would give one colour. Chosen solvers
-// get the colours of a short palette in their order. Solvers of one colour, such as two
-// variants of one algorithm, have different shades and line types. Colours of style.colours that the palette lacks are
-// added to it.
+// built in, its own of the palette; each other algorithm gets the colour that fewest have. From a palette of fewer than
+// seven all get them in order. Solvers of one colour, such as two variants of one algorithm, have different shades and
+// line types. Colours of style.colours that the palette lacks are added to it.
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, results::FigureStyle& style);
 
 // The palette, then a shade of each of its colours, both as "#RRGGBB": what style.gp calls `colours`.

@@ -80,13 +80,13 @@ void check_drawn(const StudyEntry& entry, const FigureStyle& style) {
 std::map<std::string, int> looks_of(const StudyEntry& entry, const std::vector<StudyEntry>& others,
                                     FigureStyle& style) {
   std::vector<NamedSolver> solvers;
+  for (const std::string& label : style.solvers) {
+    const auto series = std::ranges::find(entry.series, label, &Series::label);
+    if (series != entry.series.end()) solvers.push_back({label, series->algorithm});
+  }
   for (const Series& series : entry.series) solvers.push_back({series.label, series.algorithm});
   for (const StudyEntry& other : others) {
     for (const Series& series : other.series) solvers.push_back({series.label, series.algorithm});
-  }
-  for (const std::string& label : style.solvers) {
-    const auto series = std::ranges::find(entry.series, label, &Series::label);
-    if (series != entry.series.end()) solvers.push_back({label, series->algorithm, true});
   }
   return line_styles(solvers, style);
 }
