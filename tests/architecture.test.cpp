@@ -42,7 +42,8 @@ std::map<std::string, Names> folders_and_papers() {
       {"analysis/compare", {"numerics", "results"}},
       {"analysis/csv", {"numerics", "results", "analysis/compare"}},
       {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
-      {"analysis/figures", {"numerics", "robots", "results", "analysis/statistics", "analysis/inference"}},
+      {"analysis/figures",
+       {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/compare"}},
       {"analysis/show", {"numerics", "robots", "results", "analysis/compare", "analysis/figures"}},
       {"analysis/report",
        {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
@@ -58,7 +59,7 @@ std::map<std::string, Names> folders_and_papers() {
   for (const std::string& paper : papers()) {
     table["analysis"].insert("analysis/" + paper);
     table["analysis/" + paper] = table.at("analysis/claims");
-    table["analysis/" + paper].insert({"robots", "analysis/claims"});
+    table["analysis/" + paper].insert({"robots", "analysis/claims", "analysis/compare"});
   }
   return table;
 }

@@ -1,0 +1,344 @@
+#include "analysis/figures/of_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "analysis/figures/arm.hpp"
+#include "analysis/figures/solver_styles.hpp"
+#include "numerics/units.hpp"
+#include "numerics/utf8.hpp"
+#include "robots/robot.hpp"
+
+namespace ikbench::figures {
+
+using namespace compare;
+using namespace numerics;
+using results::SolveRecord;
+
+namespace {
+
+constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
+constexpr std::size_t most_iterations = 200;  // drawn
+
+// Targets that have an order.
+bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.points > 1; }
+
+std::span<const SolveRecord> first_run_of(const StudyResults& study, std::string_view solver) {
+  const std::span<const SolveRecord> all = study.of(solver);
+  const auto end = std::ranges::find_if(all, [&](const SolveRecord& solve) { return solve.run != all.front().run; });
+  return all.first(static_cast<std::size_t>(end - all.begin()));
+}
+
+CurveRow row_at(double x, const std::vector<double>& values, Average average) {
+  const Description all = describe({.name = "", .values = values});
+  if (average == Average::mean) return {.x = x, .y = all.mean, .dotted = values.size() > 1 ? all.median : nowhere};
+  if (values.size() == 1) return {.x = x, .y = all.median};
+  return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
+}
+
+About about_of(const StudyResults& study, const Metric& metric, std::string name, std::string caption) {
+  const auto [unit, factor] = drawn_unit(study, metric.unit);
+  return {std::move(name), std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
+}
+
+std::string observation_of(const StudyResults& study, const Metric& metric) {
+  const std::string_view average = metric.kind == Kind::time ? "median" : "mean";
+  if (study.definition.is_chained()) return fmt::format("the {} of a run", average);
+  return study.runs > 1 && !study.definition.draws_targets ? fmt::format("a target, the {} of its runs", average)
+                                                           : "a target";
+}
+
+Figure boxes_of(const JudgedStudy& judged, const Judged& judged_metric, std::string_view column, std::string name,
+                const Look& look) {
+  const Metric& metric = metric_named(column);
+  About about = about_of(
+      judged.study, metric, std::move(name),
+      fmt::format("Distribution of {}: a dot is {}; box: quartiles and median; whiskers: smallest and largest.",
+                  metric.name, observation_of(judged.study, metric)));
+  const auto [unit, factor] = drawn_unit(judged.study, metric.unit);
+  double tolerance = 0;
+  for (const Group& group : judged_metric.observations.groups) tolerance = std::max(tolerance, group.at_most);
+  if (tolerance > 0)
+    about.caption += fmt::format(" Values up to {0:.3g} {1} count as {0:.3g} {1}.", factor * tolerance, unit);
+  return boxes(about, box_rows(judged, judged_metric, look));
+}
+
+// With a tolerance the share solved, which tells more than errors that all are below it.
+std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
+  const bool is_share = judged.study.definition.has_tolerance();
+  const Judged* const errors = judged_of(judged, is_share ? "solved" : error);
+  const Judged* const motions = judged_of(judged, motion);
+  if (errors == nullptr || motions == nullptr) return std::nullopt;
+  std::vector<Dot> dots;
+  for (const BoxRow& y : box_rows(judged, *errors, look))
+    dots.push_back({.label = y.label, .style = y.style, .y = y.box[2]});
+  for (const BoxRow& x : box_rows(judged, *motions, look)) {
+    const auto dot = std::ranges::find(dots, x.label, &Dot::label);
+    if (dot != dots.end()) dot->x = x.box[2];
+  }
+  About about = about_of(judged.study, metric_named(error), "overview",
+                         "Error against joint motion, medians: best is the lower left.");
+  if (is_share) {
+    about = {"overview", "Share solved against joint motion: best is the upper left.", "solved", "%"};
+    for (Dot& dot : dots) {
+      const auto& groups = errors->observations.groups;
+      dot.y = 100 * describe(*std::ranges::find(groups, dot.label, &Group::name)).mean;
+    }
+  }
+  return overview(about, "joint motion, median [deg]", dots);
+}
+
+std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
+  std::vector<Successes> all;
+  bool are_counted = study.definition.has_tolerance();
+  for (const std::string& solver : shown_solvers(study, look)) {
+    Successes& one = all.emplace_back(Successes{.label = solver, .style = style_of(look, solver)});
+    for (const SolveRecord& solve : study.of(solver)) {
+      are_counted = are_counted && solve.counted_by != results::CountedBy::nobody;
+      ++one.attempts;
+      if (solve.status == results::Status::ok)
+        one.costs.push_back(std::max(1.0, static_cast<double>(solve.evaluations)));
+    }
+  }
+  if (!are_counted) return std::nullopt;
+  return shares({.name = "solved-by-evaluations",
+                 .caption = "Share of targets solved within a number of evaluations.",
+                 .quantity = "evaluations"},
+                all);
+}
+
+std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look) {
+  if (judged.deciding >= judged.metrics.size()) return std::nullopt;
+  const Judged& metric = judged.metrics[judged.deciding];
+  const Observations& of = metric.observations;
+  const std::vector<std::string> shown = shown_solvers(judged.study, look);
+  constexpr std::size_t most = 20;  // characters of a name
+  std::vector<IntervalRow> rows;
+  bool are_ratios = false;
+  for (const Finding& finding : metric.findings) {
+    if (std::ranges::count(shown, finding.first) == 0 || std::ranges::count(shown, finding.second) == 0) continue;
+    are_ratios = finding.scale == Scale::ratio;
+    const double factor = are_ratios                      ? 1
+                          : finding.scale == Scale::share ? 100
+                                                          : drawn_unit(judged.study, of.unit).factor;
+    IntervalRow& row = rows.emplace_back();
+    row.label = fmt::format("{} {} {}", shortened(finding.first, most), are_ratios ? "/" : "-",
+                            shortened(finding.second, most));
+    if (finding.estimate) row.estimate = factor * *finding.estimate;
+    if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
+    const bool is_better = finding.verdict == Verdict::better, is_worse = finding.verdict == Verdict::worse;
+    const std::string& better = is_better ? finding.first : finding.second;
+    row.verdict = is_better || is_worse                    ? shortened(better, most) + " better"
+                  : finding.verdict == Verdict::same       ? "the same"
+                  : finding.verdict == Verdict::not_tested ? "not tested"
+                                                           : "not decided";
+    if (is_better || is_worse) row.style = style_of(look, better);
+  }
+  if (rows.empty()) return std::nullopt;
+  const std::string quantity = of.scale == Scale::share ? "share solved" : of.quantity;
+  return differences(
+      {.name = "differences",
+       .caption = fmt::format("{} of {} by pairs, with intervals that hold together; at the right who is "
+                              "better.",
+                              are_ratios ? "Ratio" : "Difference", quantity),
+       .quantity = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", quantity),
+       .unit = are_ratios                 ? ""
+               : of.scale == Scale::share ? "points"
+                                          : drawn_unit(judged.study, of.unit).name},
+      rows, are_ratios);
+}
+
+}  // namespace
+
+Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style) {
+  std::vector<NamedSolver> named;
+  for (const results::Series& solver : solvers) named.push_back({solver.label, solver.algorithm});
+  std::ranges::stable_partition(
+      named, [&](const NamedSolver& solver) { return std::ranges::count(style.solvers, solver.label) > 0; });
+  Look look{.style = std::move(style), .lines = {}};
+  look.lines = line_styles(named, look.style);
+  return look;
+}
+
+std::vector<std::string> shown_solvers(const StudyResults& study, const Look& look) {
+  std::vector<std::string> shown = look.style.solvers.empty() ? study.solvers : look.style.solvers;
+  std::erase_if(shown, [&](const std::string& solver) { return study.of(solver).empty(); });
+  return shown;
+}
+
+int style_of(const Look& look, const std::string& solver) {
+  const auto found = look.lines.find(solver);
+  return found == look.lines.end() ? 1 : found->second;
+}
+
+const Judged* judged_of(const JudgedStudy& judged, std::string_view column) {
+  const auto found = std::ranges::find_if(
+      judged.metrics, [&](const Judged& each) { return each.observations.metric == metric_named(column).slug; });
+  return found == judged.metrics.end() ? nullptr : &*found;
+}
+
+DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
+  if (unit == "s") return {"ms", 1000};
+  if (unit == "cm" && study.definition.published.empty()) return {"mm", 10};
+  return {std::string(unit), 1};
+}
+
+std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, const Look& look) {
+  const double factor = drawn_unit(judged.study, metric.observations.unit).factor;
+  std::vector<BoxRow> rows;
+  for (const std::string& solver : shown_solvers(judged.study, look)) {
+    const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
+    if (group == metric.observations.groups.end()) continue;
+    const Description all = describe(*group);
+    BoxRow& row = rows.emplace_back(BoxRow{.label = solver, .style = style_of(look, solver), .values = group->values});
+    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
+    for (double& value : row.values) value *= factor;
+    for (double& value : row.box) value *= factor;
+    if (group->lost > 0) row.remark = fmt::format("{} lost", group->lost);
+  }
+  return rows;
+}
+
+std::vector<Line> by_point(const StudyResults& study, std::string_view column, const Look& look, Average average) {
+  const Metric& metric = metric_named(column);
+  const double factor = drawn_unit(study, metric.unit).factor;
+  std::vector<Line> all;
+  for (const std::string& solver : shown_solvers(study, look)) {
+    std::map<int, std::vector<double>> values;
+    for (const SolveRecord& solve : study.of(solver)) {
+      const double value = factor * metric.value(solve, study);
+      if (std::isfinite(value)) values[solve.point].push_back(value);
+    }
+    Line& line = all.emplace_back(Line{.label = solver, .style = style_of(look, solver)});
+    for (const auto& [point, of_point] : values) line.rows.push_back(row_at(point, of_point, average));
+  }
+  return all;
+}
+
+std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Average average) {
+  const double factor = drawn_unit(study, "cm").factor;
+  std::vector<Line> all;
+  for (const std::string& solver : shown_solvers(study, look)) {
+    std::size_t longest = 0;
+    for (const SolveRecord& solve : study.of(solver)) longest = std::max(longest, solve.trace_cm.size());
+    if (longest == 0) continue;
+    Line& line = all.emplace_back(Line{.label = solver, .style = style_of(look, solver)});
+    const std::size_t step = 1 + (longest - 1) / most_iterations;
+    for (std::size_t i = 0; i < longest; i += step) {
+      std::vector<double> values;
+      for (const SolveRecord& solve : study.of(solver)) {
+        if (solve.trace_cm.empty()) continue;
+        const double value = factor * solve.trace_cm[std::min(i, solve.trace_cm.size() - 1)];
+        if (std::isfinite(value)) values.push_back(value);
+      }
+      if (!values.empty()) line.rows.push_back(row_at(static_cast<double>(i + 1), values, average));
+    }
+  }
+  return all;
+}
+
+PathRows path_rows(const StudyResults& study, const std::string& solver, std::size_t arms, const Look& look) {
+  const std::span<const SolveRecord> solves = first_run_of(study, solver);
+  const auto corner_of = [](std::span<const double> metres) {
+    if (metres.size() != 3) return Corner{nowhere, nowhere, nowhere};
+    return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
+  };
+  PathRows rows{.targets = {},
+                .reached_label = "reached by " + solver,
+                .style = style_of(look, solver),
+                .is_joined = is_path(study),
+                .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  const std::size_t every = arms == 0 ? 1 : std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
+  for (std::size_t i = 0; i < solves.size(); ++i) {
+    const SolveRecord& solve = solves[i];
+    rows.targets.push_back(corner_of(solve.target_position_m));
+    rows.reached.push_back(corner_of(solve.reached_position_m));
+    const Eigen::Map<const Eigen::VectorXd> q(solve.answer_rad.data(),
+                                              static_cast<Eigen::Index>(solve.answer_rad.size()));
+    if (arms == 0 || i % every != 0 || !arm || q.size() != arm->joints() || !q.allFinite()) continue;
+    std::vector<Corner>& corners =
+        rows.arms.emplace_back(fmt::format("arm at point {}", solve.point), std::vector<Corner>()).second;
+    for (const Point& point : arm_points(*arm, q)) corners.push_back(corner_of(point));
+  }
+  return rows;
+}
+
+JointRows joint_rows(const StudyResults& study, const Look& look) {
+  JointRows all;
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  if (!arm) return all;
+  std::vector<std::size_t> turning;
+  for (std::size_t joint = 0; joint < arm->chain.links().size(); ++joint) {
+    if (arm->chain.links()[joint].joint == robots::Joint::slides) continue;
+    turning.push_back(joint);
+    const auto j = static_cast<Eigen::Index>(joint);
+    all.columns.push_back(
+        {fmt::format("joint {}", joint + 1), arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
+  }
+  for (const std::string& solver : shown_solvers(study, look)) {
+    JointRow row{.label = solver, .style = style_of(look, solver)};
+    for (const SolveRecord& solve : first_run_of(study, solver)) {
+      std::vector<double>& angles = row.angles_deg.emplace_back();
+      for (const std::size_t joint : turning)
+        angles.push_back(joint < solve.answer_rad.size() ? solve.answer_rad[joint] / degree : nowhere);
+    }
+    all.rows.push_back(std::move(row));
+  }
+  return all;
+}
+
+std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  const std::vector<std::string> shown = shown_solvers(study, look);
+  if (shown.empty()) return {};
+  std::vector<Figure> all;
+  const auto add = [&](std::optional<Figure> figure) {
+    if (figure) all.push_back(std::move(*figure));
+  };
+  add(overview_of(judged, look));
+  if (const Judged* const errors = judged_of(judged, error)) add(boxes_of(judged, *errors, error, "error-boxes", look));
+  const auto has_doubt = [](const std::vector<Doubt>& doubts) {
+    return std::ranges::count(doubts, DoubtKind::times_not_comparable, &Doubt::kind) > 0;
+  };
+  const Judged *const times = judged_of(judged, time), *const motions = judged_of(judged, motion);
+  if (times != nullptr && !has_doubt(times->doubts) && !has_doubt(judged.doubts)) {
+    add(boxes_of(judged, *times, time, "time-boxes", look));
+  } else if (motions != nullptr) {
+    add(boxes_of(judged, *motions, motion, "motion-boxes", look));
+  }
+  const std::vector<Line> traced = by_iteration(study, look, Average::median);
+  const auto error_curves = [&](std::string_view by, const std::string& axis, const std::vector<Line>& curves_of) {
+    const bool has_bands = study.runs > 1 || by == "iteration";
+    return curves(about_of(study, metric_named(error), fmt::format("error-by-{}", by),
+                           fmt::format("Error by {}: median{}.", by, has_bands ? " and quartiles" : "")),
+                  axis, curves_of);
+  };
+  if (!traced.empty()) {
+    add(error_curves("iteration", "iteration", traced));
+  } else if (is_path(study)) {
+    add(error_curves("point", "point", by_point(study, error, look, Average::median)));
+  }
+  add(solved_of(study, look));
+  add(differences_of(judged, look));
+  const std::string& best =
+      judged.deciding < judged.metrics.size() ? judged.metrics[judged.deciding].headline.best : "";
+  const std::string drawn = std::ranges::count(shown, best) > 0 ? best : shown.front();
+  if (study.points > 1)
+    add(path({.name = "path", .caption = fmt::format("Targets, and what {} reached in its first run.", drawn)},
+             path_rows(study, drawn, 1, look)));
+  if (is_path(study)) {
+    const auto [rows, columns] = joint_rows(study, look);
+    if (!columns.empty())
+      add(joints(
+          {.name = "joints", .caption = "Joint angles along the path, first run of each solver. Dashed: limits."}, rows,
+          columns));
+  }
+  return all;
+}
+
+}  // namespace ikbench::figures

@@ -1,0 +1,58 @@
+// The figures of a judged study, and the parts that a paper's figures are made of. All runs are in curves and boxes;
+// what has one value a point shows the first run of each solver.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/compare/judge.hpp"
+#include "analysis/figures/figure.hpp"
+#include "analysis/figures/plots.hpp"
+#include "results/figure_style.hpp"
+#include "results/store.hpp"
+
+namespace ikbench::figures {
+
+// What all figures of a report look like.
+struct Look {
+  results::FigureStyle style;        // with the colours that its solvers were given
+  std::map<std::string, int> lines;  // style of each solver, by label
+};
+Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
+
+// At most eight: overview, error-boxes, time-boxes or motion-boxes, error-by-iteration or error-by-point,
+// solved-by-evaluations, differences, path, joints.
+std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& look);
+
+// The solvers that figures show, in their order.
+std::vector<std::string> shown_solvers(const compare::StudyResults& study, const Look& look);
+int style_of(const Look& look, const std::string& solver);
+
+const compare::Judged* judged_of(const compare::JudgedStudy& judged, std::string_view column);
+// Values are drawn times `factor`: 10 for cm in mm.
+struct DrawnUnit {
+  std::string name;
+  double factor = 1;
+};
+DrawnUnit drawn_unit(const compare::StudyResults& study, std::string_view unit);
+std::vector<BoxRow> box_rows(const compare::JudgedStudy& judged, const compare::Judged& metric, const Look& look);
+// Medians of all runs with their quartiles, or means with the median dotted.
+enum class Average { median, mean };
+std::vector<Line> by_point(const compare::StudyResults& study, std::string_view column, const Look& look,
+                           Average average);
+// The best error after each iteration, of all solves; those that ended earlier keep their last. Solvers without a trace
+// are left out.
+std::vector<Line> by_iteration(const compare::StudyResults& study, const Look& look, Average average);
+// Of one solver's first run, with the arm at so many of its points.
+PathRows path_rows(const compare::StudyResults& study, const std::string& solver, std::size_t arms, const Look& look);
+// Of the joints that turn. Empty where no answer is known.
+struct JointRows {
+  std::vector<JointRow> rows;
+  std::vector<JointColumn> columns;
+};
+JointRows joint_rows(const compare::StudyResults& study, const Look& look);
+
+}  // namespace ikbench::figures

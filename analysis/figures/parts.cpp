@@ -1,0 +1,210 @@
+#include "analysis/figures/parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <iterator>
+
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+
+namespace {
+
+constexpr std::size_t longest_label_of_all = 36;
+constexpr double spread_of_logarithmic = 30;
+constexpr int farthest_decade = 300;
+
+std::vector<double> drawable(std::span<const double> values) {
+  std::vector<double> drawn;
+  std::ranges::copy_if(values, std::back_inserter(drawn), [](double v) { return std::abs(v) <= 1e300; });
+  return drawn;
+}
+
+std::string placed(char letter, const std::string& low, const std::string& high) {
+  return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\n", letter, low, high);
+}
+
+// That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end. Long titles have two lines.
+std::string titled(char letter, const std::string& title) {
+  const std::size_t most = letter == 'y' ? 34 : 44, blank = title.rfind(' ', title.size() / 2 + 4);
+  const bool is_long = title.size() > most && blank != std::string::npos;
+  const std::string text = !is_long ? gnuplot_text(title)
+                                    : fmt::format("{}.\"\\n\".{}", gnuplot_text(title.substr(0, blank)),
+                                                  gnuplot_text(title.substr(blank + 1)));
+  if (title.empty()) return "";
+  if (letter == 'x') return fmt::format("set xlabel {} noenhanced\n", text);
+  return fmt::format("set label {} at screen margin({}), graph 0.5 center rotate noenhanced\n", text,
+                     is_long ? 0.15 : 0.3);
+}
+
+// "1e-5": gnuplot draws exponents of an SVG too high.
+std::string power(double value) {
+  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.4g}", value);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  return fmt::format("{:.2g}e{}", value / std::pow(10, exponent), exponent);
+}
+
+// Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too.
+std::string ticks_between(char letter, double low, double high) {
+  const double decades = std::log10(high) - std::log10(low);
+  const int every = 1 + static_cast<int>((decades - 1) / 7);
+  std::vector<std::string> ticks;
+  if (decades < 0.7) {
+    const double step = round_step_of(high - low, 5);
+    for (double i = std::ceil(low / step); i * step <= high; ++i)
+      ticks.push_back(fmt::format("'{:.4g}' {}", i * step, text_of(i * step)));
+  }
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); decades >= 0.7 && decade <= farthest_decade;
+       ++decade) {
+    for (int multiple = 1; multiple < 10; ++multiple) {
+      const double at = multiple * std::pow(10, decade);
+      if (at > high * (1 + 1e-9)) break;
+      if (at < low * (1 - 1e-9) || (multiple > 1 && every > 1)) continue;
+      const bool has_label =
+          decade % every == 0 && (multiple == 1 || ((multiple == 2 || multiple == 5) && decades <= 2.2));
+      const std::string label = has_label ? power(at) : "";
+      if (has_label || every == 1) ticks.push_back(fmt::format("'{}' {}{}", label, text_of(at), has_label ? "" : " 1"));
+    }
+    if (std::pow(10, decade) > high) break;
+  }
+  return fmt::format("set {}tics ({})\n", letter, fmt::join(ticks, ", "));
+}
+
+}  // namespace
+
+std::string label_of(std::string_view text) { return text.empty() ? "(empty)" : shortened(text, longest_label_of_all); }
+
+std::string gnuplot_text(std::string_view text) {
+  constexpr std::string_view harmless = " -_.,:()+*/=<>[]&|?^~%";  // gnuplot 5.4 looks for macros in quotes, too
+  std::string result = "'";
+  for (const char c : one_line(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte) != 0 || harmless.find(c) != std::string_view::npos) {
+      result += c;
+    } else {
+      result += fmt::format("'.character[{}].'", byte);
+    }
+  }
+  return result + "'";
+}
+
+std::string data_row(const std::vector<double>& values) {
+  std::string row;
+  for (const double value : values)
+    row += (row.empty() ? "" : " ") + (std::abs(value) <= 1e300 ? text_of(value) : "NaN");
+  return row + '\n';
+}
+
+std::string plotted(const std::vector<std::string>& clauses, std::string_view command) {
+  return fmt::format("{} NaN, \\\n  {}", command, fmt::join(clauses, ", \\\n  "));
+}
+
+double round_step_of(double span, double places) {
+  const double least = span / places, power = std::pow(10, std::floor(std::log10(least)));
+  for (const double digit : {1, 2, 5}) {
+    if (digit * power >= least) return digit * power;
+  }
+  return 10 * power;
+}
+
+double width_cm_of(std::string_view label) {
+  constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -I", wide = "mwMW@%OQGDHN";
+  double cm = 0;
+  for (const char c : label) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) continue;  // not the first of a character
+    const bool is_wide = wide.find(c) != std::string_view::npos || byte >= 0xE3;
+    cm += narrow.find(c) != std::string_view::npos ? 0.09 : is_wide ? 0.24 : c >= 'A' && c <= 'Z' ? 0.2 : 0.16;
+  }
+  return cm;
+}
+
+std::string linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
+  const std::vector<double> drawn = drawable(values);
+  const double least = drawn.empty() ? 0 : std::ranges::min(drawn),
+               largest = drawn.empty() ? 1 : std::ranges::max(drawn);
+  const double span = largest - least, room = span > 0 ? 0.06 * span : largest == 0 ? 1 : 0.1 * std::abs(largest);
+  const double low = begins == Begins::at_zero ? std::min(0.0, 1.05 * least) : least - room;
+  const double high = begins == Begins::at_zero ? (largest > 0 ? 1.05 * largest : 1) : largest + room;
+  const std::string ticks = letter == 'x' ? fmt::format("set xtics {}\n", text_of(round_step_of(high - low, 5))) : "";
+  return fmt::format("set {0}range [{1}:{2}]\n{3}line_{0}(v) = v\nedge_{0}(v) = NaN\n{4}{5}", letter, text_of(low),
+                     text_of(high), ticks, titled(letter, title), placed(letter, text_of(low), text_of(high))) +
+         (drawn.empty() ? "set label 'nothing to show' at graph 0.5, graph 0.5 center\n" : "");
+}
+
+std::string logarithmic_axis(char letter, double smallest, double largest, const std::string& title) {
+  smallest = std::max(smallest, std::pow(10, -farthest_decade));
+  largest = std::clamp(largest, smallest * 1.02, std::pow(10, farthest_decade));
+  const double room = std::pow(largest / smallest, 0.04), low = smallest / room, high = largest * room;
+  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(low), text_of(high),
+                     ticks_between(letter, low, high), titled(letter, title),
+                     placed(letter, text_of(low), text_of(high)));
+}
+
+std::string value_axis(char letter, std::span<const double> values, const About& about, Begins begins) {
+  const std::vector<double> drawn = drawable(values);
+  std::vector<double> above;
+  std::ranges::copy_if(drawn, std::back_inserter(above), [&](double v) { return v > about.floor; });
+  const std::string title = about.unit.empty() ? about.quantity : fmt::format("{} [{}]", about.quantity, about.unit);
+  if (above.empty() || std::ranges::min(drawn) < 0 ||
+      std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
+    return linear_axis(letter, values, title, begins);
+  const bool has_edge = above.size() < drawn.size();
+  const int first = static_cast<int>(std::floor(std::log10(std::ranges::min(above)) + 1e-9)),
+            low = first - (has_edge ? 1 : 0),
+            high = static_cast<int>(std::ceil(std::log10(std::ranges::max(above)) - 1e-9));
+  std::string settings = fmt::format("set logscale {0}\nset {0}range [1e{1}:1e{2}]\n{3}", letter, low, high,
+                                     ticks_between(letter, std::pow(10, first), std::pow(10, high)));
+  if (has_edge)
+    settings +=
+        fmt::format("set {}tics add ('{}' 1e{})\n", letter, about.floor > 0 ? "≤ " + power(about.floor) : "0", low);
+  return settings + titled(letter, title) + placed(letter, fmt::format("1e{}", low), fmt::format("1e{}", high)) +
+         fmt::format("line_{0}(v) = v > {1} ? v : NaN\nedge_{0}(v) = v <= {1} ? 1e{2} : NaN\n", letter,
+                     text_of(about.floor), low);
+}
+
+void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {
+  std::vector<std::string> ticks;
+  double widest_cm = 0;
+  for (const std::string& label : labels) {
+    std::string format;  // gnuplot takes a label as one: %% is %
+    for (const char c : one_line(label)) format.append(c == '%' ? 2 : 1, c);
+    widest_cm = std::max(widest_cm, width_cm_of(label));
+    ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
+  }
+  if (widest_cm > 3) figure.width_cm = two_columns_cm;
+  figure.height_cm = 1.4 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
+  figure.settings += fmt::format(
+      "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced scale 0 ({})\nset border 1\nset grid noytics\n"
+      "set lmargin at screen margin({})\n",
+      std::max<std::size_t>(labels.size(), 1), fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
+}
+
+void add_legend_of(Figure& figure, const std::vector<std::string>& labels) {
+  std::size_t longest = 1;
+  for (const std::string& label : labels) longest = std::max(longest, character_count(label));
+  if (labels.size() > 8) figure.width_cm = two_columns_cm;
+  figure.legend = labels.size() > 1 ? labels.size() : 0;
+  // The most that gnuplot 5.4 reserves for an entry in an SVG, by the share of the width that is between the margins.
+  figure.legend_cm = 1.3 * (1.3 + 0.2 * static_cast<double>(longest));
+  figure.settings +=
+      labels.size() > 1
+          ? "set key at screen 0.5, screen up(0.1) bottom center horizontal spacing 0.9 maxcols columns(legend_cm)\n"
+          : "unset key\n";
+}
+
+void add_margins(Figure& figure, double bottom_cm) {
+  figure.settings += fmt::format(
+      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
+      "set bmargin at screen up({} + (legend_rows > 0 ? 0.15 + 0.38 * legend_rows : 0))\n"
+      "set tmargin at screen 1 - up(0.3)\n",
+      bottom_cm);
+}
+
+}  // namespace ikbench::figures

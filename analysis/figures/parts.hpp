@@ -1,0 +1,44 @@
+// What the kinds of figures share: labels, numbers of data files, axes, rows and legends, as gnuplot commands.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "numerics/utf8.hpp"
+
+namespace ikbench::figures {
+
+// A label: at most 36 characters.
+std::string label_of(std::string_view text);
+// Any text as an expression. Characters that mean something to gnuplot become elements of style.gp's array `character`.
+std::string gnuplot_text(std::string_view text);
+
+// A line of a data file. "NaN" for what is not drawn: gnuplot works in doubles, with room for an axis around.
+std::string data_row(const std::vector<double>& values);
+
+std::string plotted(const std::vector<std::string>& clauses, std::string_view command = "plot");
+
+// The smallest of 1, 2 and 5 times a power of ten that marks at most `places` places of a span.
+double round_step_of(double span, double places);
+
+double width_cm_of(std::string_view label);  // approximately
+
+// Settings of an axis: title, range, ticks, and functions that a plot draws by, for an axis y: place_y(v), within the
+// range; line_y(v), which is NaN for values at the edge; edge_y(v), NaN for all others. It is logarithmic if no value
+// is negative and they span a factor of 30; then values up to the floor are at its edge, which says so.
+enum class Begins { at_zero, around };
+std::string value_axis(char letter, std::span<const double> values, const About& about, Begins begins);
+std::string linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins);
+std::string logarithmic_axis(char letter, double smallest, double largest, const std::string& title);
+
+// Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
+void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
+// The same margins in every figure with two axes.
+void add_margins(Figure& figure, double bottom_cm = 1.2);
+// Entries below the plot, in as many columns as fit; none for a single one.
+void add_legend_of(Figure& figure, const std::vector<std::string>& labels);
+
+}  // namespace ikbench::figures

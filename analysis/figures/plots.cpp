@@ -1,0 +1,460 @@
+#include "analysis/figures/plots.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "analysis/figures/parts.hpp"
+#include "numerics/number.hpp"
+
+namespace ikbench::figures {
+
+using namespace numerics;
+
+namespace {
+
+constexpr std::string_view grey = "lc rgb '#808080'";
+constexpr std::size_t most_rows = 100;    // of a figure
+constexpr std::size_t most_values = 200;  // drawn of a group
+constexpr std::size_t most_bands = 6;     // more would cover each other
+
+Figure begun(const About& about) { return {.name = about.name, .caption = about.caption}; }
+
+std::string with_unit(const std::string& quantity, const std::string& unit) {
+  return unit.empty() ? quantity : fmt::format("{} [{}]", quantity, unit);
+}
+
+// The first rows of a figure that has no room for all; it says so.
+template <class Row>
+std::span<const Row> shown_of(const std::vector<Row>& rows, std::size_t most, std::string_view what, Figure& figure) {
+  if (rows.size() > most)
+    figure.caption += fmt::format(" Only the first {} of {} {} are drawn.", most, rows.size(), what);
+  return std::span(rows).first(std::min(rows.size(), most));
+}
+
+// Words at the right of a row.
+void add_remarks(Figure& figure, const std::vector<std::pair<std::string, int>>& words_and_styles) {
+  double widest_cm = 0;
+  for (std::size_t i = 0; i < words_and_styles.size(); ++i) {
+    const auto& [words, style] = words_and_styles[i];
+    if (words.empty()) continue;
+    widest_cm = std::max(widest_cm, width_cm_of(words));
+    figure.settings +=
+        fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced textcolor rgb {}\n",
+                    gnuplot_text(words), i + 1, style > 0 ? fmt::format("colour_of({})", style) : "'#666666'");
+  }
+  if (widest_cm > 0)
+    figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
+}
+
+}  // namespace
+
+Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
+  Figure figure = begun(about);
+  const auto rows = shown_of(all_rows, most_rows, "groups", figure);
+  std::vector<std::string> labels, clauses;
+  std::vector<int> styles;
+  std::vector<std::pair<std::string, int>> remarks;
+  std::vector<double> all;
+  figure.data =
+      "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n";
+  std::string values = "";
+  bool is_thinned = false, has_printed = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const BoxRow& row = rows[i];
+    const auto y = static_cast<double>(i + 1);
+    labels.push_back(label_of(row.label));
+    styles.push_back(row.style);
+    remarks.emplace_back(row.remark, 0);
+    all.insert(all.end(), row.values.begin(), row.values.end());
+    all.insert(all.end(), row.box.begin(), row.box.end());
+    std::ranges::copy_if(row.printed, std::back_inserter(all), [](double printed) { return printed > 0; });
+    has_printed = has_printed || std::isfinite(row.printed[1]);
+    figure.data += fmt::format("# {}\n{}", one_line(row.label),
+                               data_row({y, row.box[0], row.box[1], row.box[2], row.box[3], row.box[4], row.printed[0],
+                                         row.printed[1], row.printed[2]}));
+    std::vector<double> sorted = row.values;
+    std::ranges::sort(sorted);
+    const std::size_t n = std::min(sorted.size(), most_values);
+    is_thinned = is_thinned || n < sorted.size();
+    values += fmt::format("\n\n# values of {}: value, height\n", one_line(row.label));
+    if (n == 0) values += "NaN NaN\n";
+    for (std::size_t k = 0; k < n; ++k) {
+      constexpr double golden_ratio = 0.6180339887498949;  // multiples of it fill an interval evenly
+      const double jitter = std::fmod(golden_ratio * static_cast<double>(k + 1), 1.0);
+      values += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
+    }
+  }
+  figure.data += values;
+  add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
+  figure.settings += value_axis('x', all, about, Begins::around);
+  if (!rows.empty())
+    figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
+  add_remarks(figure, remarks);
+  if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
+  if (has_printed) figure.caption += " Grey: smallest, median and largest as printed.";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i),
+                      colour = fmt::format("lc rgb colour({})", i + 1);
+    clauses.push_back(
+        fmt::format("data index {} using (place_x($1)):2 with points pt 6 ps 0.3 lw 0.7 {}", i + 1, colour));
+    clauses.push_back(fmt::format(
+        "{} (place_x($2)):($1-0.2):(place_x($6)-place_x($2)):(0) with vectors nohead lw 0.9 {}", box, colour));
+    clauses.push_back(
+        fmt::format("{} (place_x($4)):($1-0.2):(place_x($3)):(place_x($5)):($1-0.33):($1-0.07) with boxxyerror "
+                    "fs solid 0.15 border lw 0.9 {}",
+                    box, colour));
+  }
+  clauses.emplace_back(
+      "data index 0 using (place_x($4)):($1-0.33):(0):(0.26) with vectors nohead lw 1.6 lc rgb '#000000'");
+  if (has_printed) {
+    clauses.push_back(fmt::format(
+        "data index 0 using (place_x($7)):($1+0.34):(place_x($9)-place_x($7)):(0) with vectors nohead lw 1 {}", grey));
+    clauses.push_back(
+        fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
+  }
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+Figure curves(const About& about, const std::string& x_axis, const std::vector<Line>& all) {
+  Figure figure = begun(about);
+  std::vector<double> xs, ys;
+  std::vector<std::string> back, front, labels;
+  figure.data =
+      fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, with_unit(about.quantity, about.unit));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Line& line = all[i];
+    figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
+    if (line.rows.empty()) figure.data += "NaN NaN NaN NaN NaN\n";
+    const auto has = [&](double CurveRow::*part) {
+      return std::ranges::any_of(line.rows, [&](const CurveRow& row) { return std::isfinite(row.*part); });
+    };
+    const bool has_band = has(&CurveRow::high) && all.size() <= most_bands;
+    for (const CurveRow& row : line.rows) {
+      figure.data += data_row({row.x, row.y, row.low, row.high, row.dotted});
+      xs.push_back(row.x);
+      ys.insert(ys.end(), {row.y, row.dotted});
+      if (has_band) ys.insert(ys.end(), {row.low, row.high});
+    }
+    const std::string rows = fmt::format("data index {} using 1:", i);
+    const std::string style =
+        line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 pt 6 ps 0.9 {}", grey);
+    if (has_band)
+      back.push_back(fmt::format(
+          "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
+    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(line_y($5)) with lines {} lw 0.6 dt 3", rows, style));
+    labels.push_back(label_of(line.label) + (has(&CurveRow::y) ? "" : " (nothing to show)"));
+    front.push_back(fmt::format("{}(line_y($2)) with linespoints {} pointinterval {} title {}", rows, style,
+                                1 + line.rows.size() / 25, gnuplot_text(labels.back())));
+    front.push_back(fmt::format("{}(edge_y($2)) with points {}", rows,
+                                line.style > 0 ? style + " dt 1" : fmt::format("pt 6 ps 0.9 {}", grey)));
+  }
+  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
+  const auto [first, last] = std::ranges::minmax(xs.empty() ? std::vector<double>{1} : xs);
+  if (last - first <= 10) figure.settings += "set xtics 1\n";
+  add_legend_of(figure, labels);
+  add_margins(figure);
+  std::ranges::move(front, std::back_inserter(back));
+  figure.plot = plotted(back);
+  return figure;
+}
+
+Figure shares(const About& about, const std::vector<Successes>& all) {
+  Figure figure = begun(about);
+  std::vector<std::string> clauses, labels;
+  double smallest = 1e300, largest = 0;
+  figure.data = fmt::format("# {}, share of all attempts [%]\n", about.quantity);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<double> costs = all[i].costs;
+    std::ranges::sort(costs);
+    figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(all[i].label), data_row({0, 0}));
+    double share = 0;
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+      share = 100 * static_cast<double>(k + 1) / static_cast<double>(all[i].attempts);
+      if (k + 1 == costs.size() || costs[k + 1] > costs[k]) figure.data += data_row({costs[k], share});
+    }
+    figure.data += data_row({1e300, share});
+    if (!costs.empty()) {
+      smallest = std::min(smallest, costs.front());
+      largest = std::max(largest, costs.back());
+    }
+    labels.push_back(label_of(all[i].label));
+    clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps ls {} lw 1.3 title {}", i,
+                                  all[i].style, gnuplot_text(labels.back())));
+  }
+  if (largest == 0) smallest = 1, largest = 10;
+  figure.settings =
+      logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit)) +
+      "set yrange [-2:102]\nset ytics 20\nset label 'solved [%]' at screen margin(0.3), graph 0.5 center rotate\n";
+  add_legend_of(figure, labels);
+  add_margins(figure);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+Figure differences(const About& about, const std::vector<IntervalRow>& all_rows, bool are_ratios) {
+  Figure figure = begun(about);
+  const auto rows = shown_of(all_rows, most_rows, "pairs", figure);
+  const double of_equals = are_ratios ? 1 : 0;
+  std::vector<std::string> labels, clauses;
+  std::vector<std::pair<std::string, int>> verdicts;
+  std::vector<double> all{of_equals};
+  figure.data = fmt::format("# row, {}, low, high\n", are_ratios ? "ratio" : "difference");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const IntervalRow& row = rows[i];
+    labels.push_back(row.label);
+    verdicts.emplace_back(label_of(row.verdict), row.style);
+    for (const double value : {row.estimate, row.low, row.high}) {
+      if (std::abs(value) <= 1e300 && (!are_ratios || value > 0)) all.push_back(value);
+    }
+    figure.data += fmt::format("# {}\n{}", one_line(row.label),
+                               data_row({static_cast<double>(i + 1), row.estimate, std::clamp(row.low, -1e300, 1e300),
+                                         std::clamp(row.high, -1e300, 1e300)}));
+    const std::string line = fmt::format("data every ::{0}::{0} using", i),
+                      colour = row.style > 0 ? fmt::format("lc rgb colour_of({})", row.style) : std::string(grey);
+    clauses.push_back(
+        fmt::format("{} (place_x($3)):1:(place_x($4)-place_x($3)):(0) with vectors nohead lw 1.6 {}", line, colour));
+    clauses.push_back(
+        fmt::format("{} (place_x($2)):1 with points pt {} ps 0.6 lw 1.2 {}", line, row.style > 0 ? 7 : 6, colour));
+  }
+  add_labelled_rows(figure, labels, 0.5);
+  const auto [smallest, largest] = std::ranges::minmax(all);
+  const std::string title = with_unit(about.quantity, about.unit);
+  figure.settings +=
+      are_ratios ? logarithmic_axis('x', smallest, largest, title) : linear_axis('x', all, title, Begins::around);
+  figure.settings +=
+      fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", of_equals, grey);
+  add_remarks(figure, verdicts);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+namespace {
+
+std::string flat_axes(const Corner& low, double side) {
+  const std::string step = text_of(round_step_of(side, 4));
+  return fmt::format(
+      "set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\nset xlabel 'x [cm]'\n"
+      "set label 'y [cm]' at screen margin(0.3), graph 0.5 center rotate\n",
+      text_of(low[0]), text_of(low[0] + side), text_of(low[1]), text_of(low[1] + side), step, step);
+}
+
+// A cube seen from the front, above and the left, by parallel lines; the functions u() and v() project what it holds.
+// It has ticks at the lower front edges and at the left one, and grids on the floor and both walls behind.
+std::string space_axes(const Corner& low, double side) {
+  constexpr double across_x = 0.85, across_y = 0.53, up_x = -0.25, up_y = 0.4, up_z = 0.88;
+  const Corner high{low[0] + side, low[1] + side, low[2] + side};
+  const auto place = [&](const Corner& at) {
+    return fmt::format("{}, {}", text_of(across_x * at[0] + across_y * at[1]),
+                       text_of(up_x * at[0] + up_y * at[1] + up_z * at[2]));
+  };
+  std::string settings = fmt::format(
+      "u(x, y, z) = {0} * x + {1} * y\nv(x, y, z) = {2} * x + {3} * y + {4} * z\nset xrange [{5}:{6}]\nset yrange [{7}:{8}]\n"
+      "unset border\nunset xtics\nunset ytics\nunset grid\n",
+      across_x, across_y, up_x, up_y, up_z, text_of(across_x * low[0] + across_y * low[1]),
+      text_of(across_x * high[0] + across_y * high[1]),
+      text_of(up_x * high[0] + up_y * low[1] + up_z * low[2] - 0.12 * side),
+      text_of(up_x * low[0] + up_y * high[1] + up_z * high[2]));
+  const auto line = [&](const Corner& from, const Corner& to, std::string_view colour) {
+    settings += fmt::format("set arrow from {} to {} nohead back lw 0.5 lc rgb '{}'\n", place(from), place(to), colour);
+  };
+  const auto label = [&](const std::string& text, const Corner& at, std::string_view how) {
+    settings += fmt::format("set label '{}' at {} {}\n", text, place(at), how);
+  };
+  // Where the ticks of an axis are, and the two lines of its grid that begin there.
+  const Corner edges[]{{low[0], low[1], low[2]}, {high[0], low[1], low[2]}, {low[0], low[1], low[2]}};
+  const std::size_t along[][2]{{1, 2}, {0, 2}, {1, 0}};
+  constexpr std::string_view offsets[]{"right offset 0.3, -0.7", "left offset 0.6, -0.3", "right offset -0.6, 0"},
+      titles[]{"right offset -2, -1.6", "left offset 2.2, -1.2", "center rotate offset -4, 0"};
+  const double step = round_step_of(side, 4);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto on = [&](Corner corner, double value) {
+      corner[axis] = value;
+      return corner;
+    };
+    const auto grid = [&](double value, std::string_view colour) {
+      Corner from = on(edges[axis], value), floor = from, wall;
+      const auto [first, second] = along[axis];
+      floor[first] = first == 0 ? low[0] : high[first];
+      line(from, floor, colour);
+      wall = floor;
+      wall[second] = high[second];
+      line(floor, wall, colour);
+    };
+    for (double i = std::ceil(low[axis] / step); i * step <= high[axis]; ++i) {
+      label(fmt::format("{:g}", i * step + 0.0), on(edges[axis], i * step), offsets[axis]);
+      grid(i * step, "#DDDDDD");
+    }
+    for (const double end : {low[axis], high[axis]}) grid(end, "#AAAAAA");
+    label(fmt::format("{} [cm]", "xyz"[axis]), on(edges[axis], (low[axis] + high[axis]) / 2), titles[axis]);
+  }
+  return settings;
+}
+
+}  // namespace
+
+Figure path(const About& about, const PathRows& rows) {
+  Figure figure = begun(about);
+  figure.height_cm = 7;
+  std::array<std::vector<double>, 3> shown;
+  const auto see = [&](const std::vector<Corner>& corners) {
+    for (const Corner& corner : corners) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(corner[axis])) shown[axis].push_back(corner[axis]);
+      }
+    }
+  };
+  figure.data = "# target x, y, z; reached x, y, z [cm]\n";
+  const auto add_row = [&](std::size_t i) {
+    std::vector<double> row(rows.targets[i].begin(), rows.targets[i].end());
+    const Corner reached = i < rows.reached.size() ? rows.reached[i] : Corner{nowhere, nowhere, nowhere};
+    row.insert(row.end(), reached.begin(), reached.end());
+    figure.data += data_row(row);
+  };
+  for (std::size_t i = 0; i < rows.targets.size(); ++i) add_row(i);
+  if (rows.is_closed && !rows.targets.empty()) add_row(0);
+  see(rows.targets);
+  const std::string_view target = rows.is_from_above ? "1:2" : "(u($1,$2,$3)):(v($1,$2,$3))";
+  std::vector<std::string> clauses, labels;
+  const auto add = [&](const std::string& label, const std::string& what) {
+    labels.push_back(label_of(label));
+    clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(labels.back())));
+  };
+  if (rows.is_joined) add("path", fmt::format("0 using {} with lines lw 0.7 {}", target, grey));
+  constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
+  for (std::size_t i = 0; i < rows.arms.size(); ++i) {
+    const auto& [label, corners] = rows.arms[i];
+    figure.data += fmt::format("\n\n# {}: x, y, z [cm]\n", one_line(label));
+    for (const Corner& corner : corners) figure.data += data_row({corner[0], corner[1], corner[2]});
+    see(corners);
+    add(label, fmt::format("{} using {} with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'", i + 1, target,
+                           shades[i % shades.size()]));
+  }
+  add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
+  add(rows.reached_label, fmt::format("0 using {} with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
+                                      rows.is_from_above ? "4:5" : "(u($4,$5,$6)):(v($4,$5,$6))", rows.style));
+  // Three axes of one scale.
+  double longest = 0;
+  Corner low{}, middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (shown[axis].empty()) continue;
+    const auto [least, most] = std::ranges::minmax(shown[axis]);
+    middle[axis] = (least + most) / 2;
+    longest = std::max(longest, most - least);
+  }
+  const double side = longest > 0 ? 1.1 * longest : 2;
+  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = middle[axis] - side / 2;
+  add_legend_of(figure, labels);
+  add_margins(figure, rows.is_from_above ? 1.2 : 0.3);
+  figure.settings += "set size ratio -1\n";
+  figure.settings += rows.is_from_above ? flat_axes(low, side) : space_axes(low, side);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+Figure joints(const About& about, const std::vector<JointRow>& all_rows, const std::vector<JointColumn>& all_columns) {
+  constexpr std::size_t most_solvers = 12, most_joints = 8;
+  Figure figure = begun(about);
+  const auto rows = shown_of(all_rows, most_solvers, "solvers", figure);
+  const auto columns = shown_of(all_columns, most_joints, "joints", figure);
+  std::vector<double> all;
+  std::size_t points = 1;
+  bool is_outside = false;
+  figure.settings =
+      fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\narray solver[{1}]\narray style[{1}]\n",
+                  std::max<std::size_t>(columns.size(), 1), std::max<std::size_t>(rows.size(), 1));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const auto limit = [](double degrees) { return std::isfinite(degrees) ? text_of(degrees) : "NaN"; };
+    figure.settings += fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
+                                   gnuplot_text(label_of(columns[i].label) + " [deg]"), limit(columns[i].lower_deg),
+                                   limit(columns[i].upper_deg));
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const JointRow& row = rows[i];
+    const std::string label = fmt::format("({}) {}", static_cast<char>('a' + i), label_of(row.label));
+    figure.settings += fmt::format("solver[{0}] = {1}\nstyle[{0}] = {2}\n", i + 1,
+                                   gnuplot_text(rows.size() == 1 ? "" : label), row.style);
+    points = std::max(points, row.angles_deg.size());
+    figure.data += fmt::format("{}# {}: point, angle of each joint [deg]\n", i == 0 ? "" : "\n\n", one_line(row.label));
+    for (std::size_t point = 0; point < row.angles_deg.size(); ++point) {
+      std::vector<double> line{static_cast<double>(point + 1)};
+      for (std::size_t joint = 0; joint < columns.size(); ++joint) {
+        const double angle = joint < row.angles_deg[point].size() ? row.angles_deg[point][joint] : nowhere;
+        line.push_back(angle);
+        if (std::isfinite(angle)) all.push_back(angle);
+        is_outside = is_outside || angle < columns[joint].lower_deg || angle > columns[joint].upper_deg;
+      }
+      figure.data += data_row(line);
+    }
+    if (row.angles_deg.empty()) figure.data += "NaN NaN\n";
+  }
+  if (is_outside) figure.caption += " Rings: outside the limits.";
+  const double panel_cm = rows.size() <= 2 ? 2.6 : 1.35, gap_cm = rows.size() == 1 ? 0.15 : 0.5,
+               top_cm = rows.size() == 1 ? 0.65 : 1.05;
+  const auto n = static_cast<double>(rows.size());
+  figure.width_cm = columns.size() <= 3 ? 8.5 : two_columns_cm;
+  figure.height_cm = top_cm + 1 + n * panel_cm + (n - 1) * gap_cm;
+  const double span = all.empty() ? 1 : std::ranges::max(all) - std::ranges::min(all);
+  const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
+  figure.settings +=
+      linear_axis('y', all, "", Begins::around) +
+      fmt::format("set xrange [0:{}]\nset ytics {}\nset tics scale 0.4\nunset key\n", points + 1, text_of(step));
+  const std::string ticks = points <= 2 ? "1" : fmt::format("(1, {}, {})", (points + 1) / 2, points);
+  figure.plot = fmt::format(
+      "set multiplot layout {0}, {1} rowsfirst margins margin(1), 1 - margin(0.2), up(0.95), 1 - up({2}) spacing margin(0.3), up({3})\n"
+      "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
+      "    unset label\n    unset arrow\n    unset title\n    set format ''\n    set xtics {4}\n"
+      "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.55 noenhanced }}\n"
+      "    if (r == 1) {{ set title name[c] noenhanced offset 0, {5} }}\n"
+      "    if (r == {0}) {{ set format x '%g'; set label 'point' at graph 0.5, screen up(0.22) center }}\n"
+      "    plot NaN, data index r-1 using 1:(lower[c]) with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+      "      data index r-1 using 1:(upper[c]) with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+      "      data index r-1 using 1:(column(c+1)) with linespoints lw 0.9 pt 7 ps 0.2 lc rgb colour_of(style[r]), \\\n"
+      "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
+      "  }}\n}}\nunset multiplot",
+      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2);
+  return figure;
+}
+
+Figure overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
+  Figure figure = begun(about);
+  std::vector<double> xs, ys;
+  std::vector<std::string> clauses, labels;
+  bool has_printed = false;
+  figure.data =
+      fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, with_unit(about.quantity, about.unit));
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    const Dot& dot = dots[i];
+    xs.insert(xs.end(), {dot.x, dot.printed_x});
+    ys.insert(ys.end(), {dot.y, dot.printed_y});
+    has_printed = has_printed || std::isfinite(dot.printed_y);
+    figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
+    labels.push_back(label_of(dot.label));
+    const std::string line = fmt::format("data every ::{0}::{0} using", i);
+    clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9 title {}", line,
+                                  dot.style, gnuplot_text(labels.back())));
+    clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 lc rgb colour_of({})",
+                                  line, dot.style));
+  }
+  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::at_zero);
+  if (has_printed) {
+    clauses.insert(
+        clauses.begin(),
+        fmt::format("data using (place_x($1)):(place_y($2)):(place_x($3)-place_x($1)):(place_y($4)-place_y($2)) "
+                    "with vectors nohead lw 0.6 {}",
+                    grey));
+    labels.emplace_back("printed");
+    clauses.push_back(fmt::format("keyentry with points pt 6 ps 0.9 lw 1.2 {} title 'printed'", grey));
+  }
+  add_legend_of(figure, labels);
+  add_margins(figure);
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
+}  // namespace ikbench::figures

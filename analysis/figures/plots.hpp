@@ -1,0 +1,104 @@
+// The kinds of figures, as functions of rows; none knows a study. Values that are not finite are not drawn. A style is
+// a number of style.gp's line styles: the colour of a solver in every figure (solver_styles.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+
+namespace ikbench::figures {
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+// Groups of values, a row each: a box of the quartiles, whiskers to the smallest and the largest, and the values; in
+// grey what a paper printed.
+struct BoxRow {
+  std::string label;
+  int style = 1;
+  std::vector<double> values = {};
+  std::array<double, 5> box = {nowhere, nowhere, nowhere, nowhere, nowhere};  // smallest, quartiles, largest
+  std::array<double, 3> printed = {nowhere, nowhere, nowhere};                // smallest, median, largest
+  std::string remark = {};                                                    // at the right: "3 lost"
+};
+Figure boxes(const About& about, const std::vector<BoxRow>& rows);
+
+// Curves of y by x with the band from low to high, or with a thin dotted one beside.
+struct CurveRow {
+  double x, y, low = nowhere, high = nowhere, dotted = nowhere;
+};
+struct Line {
+  std::string label;
+  int style = 1;  // 0: grey rings, of printed numbers
+  std::vector<CurveRow> rows = {};
+};
+Figure curves(const About& about, const std::string& x_axis, const std::vector<Line>& all);
+
+// How many of all attempts had succeeded at this cost.
+struct Successes {
+  std::string label;
+  int style = 1;
+  std::vector<double> costs = {};  // of those that succeeded
+  std::size_t attempts = 0;
+};
+Figure shares(const About& about, const std::vector<Successes>& all);
+
+// Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, in his
+// colour, or in grey what else is known.
+struct IntervalRow {
+  std::string label;  // "BA - DE"
+  double estimate = nowhere, low = nowhere, high = nowhere;
+  std::string verdict = {};
+  int style = 0;  // of the better one; 0: grey
+};
+Figure differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios);
+
+using Corner = std::array<double, 3>;  // x, y, z [cm]
+struct PathRows {
+  std::vector<Corner> targets, reached = {};
+  std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool
+  std::string reached_label = "reached";
+  int style = 1;  // of what was reached
+  bool is_joined = true, is_closed = false, is_from_above = false;
+};
+Figure path(const About& about, const PathRows& rows);
+
+// A row of panels a solver, a panel a joint. Letters (a), (b), ... if there are several; rings where an angle is
+// outside its limits, which are dashed.
+struct JointRow {
+  std::string label;
+  int style = 1;
+  std::vector<std::vector<double>> angles_deg = {};  // by point, of each joint of the columns
+};
+struct JointColumn {
+  std::string label;
+  double lower_deg = nowhere, upper_deg = nowhere;
+};
+Figure joints(const About& about, const std::vector<JointRow>& rows, const std::vector<JointColumn>& columns);
+
+// A dot a solver, of two quantities; a ring is what a paper printed.
+struct Dot {
+  std::string label;
+  int style = 1;
+  double x = nowhere, y = nowhere, printed_x = nowhere, printed_y = nowhere;
+};
+Figure overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots);
+
+// The specification curve of a multiverse (Simonsohn, Simmons and Nelson, Nature Human Behaviour 4 (2020) 1208): sorted
+// estimates, and below each its choices.
+struct Specification {
+  double estimate, low, high;        // a ratio, with its interval
+  std::vector<std::size_t> choices;  // a place in each group
+};
+struct Specifications {
+  std::vector<std::vector<std::string>> groups;  // the alternatives of each question
+  std::vector<Specification> all;
+  std::string below, above;  // the meaning of an interval below 1, and above
+};
+Figure specifications(const About& about, const Specifications& rows);
+
+}  // namespace ikbench::figures

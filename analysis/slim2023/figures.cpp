@@ -1,0 +1,162 @@
+#include "analysis/slim2023/figures.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "results/published.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace compare;
+using namespace figures;
+using results::CsvTable;
+
+namespace {
+
+constexpr std::string_view own_solver = "IK-BA", error = "position_error_cm", motion = "variation_deg",
+                           time = "seconds";
+
+struct PaperMetric {
+  std::string_view column, name;
+  int curves, boxes;  // numbers of its figures
+};
+constexpr PaperMetric paper_metrics[]{
+    {error, "position error", 6, 10}, {motion, "angles variation", 7, 11}, {time, "computing time", 8, 12}};
+
+std::string numbered(int number) { return fmt::format("figure-{}", number); }
+
+About about_of(const StudyResults& study, const PaperMetric& of, int number, std::string caption) {
+  const Metric& metric = metric_named(of.column);
+  const auto [unit, factor] = drawn_unit(study, metric.unit);
+  return {numbered(number), std::move(caption), std::string(of.name), unit, factor * metric.rounding};
+}
+
+std::string_view text_at(const CsvTable& table, std::size_t row, std::string_view column) {
+  return table.rows[row][table.column(column)];
+}
+
+// The row of the printed Table 3.
+std::optional<std::size_t> printed_row(const CsvTable& table, std::string_view solver, std::string_view column) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (text_at(table, row, "algorithm") == solver && text_at(table, row, "metric") == column) return row;
+  }
+  return std::nullopt;
+}
+
+// The printed times are of another machine: only their ratios can be compared.
+std::string printed_times(const CsvTable& table) {
+  std::vector<std::string> ratios;
+  const double own = table.number(printed_row(table, own_solver, time).value(), "mean");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (text_at(table, row, "metric") != time || text_at(table, row, "algorithm") == own_solver) continue;
+    ratios.push_back(fmt::format("{} {:.3g}", text_at(table, row, "algorithm"), table.number(row, "mean") / own));
+  }
+  return fmt::format(" Printed mean times, in multiples of {}'s: {}.", own_solver, fmt::join(ratios, ", "));
+}
+
+Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
+  const std::string solver = shown_solvers(study, look).front();
+  PathRows rows = path_rows(study, solver, arms, look);
+  rows.is_from_above = arms == 0;
+  const std::string view = arms == 0   ? ", from above"
+                           : arms == 1 ? ", with the arm"
+                                       : ", with the arm at three of them";
+  return path({numbered(number), fmt::format("Targets, and what {} reached in its first run{}.", solver, view)}, rows);
+}
+
+// The means of Table 3, ours and printed.
+Figure overview_figure(const JudgedStudy& judged, const Look& look, const CsvTable& printed) {
+  std::vector<Dot> dots;
+  for (const std::string& solver : shown_solvers(judged.study, look)) {
+    Dot& dot = dots.emplace_back(Dot{.label = solver, .style = style_of(look, solver)});
+    const auto read = [&](std::string_view column, double& ours, double& beside) {
+      if (const Judged* const metric = judged_of(judged, column)) {
+        const auto& groups = metric->observations.groups;
+        const auto group = std::ranges::find(groups, solver, &Group::name);
+        if (group != groups.end()) ours = describe(*group).mean;
+      }
+      if (const auto row = printed_row(printed, solver, column)) beside = printed.number(*row, "mean");
+    };
+    read(motion, dot.x, dot.printed_x);
+    read(error, dot.y, dot.printed_y);
+  }
+  return overview(
+      {"overview", "Error against angles variation, means of all runs. Rings: as printed.", "position error", "cm"},
+      "angles variation [deg]", dots);
+}
+
+std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  const CsvTable printed = results::published::table("slim2023", "table-3");
+  std::vector<Figure> all{overview_figure(judged, look, printed), path_figure(study, 5, 1, look)};
+  for (const PaperMetric& metric : paper_metrics) {
+    About about = about_of(study, metric, metric.curves,
+                           fmt::format("The {} at each point, mean of the runs. Dotted: the median.", metric.name));
+    if (metric.column == time) about.caption += printed_times(printed);
+    all.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
+  }
+  const auto [rows, columns] = joint_rows(study, look);
+  all.push_back(
+      joints({numbered(9), "Joint angles along the path, first run of each solver. Dashed: limits."}, rows, columns));
+  for (const PaperMetric& metric : paper_metrics) {
+    const Judged* const values = judged_of(judged, metric.column);
+    if (values == nullptr) continue;
+    std::vector<BoxRow> boxed = box_rows(judged, *values, look);
+    for (BoxRow& row : boxed) {
+      const auto of = metric.column == time ? std::nullopt : printed_row(printed, row.label, metric.column);
+      if (of) row.printed = {printed.number(*of, "min"), printed.number(*of, "median"), printed.number(*of, "max")};
+    }
+    all.push_back(boxes(
+        about_of(
+            study, metric, metric.boxes,
+            fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
+                        metric.name, metric.column == time ? "median" : "mean")),
+        boxed));
+  }
+  return all;
+}
+
+std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
+  std::vector<Figure> all{path_figure(study, 14, 0, look), path_figure(study, 15, 3, look)};
+  auto [rows, columns] = joint_rows(study, look);
+  std::string caption = "Joint angles along the circle. Dashed: limits.";
+  if (study.definition.robot ==
+      "dobot_magician") {  // its joint 4 turns the tool; the paper draws it with joint 1's angle
+    caption += " Joint 4 repeats joint 1, as printed.";
+    columns.push_back({"joint 4"});
+    for (JointRow& row : rows) {
+      for (std::vector<double>& angles : row.angles_deg) angles.push_back(angles.front());
+    }
+  }
+  all.push_back(joints({numbered(16), caption}, rows, columns));
+  std::vector<Line> errors = by_point(study, error, look, Average::mean);
+  const CsvTable printed = results::published::table("slim2023", "table-8");
+  Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
+  for (std::size_t row = 0; row < printed.rows.size(); ++row)
+    beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
+  About about = about_of(study, paper_metrics[0], 17, "The position error at each point, beside Table 8's.");
+  about.floor = 0;  // all is rounding
+  all.push_back(curves(about, "point", errors));
+  const std::vector<Line> traced = by_iteration(study, look, Average::mean);
+  if (!traced.empty()) {
+    about = about_of(study, paper_metrics[0], 18,
+                     "Best position error after each iteration, mean of all solves. Dotted: the median.");
+    about.floor = 0;
+    all.push_back(curves(about, "iteration", traced));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const JudgedStudy& judged, const Look& look) {
+  if (shown_solvers(judged.study, look).empty()) return {};
+  return judged.study.definition.path == "circle" ? of_circle(judged.study, look) : of_helix(judged, look);
+}
+
+}  // namespace ikbench::slim2023

@@ -1,0 +1,140 @@
+// Which figures a judged study has, and the rows that its solves give.
+#include "analysis/figures/of_study.hpp"
+
+#include <algorithm>
+
+#include "analysis/slim2023/figures.hpp"
+#include "tests/analysis/drawn.hpp"
+#include "tests/catch.hpp"
+#include "tests/compare/studies.hpp"
+#include "tests/contains.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using namespace ikbench::figures;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::string planar_arm =
+    R"(, "arm": {"links": [{"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-90, 90]},
+       {"joint": "slides", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_m": [-2, 2]},
+       {"joint": "turns", "offset_deg": 0, "d_m": 0, "a_m": 1, "alpha_deg": 0, "limits_deg": [-45, 45]}],
+       "base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}})";
+
+// Errors of A are 0.1, 0.2, ... [cm] by run, those of B ten times as large.
+void differ(SolveRecord& solve) { solve.position_error_cm = 0.1 * solve.run * (solve.solver == "A" ? 1 : 10); }
+
+Look look_of_study(const StudyResults& study, results::FigureStyle style = {}) {
+  return look_of(study.entry.series, std::move(style));
+}
+
+Names names_of(const std::vector<Figure>& figures) {
+  Names names;
+  for (const Figure& figure : figures) names.push_back(figure.name);
+  return names;
+}
+
+std::vector<Figure> figures_of_study(const StudyResults& study) { return of_study(judge(study), look_of_study(study)); }
+
+}  // namespace
+
+TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
+  const StudyResults asked = study({.rest = planar_arm}, differ);
+  const std::vector<Figure> figures = figures_of_study(asked);
+  CHECK(names_of(figures) ==
+        Names{"overview", "error-boxes", "time-boxes", "error-by-point", "differences", "path", "joints"});
+  const ScratchFolder folder;
+  CHECK(drawn_as_svg(figures, folder.path) == "");
+  CHECK(contains(figures[1].caption, "a dot is the mean of a run"));
+  CHECK(contains(figures[2].caption, "a dot is the median of a run"));
+  const CurveRow row = by_point(asked, "position_error_cm", look_of_study(asked), Average::median).at(0).rows.at(0);
+  CHECK(row.x == 1);
+  CHECK(row.low == Approx(1.75));  // of 1 to 5 mm, by Hyndman and Fan's type 5
+  CHECK(row.y == Approx(3));
+  CHECK(row.high == Approx(4.25));
+}
+
+TEST_CASE("drawn targets with a tolerance have the share solved, and no curve that joins them", "[of_study]") {
+  const StudyResults asked =
+      study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01, .rest = planar_arm}, [](SolveRecord& solve) {
+        differ(solve);
+        solve.timing = results::Timing::parallel;
+        solve.status = solve.solver == "B" && solve.run == 1 ? Status::tolerance_missed : Status::ok;
+      });
+  const std::vector<Figure> figures = figures_of_study(asked);
+  CHECK(names_of(figures) ==
+        Names{"overview", "error-boxes", "motion-boxes", "solved-by-evaluations", "differences", "path"});
+  CHECK(contains(figures[3].data, "# A\n0 0\n100 100\n1e+300 100\n\n\n# B\n0 0\n100 80\n1e+300 80\n"));
+  CHECK(contains(figures[0].data, "# B\n30 80 NaN NaN\n"));
+  const StudyResults uncounted =
+      study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01},
+            [](SolveRecord& solve) { solve.counted_by = solve.solver == "A" ? CountedBy::nobody : CountedBy::suite; });
+  const Names names = names_of(figures_of_study(uncounted));
+  CHECK(std::ranges::count(names, "solved-by-evaluations") == 0);
+}
+
+TEST_CASE("traces are curves by iteration; a solve that ended keeps its last error", "[of_study]") {
+  const StudyResults traced = study({.runs = 2, .points = 1}, [](SolveRecord& solve) {
+    if (solve.solver == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};
+  });
+  const std::vector<Line> all = by_iteration(traced, look_of_study(traced), Average::median);
+  REQUIRE(all.size() == 1);  // B has no trace
+  REQUIRE(all[0].rows.size() == 3);
+  CHECK(all[0].rows[0].y == Approx(60));  // [mm]
+  CHECK(all[0].rows[2].y == Approx(40));
+  CHECK(all[0].rows[2].low == Approx(20));
+  CHECK(std::ranges::count(names_of(figures_of_study(traced)), "error-by-iteration") == 1);
+}
+
+TEST_CASE("joints are the turning ones of the first run, in degrees", "[of_study]") {
+  const StudyResults asked = study({.points = 2, .rest = planar_arm}, [](SolveRecord& solve) {
+    solve.answer_rad = {solve.run * 3.14159265358979312 / 6, 7, 0};
+  });
+  const auto [rows, columns] = joint_rows(asked, look_of_study(asked));
+  REQUIRE(columns.size() == 2);
+  CHECK(columns[1].label == "joint 3");
+  CHECK(columns[1].upper_deg == Approx(45));
+  REQUIRE(rows.size() == 2);
+  REQUIRE(rows[0].angles_deg.size() == 2);
+  CHECK(rows[0].angles_deg[0][0] == Approx(30));
+}
+
+TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[of_study]") {
+  const StudyResults asked = study({}, differ, {"A", "B", "C"});
+  const Look all = look_of_study(asked), chosen = look_of_study(asked, {.solvers = {"C", "B"}});
+  CHECK(shown_solvers(asked, chosen) == Names{"C", "B"});
+  CHECK(all.lines == std::map<std::string, int>{{"A", 1}, {"B", 2}, {"C", 3}});
+  const std::vector<BoxRow> rows = box_rows(judge(asked), *judged_of(judge(asked), "seconds"), chosen);
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].label == "C");
+  CHECK(rows[0].box[2] == Approx(1));  // [ms]
+  CHECK(rows[0].style == style_of(chosen, "C"));
+}
+
+TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study]") {
+  const std::string published = R"(, "published": "slim2023")" + planar_arm;
+  const StudyResults helix = study({.rest = published}, differ, {"IK-BA", "BA"});
+  const std::vector<Figure> figures = slim2023::figures_of(judge(helix), look_of_study(helix));
+  CHECK(names_of(figures) == Names{"overview", "figure-5", "figure-6", "figure-7", "figure-8", "figure-9", "figure-10",
+                                   "figure-11", "figure-12"});
+  CHECK(contains(figures[6].data, " 0.0016 0.0019 0.0022\n"));  // Table 3, in its unit
+  CHECK(contains(figures[8].data, "NaN NaN NaN\n"));            // no times of another machine
+  CHECK(contains(figures[4].caption, "BA 1.15, DE 1.7"));
+  const StudyResults circle =
+      study({.runs = 1, .rest = R"(, "published": "slim2023", "robot": "dobot_magician")" + planar_arm},
+            [](SolveRecord& solve) {
+              solve.trace_cm = {1, 0.5};
+            },
+            {"IK-BA"});
+  StudyResults on_circle = circle;
+  on_circle.definition.path = "circle";
+  const std::vector<Figure> of_circle = slim2023::figures_of(judge(on_circle), look_of_study(on_circle));
+  CHECK(names_of(of_circle) == Names{"figure-14", "figure-15", "figure-16", "figure-17", "figure-18"});
+  CHECK(contains(of_circle[3].data, "# as printed\n1 2.04e-14 "));
+  CHECK(contains(of_circle[2].settings, "'joint 4 [deg]'"));
+  const ScratchFolder folder;
+  CHECK(drawn_as_svg(figures, folder.path) == "");
+  CHECK(drawn_as_svg(of_circle, folder.path) == "");
+}

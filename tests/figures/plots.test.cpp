@@ -1,0 +1,155 @@
+// The kinds of figures: what their data files have, and that gnuplot draws them whatever the labels are.
+#include "analysis/figures/plots.hpp"
+
+#include <cmath>
+
+#include "analysis/figures/parts.hpp"
+#include "tests/analysis/drawn.hpp"
+#include "tests/catch.hpp"
+#include "tests/contains.hpp"
+
+using namespace ikbench;
+using namespace ikbench::figures;
+
+namespace {
+
+const std::string hostile = "'\"`;!touch pwned`$H#@x{}\\^_%s ]]> &<b>\xFF\n\u20ac";
+
+About error_in(const std::string& name) { return {name, name, "error", "cm", 1e-7}; }
+
+std::vector<Figure> every_kind(const std::string& label) {
+  const About about = error_in(label.size() > 20 ? "x" : "y");
+  const auto named = [&](const char* name) {
+    About own = about;
+    own.name += name;
+    own.quantity = label;
+    return own;
+  };
+  return {
+      boxes(named("boxes"),
+            {{.label = label, .values = {1, 2, 300}, .box = {1, 1.5, 2, 3, 300}, .printed = {0, 1, 2}, .remark = label},
+             {.label = label, .style = 9}}),
+      curves(named("curves"), label,
+             {{label, 1, {{1, 0, 0, 0.5, 0.2}, {2, 3, 1, 4, 2}}}, {label, 0, {{1, 1000}, {2, nowhere}}}, {label, 2}}),
+      shares(named("shares"), {{label, 1, {3, 5}, 4}, {label, 2, {}, 4}}),
+      differences(named("ratios"), {{label, 2, 0.5, 4, label, 2}, {label}, {label, 1, 0.9, double{INFINITY}}}, true),
+      differences(named("differences"), {{label, -2, -5, 4}, {label, 0, 0, 0}}, false),
+      path(named("path"), {.targets = {{1, 2, 3}, {2, 3, 4}},
+                           .reached = {{1, 2, 3}, {nowhere, 0, 0}},
+                           .arms = {{label, {{0, 0, 0}, {1, 1, 1}}}},
+                           .reached_label = label}),
+      path(named("above"), {.targets = {{1, 2, 3}}, .reached_label = label, .is_from_above = true}),
+      joints(named("joints"), {{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}),
+      overview(named("overview"), label, {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, nowhere, nowhere}}),
+      specifications(named("specifications"),
+                     {{{label, "b"}, {"c"}}, {{0.5, 0.1, 0.9, {0, 0}}, {2, 1.5, 4, {1, 0}}}, label, label}),
+  };
+}
+
+}  // namespace
+
+TEST_CASE("every kind is drawn, and no label of a user is run or breaks the picture", "[plots]") {
+  const ScratchFolder folder;
+  for (const std::string& label : {hostile, std::string("mine"), std::string()}) {
+    const std::vector<Figure> figures = every_kind(label);
+    REQUIRE(drawn_as_svg(figures, folder.path) == "");
+    if (label != hostile) continue;
+    for (const Figure& figure : figures) {
+      CAPTURE(figure.name);
+      const std::string svg = text_of_file(folder.path / (figure.name + ".svg"));
+      CHECK(contains(svg, "touch pwned"));  // as text
+      CHECK_FALSE(contains(svg, "<b>"));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder.path / "pwned"));
+  }
+}
+
+TEST_CASE("a figure without rows is drawn and says so", "[plots]") {
+  const ScratchFolder folder;
+  const std::vector<Figure> figures{boxes(error_in("a"), {}),         curves(error_in("b"), "point", {}),
+                                    shares(error_in("c"), {}),        differences(error_in("d"), {}, true),
+                                    overview(error_in("e"), "x", {}), curves(error_in("f"), "point", {{.label = "A"}})};
+  REQUIRE(drawn_as_svg(figures, folder.path) == "");
+  CHECK(contains(text_of_file(folder.path / "a.svg"), "nothing to show"));
+  CHECK(contains(text_of_file(folder.path / "f.svg"), "nothing to show"));
+}
+
+TEST_CASE("a box has its five numbers, what is printed, and all values", "[plots]") {
+  const Figure figure =
+      boxes(error_in("b"), {{.label = "A", .values = {3, 1}, .box = {1, 1.5, 2, 2.5, 3}, .printed = {0.5, 2, 4}},
+                            {.label = "B", .values = {7}, .box = {7, 7, 7, 7, 7}}});
+  CHECK(figure.data ==
+        "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n"
+        "# A\n1 1 1.5 2 2.5 3 0.5 2 4\n# B\n2 7 7 7 7 7 NaN NaN NaN\n"
+        "\n\n# values of A: value, height\n1 1.143606797749979\n3 1.067213595499958\n"
+        "\n\n# values of B: value, height\n7 2.143606797749979\n");
+  std::vector<double> many(1000);
+  for (std::size_t i = 0; i < many.size(); ++i) many[i] = static_cast<double>(i);
+  const Figure thinned = boxes(error_in("b"), {{.label = "A", .values = many}});
+  CHECK(std::ranges::count(thinned.data, '\n') == 2 + 1 + 3 + 200);
+  CHECK(contains(thinned.data, "\n0 "));
+  CHECK(contains(thinned.data, "\n999 "));
+}
+
+TEST_CASE("curves have a row for each x", "[plots]") {
+  const Figure figure =
+      curves(error_in("c"), "point", {{"A", 1, {{1, 0.5, 0.25, 1}, {2, 0.125, nowhere, nowhere, 0.75}}}});
+  CHECK(figure.data ==
+        "# point; error [cm]; low, high, and the dotted line\n# A\n1 0.5 0.25 1 NaN\n2 0.125 NaN NaN 0.75\n");
+}
+
+TEST_CASE("shares rise at the costs of those that succeeded", "[plots]") {
+  const Figure figure = shares({.name = "s", .caption = "", .quantity = "evaluations"}, {{"A", 1, {8, 2, 2}, 4}});
+  CHECK(figure.data == "# evaluations, share of all attempts [%]\n# A\n0 0\n2 50\n8 75\n1e+300 75\n");
+}
+
+TEST_CASE("differences have their intervals, also open ones", "[plots]") {
+  const Figure figure = differences(error_in("d"), {{"A - B", 1, -2, INFINITY, "not decided"}, {"A - C"}}, false);
+  CHECK(figure.data == "# row, difference, low, high\n# A - B\n1 1 -2 1e+300\n# A - C\n2 NaN NaN NaN\n");
+}
+
+TEST_CASE("a closed path ends where it begins, and the arm follows", "[plots]") {
+  const Figure figure = path(error_in("p"), {.targets = {{1, 2, 3}, {4, 5, 6}},
+                                             .reached = {{1, 2, 2.5}},
+                                             .arms = {{"arm", {{0, 0, 0}, {1, 1, 1}}}},
+                                             .is_closed = true});
+  CHECK(
+      figure.data ==
+      "# target x, y, z; reached x, y, z [cm]\n1 2 3 1 2 2.5\n4 5 6 NaN NaN NaN\n1 2 3 1 2 2.5\n\n\n# arm: x, y, z [cm]\n0 0 0\n1 1 1\n");
+}
+
+TEST_CASE("joints have a panel each, and angles outside the limits are told", "[plots]") {
+  const std::vector<JointColumn> columns{{"joint 1", -90, 90}, {"joint 2"}};
+  const Figure inside = joints(error_in("j"), {{"A", 1, {{10, 200}, {-90, 0}}}}, columns);
+  CHECK(inside.data == "# A: point, angle of each joint [deg]\n1 10 200\n2 -90 0\n");
+  CHECK_FALSE(contains(inside.caption, "outside"));
+  const Figure outside = joints(error_in("j"), {{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns);
+  CHECK(contains(outside.caption, "Rings: outside the limits."));
+  CHECK(contains(outside.settings, "(b) B"));
+}
+
+TEST_CASE("the specification curve has the side of each interval and the row of each choice", "[plots]") {
+  const Figure figure = specifications(
+      error_in("s"), {{{"a", "b"}, {"c"}}, {{0.1, 0.01, 0.5, {1, 0}}, {10, 0.5, 100, {0, 0}}}, "below", "above"});
+  // log10 from -2 to 2 on rows 1 to 13; the groups' rows are -1.45, -2.45 and -3.9.
+  CHECK(
+      figure.data ==
+      "# share of interpretations before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n"
+      "25 0.1 0.01 0.5 4 1 6.096910013008056 -1\n75 10 0.5 100 10 6.096910013008056 13 0\n\n\n"
+      "# share of interpretations before it [%], row of a choice, side of its interval\n"
+      "25 -2.45 -1\n25 -3.9000000000000004 -1\n75 -1.45 0\n75 -3.9000000000000004 0\n");
+}
+
+TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at its edge", "[plots]") {
+  const auto axis = [](const std::vector<double>& values) {
+    return value_axis('y', values, error_in("a"), Begins::at_zero);
+  };
+  CHECK_FALSE(contains(axis({1, 30}), "logscale"));
+  CHECK_FALSE(contains(axis({-1, 100}), "logscale"));
+  CHECK(contains(axis({1, 31}), "set yrange [1e0:1e2]"));
+  CHECK_FALSE(contains(axis({1, 31}), "≤"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}), "set yrange [1e-6:1e0]"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 1e-7' 1e-6"));
+  CHECK(contains(axis({0, 2, 10}), "set yrange [0:10.5]"));
+  for (const double odd : {1e-320, 1e300, double{INFINITY}}) CHECK(contains(axis({odd, 1}), "set yrange"));
+}
