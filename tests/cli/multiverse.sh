@@ -8,7 +8,7 @@ has "$out" "interpretations of"
 succeeds multiverse --verbose slim2023 --small --list
 has "$out" "interpretations of"
 
-few=(--dimensions bounds,IK-BA.f_max,BA.best_of)
+few=(--dimensions bounds,IK-BA.step_factor,BA.best_of)
 succeeds multiverse --verbose slim2023 "${small[@]}" "${few[@]}" --jobs 2 --out folder
 quiet
 has "$out" "IK-BA is the most accurate in"
