@@ -270,6 +270,23 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   return findings;
 }
 
+Finding better_first(Finding finding, std::string_view control) {
+  const bool is_behind = finding.verdict == Verdict::worse ||
+                         (finding.verdict != Verdict::better && finding.effect && *finding.effect < 0.5);
+  if (control.empty() ? !is_behind : finding.first != control) return finding;
+  std::swap(finding.first, finding.second);
+  const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
+  if (finding.estimate) finding.estimate = turn(*finding.estimate);
+  if (const auto of = finding.interval) finding.interval = Interval{turn(of->high), turn(of->low)};
+  if (finding.effect) finding.effect = 1 - *finding.effect;
+  if (finding.verdict == Verdict::better) {
+    finding.verdict = Verdict::worse;
+  } else if (finding.verdict == Verdict::worse) {
+    finding.verdict = Verdict::better;
+  }
+  return finding;
+}
+
 Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
   const auto mean_of = [](const Group& group) {
     return group.summary ? group.summary->mean : summarise(group.values).mean;

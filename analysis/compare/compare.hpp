@@ -53,6 +53,9 @@ struct Finding {
 // are not above 0.
 std::vector<Finding> compare(const Observations& of, const Plan& plan);
 
+// The same pair, told with its better one first, or with the control second.
+Finding better_first(Finding finding, std::string_view control);
+
 // Of one metric. best: better than every other. A circle, or means that lie the other way by more than the margin,
 // leave none: `usual` is then usually better, and the mean of `by_mean` is better.
 struct Headline {

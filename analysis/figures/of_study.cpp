@@ -119,7 +119,8 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
   constexpr std::size_t most = 20;  // characters of a name
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
-  for (const Finding& finding : metric.findings) {
+  for (const Finding& each : metric.findings) {
+    const Finding finding = better_first(each, metric.plan.control);
     if (std::ranges::count(shown, finding.first) == 0 || std::ranges::count(shown, finding.second) == 0) continue;
     are_ratios = finding.scale == Scale::ratio;
     const double factor = are_ratios                      ? 1

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "analysis/figures/of_study.hpp"
+
 namespace ikbench::show {
 
 using namespace compare;
@@ -32,20 +34,6 @@ Judged in_unit(Judged judged, double factor, std::string unit) {
   return judged;
 }
 
-Finding turned(Finding finding) {
-  std::swap(finding.first, finding.second);
-  const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
-  if (finding.estimate) finding.estimate = turn(*finding.estimate);
-  if (const auto of = finding.interval) finding.interval = Interval{turn(of->high), turn(of->low)};
-  if (finding.effect) finding.effect = 1 - *finding.effect;
-  if (finding.verdict == Verdict::better) {
-    finding.verdict = Verdict::worse;
-  } else if (finding.verdict == Verdict::worse) {
-    finding.verdict = Verdict::better;
-  }
-  return finding;
-}
-
 }  // namespace
 
 std::vector<Doubt> Shown::all_doubts() const {
@@ -63,11 +51,7 @@ Shown shown(std::vector<Judged> metrics, const results::Plan& plan) {
   Shown shown{.metrics = std::move(metrics), .plan = plan};
   for (Judged& judged : shown.metrics) {
     if (is_share(judged)) judged = in_unit(std::move(judged), 100, "%");
-    for (Finding& finding : judged.findings) {
-      const bool is_behind = finding.verdict == Verdict::worse ||
-                             (finding.verdict != Verdict::better && finding.effect && *finding.effect < 0.5);
-      if (plan.control.empty() ? is_behind : finding.first == plan.control) finding = turned(std::move(finding));
-    }
+    for (Finding& finding : judged.findings) finding = better_first(std::move(finding), plan.control);
   }
   return shown;
 }
@@ -81,9 +65,8 @@ Shown shown(const JudgedStudy& judged) {
   if (definition.has_tolerance() && !definition.is_chained())
     all.notes.emplace_back("Joint motion, time and evaluations are those of solved targets.");
   for (Judged& metric : all.metrics) {
-    const std::string unit = metric.observations.unit;
-    if (unit == "s") metric = in_unit(std::move(metric), 1000, "ms");
-    if (unit == "cm" && definition.published.empty()) metric = in_unit(std::move(metric), 10, "mm");
+    const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
+    if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
   }
   return all;
 }

@@ -75,6 +75,27 @@ TEST_CASE("drawn targets with a tolerance have the share solved, and no curve th
   CHECK(std::ranges::count(names, "solved-by-evaluations") == 0);
 }
 
+TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
+  const auto differences_of = [](const Asked& asked) {
+    const std::vector<Figure> figures =
+        figures_of_study(study(asked,
+                               [](SolveRecord& solve) {
+                                 differ(solve);
+                                 const bool fails = solve.solver == "B" && solve.run < 9;
+                                 solve.status = fails ? Status::tolerance_missed : Status::ok;
+                               },
+                               {"B", "A"}));
+    return *std::ranges::find(figures, "differences", &Figure::name);
+  };
+  const Figure shares =
+      differences_of({.start = "middle", .targets = "drawn", .runs = 10, .points = 1, .tolerance_cm = 0.01});
+  CHECK(contains(shares.data, "# A - B\n1 80 "));
+  CHECK(contains(shares.settings, "'A better'"));
+  const Figure ratios = differences_of({.runs = 10});
+  CHECK(contains(ratios.data, "# A / B\n1 0."));
+  CHECK(contains(ratios.settings, "logscale"));
+}
+
 TEST_CASE("traces are curves by iteration; a solve that ended keeps its last error", "[of_study]") {
   const StudyResults traced = study({.runs = 2, .points = 1}, [](SolveRecord& solve) {
     if (solve.solver == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};
