@@ -149,9 +149,10 @@ Figure curves(const About& about, const std::string& x_axis, const std::vector<L
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
     if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(line_y($5)) with lines {} lw 0.6 dt 3", rows, style));
     labels.push_back(label_of(line.label) + (has(&CurveRow::y) ? "" : " (nothing to show)"));
-    front.push_back(fmt::format("{}(line_y($2)) with linespoints {} pointinterval {} title {}", rows, style,
-                                1 + line.rows.size() / 25, gnuplot_text(labels.back())));
-    front.push_back(fmt::format("{}(edge_y($2)) with points {}", rows,
+    const std::size_t interval = 1 + line.rows.size() / 25;
+    front.push_back(fmt::format("{}(line_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
+                                gnuplot_text(labels.back())));
+    front.push_back(fmt::format("data index {} every {} using 1:(edge_y($2)) with points {}", i, interval,
                                 line.style > 0 ? style + " dt 1" : fmt::format("pt 6 ps 0.9 {}", grey)));
   }
   figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
@@ -395,7 +396,7 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
   }
   if (is_outside) figure.caption += " Rings: outside the limits.";
   const double panel_cm = rows.size() <= 2 ? 2.6 : 1.35, gap_cm = rows.size() == 1 ? 0.15 : 0.5,
-               top_cm = rows.size() == 1 ? 0.65 : 1.05;
+               top_cm = rows.size() == 1 ? 0.75 : 1.15;
   const auto n = static_cast<double>(rows.size());
   figure.width_cm = columns.size() <= 3 ? 8.5 : two_columns_cm;
   figure.height_cm = top_cm + 1 + n * panel_cm + (n - 1) * gap_cm;

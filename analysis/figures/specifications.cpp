@@ -16,7 +16,7 @@ using namespace numerics;
 
 // The curve stands above the rows of the choices, on one axis that counts rows; 1 is its lowest.
 Figure specifications(const About& about, const Specifications& rows) {
-  constexpr double curve_rows = 13, row_cm = 0.4,
+  constexpr double curve_rows = 13, row_cm = 0.42,
                    farthest = 2;    // decades beyond all estimates, where intervals are cut
   double least = -0.5, most = 0.5;  // log10 of ratios
   const auto log10_of = [](double ratio) { return std::log10(std::clamp(ratio, 1e-300, 1e300)); };
@@ -51,8 +51,10 @@ Figure specifications(const About& about, const Specifications& rows) {
     }
   }
   figure.height_cm = 1.6 + row_cm * (curve_rows - place);
+  add_legend_of(figure, {label_of(rows.below), label_of(rows.above), "undecided"});
+  add_margins(figure);
   figure.settings += fmt::format(
-      "set key maxcols 3\nset lmargin at screen margin({})\nset rmargin at screen 0.98\nset xrange [0:100]\n"
+      "set lmargin at screen margin({})\nset rmargin at screen 0.98\nset xrange [0:100]\n"
       "set yrange [{}:{}]\nset xlabel 'interpretations, sorted [%]'\nset ytics noenhanced ({})\nset grid noytics noxtics\n"
       "set label {} at graph 0.99, first 1.6 right noenhanced\nset arrow from graph 0, first {} to graph 1, first {} nohead back ls 1001 lw 0.8\n",
       text_of(widest_cm + 0.4), text_of(place - 0.6), text_of(curve_rows + 0.6), fmt::join(ticks, ", "),
