@@ -31,15 +31,6 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
   judged.doubts.push_back(std::move(doubt));
 }
 
-Plan plan_for(const StudyResults& study, const Metric& metric) {
-  const results::Plan& plan = study.definition.plan;
-  return {.test = plan.test == results::Plan::Test::means ? Plan::Test::means : Plan::Test::ranks,
-          .significance = plan.significance,
-          .margin = plan.margin,
-          .absolute_margin = metric.unit == "cm" ? plan.margin_cm : 0,
-          .control = plan.control};
-}
-
 // A solve has a value, and if this is no share some value is not 0.
 bool has_meaning(const StudyResults& study, const Metric& metric) {
   return std::ranges::any_of(study.solves, [&](const results::SolveRecord& solve) {
@@ -49,6 +40,15 @@ bool has_meaning(const StudyResults& study, const Metric& metric) {
 }
 
 }  // namespace
+
+Plan plan_for(const StudyResults& study, const Metric& metric) {
+  const results::Plan& plan = study.definition.plan;
+  return {.test = plan.test == results::Plan::Test::means ? Plan::Test::means : Plan::Test::ranks,
+          .significance = plan.significance,
+          .margin = plan.margin,
+          .absolute_margin = metric.unit == "cm" ? plan.margin_cm : 0,
+          .control = plan.control};
+}
 
 Judged judge(Observed observed, const Plan& plan) {
   Judged judged{.observations = std::move(observed.observations), .plan = plan, .doubts = std::move(observed.doubts)};

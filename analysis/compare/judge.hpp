@@ -31,6 +31,8 @@ struct JudgedStudy {
 };
 
 JudgedStudy judge(StudyResults study);
+// The study's plan, as it is for one metric.
+Plan plan_for(const StudyResults& study, const Metric& metric);
 // A metric that is not in every report.
 Judged judge(const StudyResults& study, const Metric& metric);
 
