@@ -35,7 +35,7 @@ struct Readable {
     return fmt::format("{} to {}{}", number(of.low, digits), number(of.high, digits), unit);
   }
   std::string operator()(const Printed& of) const {
-    return fmt::format("{}{} (printed {})", number(of.ours, digits), unit, of.printed);
+    return fmt::format("{} (printed {})", (*this)(of.ours), of.printed);
   }
   std::string operator()(const Marked& of) const {
     return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
