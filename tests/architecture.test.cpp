@@ -45,6 +45,7 @@ std::map<std::string, Names> folders_and_papers() {
       {"analysis/figures",
        {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/compare"}},
       {"analysis/show", {"numerics", "robots", "results", "analysis/compare", "analysis/figures"}},
+      {"analysis/papers", {"numerics", "results", "analysis/compare", "analysis/figures", "analysis/show"}},
       {"analysis/report",
        {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
       {"analysis/claims",
@@ -59,7 +60,7 @@ std::map<std::string, Names> folders_and_papers() {
   for (const std::string& paper : papers()) {
     table["analysis"].insert("analysis/" + paper);
     table["analysis/" + paper] = table.at("analysis/claims");
-    table["analysis/" + paper].insert({"robots", "analysis/claims", "analysis/compare"});
+    table["analysis/" + paper].insert({"robots", "analysis/claims", "analysis/compare", "analysis/papers", "analysis/show"});
   }
   return table;
 }

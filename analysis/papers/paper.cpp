@@ -1,0 +1,245 @@
+#include "analysis/papers/paper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/papers/rules.hpp"
+#include "analysis/show/text.hpp"
+#include "numerics/embedded_file.hpp"
+#include "numerics/toml_table.hpp"
+
+namespace ikbench::papers {
+
+using namespace compare;
+using namespace numerics;
+
+namespace {
+
+constexpr EmbeddedFile files[]{
+#include "paper_files.inc"
+};
+
+using Texts = std::map<std::string, std::string>;
+
+[[noreturn]] void refuse(const TomlReader& reader, const std::string& what) {
+  throw std::invalid_argument(reader.where(reader.table().source(), "") + what);
+}
+
+// Of any length.
+void read_text(TomlReader& reader, std::string_view key, std::string& field) {
+  const toml::node* const node = reader.find(key);
+  if (node == nullptr) return;
+  if (!node->is_string()) reader.fail(key, *node, "a quoted string");
+  field = node->as_string()->get();
+}
+
+void read_texts(TomlReader& reader, std::string_view key, Texts& field) {
+  const toml::table* const table = reader.subtable(key);
+  if (table == nullptr) return;
+  TomlReader texts = reader.nested(*table, fmt::format("{}.", key));
+  for (const auto& [name, value] : *table) read_text(texts, name.str(), field[std::string(name.str())]);
+}
+
+Claim read_claim(TomlReader reader, const std::string& papers_own) {
+  Claim claim;
+  if (!papers_own.empty()) claim.solvers = {papers_own};
+  std::vector<std::string> metrics;
+  for (const auto& [key, field] : {std::pair("id", &claim.id),
+                                   {"sentence", &claim.sentence},
+                                   {"decides", &claim.decides},
+                                   {"section", &claim.section},
+                                   {"rule", &claim.rule},
+                                   {"study", &claim.study},
+                                   {"that", &claim.that},
+                                   {"table", &claim.table},
+                                   {"row", &claim.row},
+                                   {"note", &claim.note}})
+    reader.text(key, *field, "");
+  reader.choice("by", claim.is_ours, {{"paper", false}, {"us", true}}, "");
+  reader.choice("of", claim.of,
+                {{"means", Of::means}, {"spread", Of::spread}, {"points", Of::points}, {"each_study", Of::each_study}},
+                "");
+  reader.choice("from", claim.from, {{"both", From::both}, {"solvers", From::solvers}, {"others", From::others}}, "");
+  reader.texts("solvers", claim.solvers, "");
+  reader.texts("against", claim.against, "");
+  reader.texts("metrics", metrics, "");
+  reader.number("limit_ms", claim.limit_ms, 1, {0, 1e9}, "");
+  reader.refuse_unknown_keys();
+  if (claim.id.empty() || claim.sentence.empty() || claim.decides.empty())
+    refuse(reader, "a claim without id, sentence or decides");
+  if (!claim.rule.empty() && rule_named(claim.rule) == nullptr)
+    refuse(reader, unknown_name("rule of a claim", claim.rule, rule_names()));
+  for (const std::string& metric : metrics) claim.metrics.push_back(&metric_named(metric));
+  if (metrics.empty() && !claim.rule.empty() && claim.rule != "count") refuse(reader, "a claim without metrics");
+  return claim;
+}
+
+Rates read_rates(TomlReader reader) {
+  Rates rates;
+  reader.text("table", rates.table, "");
+  reader.text("note", rates.note, "");
+  reader.number("level", rates.level, 1, {0.5, 0.9999}, "");
+  reader.whole("iterations", rates.iterations, {1, 1'000'000}, "");
+  read_texts(reader, "rows", rates.rows);
+  read_texts(reader, "columns", rates.columns);
+  reader.refuse_unknown_keys();
+  return rates;
+}
+
+std::vector<Paper> read_all() {
+  std::vector<Paper> all;
+  for (const EmbeddedFile& file : files) all.push_back(read_paper(file.stem(), file.text, file.name));
+  std::ranges::stable_partition(all, [](const Paper& paper) { return !paper.means.empty(); });
+  return all;
+}
+
+Rate rate_of(const StudyResults& study, const std::string& solver, double printed, const Rates& rates) {
+  Rate rate{.solver = solver, .printed = printed};
+  const auto n = static_cast<double>(study.of(solver).size());
+  if (n == 0) return rate;
+  std::vector<std::int64_t> iterations;  // of what is solved
+  for (const results::SolveRecord& solve : study.of(solver)) {
+    if (solve.status == results::Status::ok) iterations.push_back(solve.iterations);
+  }
+  std::ranges::sort(iterations);
+  rate.share = static_cast<double>(iterations.size()) / n;
+  rate.interval = wilson(rate.share, n, 1 - rates.level);
+  for (int most = 1; most <= rates.iterations; ++most) {
+    const auto solved = std::ranges::upper_bound(iterations, most) - iterations.begin();
+    const Interval of = wilson(static_cast<double>(solved) / n, n, 1 - rates.level);
+    if (printed < of.low || printed > of.high) continue;
+    if (rate.first == 0) rate.first = most;
+    rate.last = most;
+  }
+  return rate;
+}
+
+}  // namespace
+
+const std::vector<Paper>& papers() {
+  static const std::vector<Paper> all = read_all();
+  return all;
+}
+
+const Paper& paper_named(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Paper& paper : papers()) {
+    if (paper.name == name) return paper;
+    names.push_back(paper.name);
+  }
+  throw std::invalid_argument(unknown_name("paper", name, names));
+}
+
+Paper read_paper(std::string_view name, std::string_view toml, std::string_view source) {
+  const toml::table table = parse_toml(toml, source);
+  TomlReader reader(table, source, "");
+  Paper paper{.name = std::string(name)};
+  reader.text("in_short", paper.in_short, "");
+  read_text(reader, "citation", paper.citation);
+  read_text(reader, "not_reproduced", paper.not_reproduced);
+  read_text(reader, "kind", paper.kind);
+  reader.texts("studies", paper.studies, "");
+  reader.texts("runs", paper.runs, "");
+  reader.text("solver", paper.solver, "");
+  reader.text("means", paper.means, "");
+  reader.texts("not_on", paper.not_on, "");
+  reader.text("implementation", paper.implementation, "");
+  reader.whole("near", paper.near, {0, 1000}, "");
+  if (const toml::table* const rates = reader.subtable("rates"))
+    paper.rates = read_rates(reader.nested(*rates, "rates."));
+  const toml::node* const claims = reader.find("claims");
+  reader.refuse_unknown_keys();
+  if (claims == nullptr || !claims->is_array_of_tables())
+    throw std::invalid_argument(fmt::format("{}: no claims; expected tables [[claims]]", source));
+  for (const toml::node& each : *claims->as_array()) {
+    Claim claim = read_claim(reader.nested(*each.as_table(), "claims."), paper.solver);
+    if (std::ranges::find(paper.claims, claim.id, &Claim::id) != paper.claims.end())
+      refuse(reader, fmt::format("the claim {} is there twice; expected it once", claim.id));
+    paper.claims.push_back(std::move(claim));
+  }
+  return paper;
+}
+
+PrintedRows printed_rows(const Paper& paper, const StudyResults& study, const Metric& metric) {
+  const auto& path = study.definition.path;
+  if (paper.means.empty() || std::ranges::find(paper.not_on, path) != paper.not_on.end()) return {};
+  return printed_means(paper.name, paper.means, metric.column);
+}
+
+bool is_of_means(const Paper& paper, const StudyResults& study) {
+  return paper.means.empty() || std::ranges::any_of(metrics(), [&](const Metric& metric) {
+           return !printed_rows(paper, study, metric).empty();
+         });
+}
+
+std::vector<const JudgedStudy*> Repeated::all() const {
+  std::vector<const JudgedStudy*> studies{&study};
+  studies.insert(studies.end(), companions.begin(), companions.end());
+  return studies;
+}
+
+const JudgedStudy* Repeated::part(std::string_view part) const {
+  const std::string& name = study.study.entry.name;
+  if (name.ends_with(fmt::format("-{}", part))) return &study;
+  for (const JudgedStudy* companion : companions) {
+    if (companion->study.entry.name == fmt::format("{}-{}", name, part)) return companion;
+  }
+  return nullptr;
+}
+
+std::vector<RatesOfArm> rates_of(const Repeated& of) {
+  const Rates& plan = of.paper.rates;
+  std::vector<RatesOfArm> arms;
+  const results::CsvTable printed = printed_table(of.paper.name, plan.table);
+  for (const JudgedStudy* each : of.all()) {
+    const StudyResults& study = each->study;
+    const auto named = plan.rows.find(study.definition.robot);
+    const std::string& arm = named == plan.rows.end() ? study.definition.robot : named->second;
+    for (std::size_t row = 0; row < printed.rows.size() && !study.solves.empty(); ++row) {
+      if (printed.rows[row][printed.column("arm")] != arm) continue;
+      RatesOfArm& rates = arms.emplace_back(RatesOfArm{.arm = arm});
+      for (const auto& [solver, column] : plan.columns)
+        rates.rates.push_back(rate_of(study, solver, printed.number(row, column) / 100, plan));
+    }
+  }
+  return arms;
+}
+
+show::Table means_table(const Repeated& of) {
+  const StudyResults& study = of.study.study;
+  show::Table table{.name = "means", .caption = "Means, and as printed", .columns = {{"solver"}}};
+  for (const std::string& solver : study.solvers) table.rows.push_back({solver});
+  for (const Judged& judged : of.study.metrics) {
+    const Observations& observations = judged.observations;
+    const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
+    const PrintedRows printed = printed_rows(of.paper, study, *metric);
+    if (printed.empty()) continue;
+    table.columns.push_back({observations.quantity, observations.unit});
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      table.rows[i].push_back(beside(judged.described[i].mean, row_of(printed, study.solvers[i])));
+  }
+  if (table.columns.size() == 1) table.rows.clear();
+  return table;
+}
+
+show::Table rates_table(const Repeated& of) {
+  const Rates& plan = of.paper.rates;
+  show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
+  for (const auto& [solver, column] : plan.columns) {
+    table.columns.push_back({solver, "%"});
+  }
+  for (const RatesOfArm& arm : rates_of(of)) {
+    auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
+    for (const Rate& rate : arm.rates)
+      row.emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed)});
+  }
+  if (!plan.note.empty()) table.notes.push_back(plan.note);
+  return table;
+}
+
+}  // namespace ikbench::papers

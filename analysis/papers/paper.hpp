@@ -1,0 +1,105 @@
+// A paper is data: the file of its name here, and its printed tables (results/published).
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/compare/judge.hpp"
+#include "analysis/papers/published.hpp"
+
+namespace ikbench::papers {
+
+// What a claim compares of its metrics: the means; the standard deviations of the runs; the means at each target; or
+// the same metric in the study and in each companion.
+enum class Of { means, spread, points, each_study };
+// Whose numbers come from the companion that a claim names; those of the rest come from the study.
+enum class From { both, solvers, others };
+
+struct Claim {
+  std::string id, sentence, decides;  // decides: what would decide it
+  std::string section = {};           // of the paper
+  std::string rule = {};              // rules.hpp; empty: nothing here can decide it
+  bool is_ours = false;               // our question, no claim of the paper
+  std::vector<std::string> solvers;   // it says something of; by default the paper's own
+  std::vector<std::string> against;   // these; empty: all others
+  std::vector<const compare::Metric*> metrics = {};
+  Of of = Of::means;
+  std::string study = {};  // "limits": of the companion NAME-limits
+  From from = From::both;
+  std::string that = {};             // what is counted
+  std::string table = {}, row = {};  // of printed times; names a row's solver: "{bats} bats"
+  double limit_ms = 0;
+  std::string note = {};  // added to the evidence
+};
+
+// A printed table of shares solved [%], a row an arm.
+struct Rates {
+  std::string table = {}, note = {};
+  double level = 0;                                 // of intervals; 0: there is no such table
+  int iterations = 0;                               // up to how many are tried for a printed share
+  std::map<std::string, std::string> rows = {};     // name of our arm to that in its column `arm`
+  std::map<std::string, std::string> columns = {};  // solver to column
+};
+
+struct Paper {
+  std::string name;  // in a study's `published` and in results/published
+  std::string in_short = {}, citation = {}, kind = {}, not_reproduced = {};
+  std::vector<std::string> studies = {};  // the first is its own, "first-part" its companion
+  std::vector<std::string> runs = {};     // those that take --runs
+  std::string solver = {};                // that it proposes
+  std::string means = {};                 // its table of means; empty: none is printed
+  std::vector<std::string> not_on = {};   // kinds of path that this table is not about
+  std::string implementation = {};        // of its times: "MATLAB"
+  int near = 0;                           // a reading is near the print if it explains so many printed numbers
+  Rates rates = {};
+  std::vector<Claim> claims = {};
+};
+
+const std::vector<Paper>& papers();  // by name; those with a table of means first
+// Throws std::invalid_argument, which lists all, if there is none.
+const Paper& paper_named(std::string_view name);
+// Throws std::invalid_argument with `source` and line for what is missing, unknown or repeated.
+Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
+
+// The rows that are about such a study; none on a path that they are not about.
+PrintedRows printed_rows(const Paper& paper, const compare::StudyResults& study, const compare::Metric& metric);
+bool is_of_means(const Paper& paper, const compare::StudyResults& study);
+
+// A solver's share of solved targets on an arm.
+struct Rate {
+  std::string solver;
+  double printed = compare::unknown, share = compare::unknown;  // unknown share: not solved here
+  compare::Interval interval = {};
+  int first = 0, last = 0;  // numbers of iterations, from and to, whose interval has the printed share; 0: none
+
+  bool is_as_printed() const { return interval.low <= printed && printed <= interval.high; }
+  bool is_solved_here() const { return share == share; }
+};
+struct RatesOfArm {
+  std::string arm;  // as printed
+  std::vector<Rate> rates = {};
+};
+
+// A paper's study with its companions.
+struct Repeated {
+  const Paper& paper;
+  const compare::JudgedStudy& study;
+  std::vector<const compare::JudgedStudy*> companions = {};
+  bool has_times = true;  // else claims on times are left out
+
+  std::vector<const compare::JudgedStudy*> all() const;
+  // The companion NAME-part, or the study itself if it is that; null if there is none.
+  const compare::JudgedStudy* part(std::string_view part) const;
+};
+
+// The arms of all studies that the printed table has.
+std::vector<RatesOfArm> rates_of(const Repeated& of);
+
+// Means beside the printed ones, a row a solver.
+show::Table means_table(const Repeated& of);
+// The same of shares solved; without rows if none is printed.
+show::Table rates_table(const Repeated& of);
+
+}  // namespace ikbench::papers

@@ -1,0 +1,54 @@
+// The numbers that papers print (results/published), with their digits.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/compare/describe.hpp"
+#include "analysis/show/block.hpp"
+#include "results/csv.hpp"
+
+namespace ikbench::papers {
+
+// These throw std::invalid_argument for a text that is no number.
+double half_unit(std::string_view printed);                      // of the last digit: 5e-9 of "1.7824e-4"
+bool agrees(double ours, std::string_view printed);              // our number rounds to the printed digits
+bool can_be(double low, double high, std::string_view printed);  // one between does
+
+// What a table of means may have, by its columns.
+struct Statistic {
+  std::string_view column;
+  double compare::Description::*of;
+};
+constexpr std::array<Statistic, 5> statistics{{{"mean", &compare::Description::mean},
+                                               {"median", &compare::Description::median},
+                                               {"std", &compare::Description::sd},
+                                               {"max", &compare::Description::largest},
+                                               {"min", &compare::Description::smallest}}};
+
+// Of one solver and metric.
+struct PrintedRow {
+  std::string solver;
+  compare::Description numbers = {};  // unknown where the table has no such column
+  std::array<std::string, statistics.size()> digits = {};
+};
+using PrintedRows = std::vector<PrintedRow>;
+
+const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // null if there is none
+
+// As printed; without rows if the paper has no such table.
+results::CsvTable printed_table(std::string_view paper, std::string_view name);
+// Of a table with the columns algorithm, metric, n and the statistics.
+PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
+// Of a table with n, mean_ms, median_ms and so on; its solvers are named "{bats} bats" from a column bats.
+PrintedRows printed_times(std::string_view paper, std::string_view table, std::string_view name);
+
+// Groups that are compared by their means, of the same quantity as ours.
+compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours);
+
+// Ours beside the printed digits, if there are any.
+show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic = 0);
+
+}  // namespace ikbench::papers

@@ -1,0 +1,524 @@
+#include "analysis/papers/rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "analysis/show/shown.hpp"
+#include "analysis/show/text.hpp"
+
+namespace ikbench::papers {
+
+using namespace compare;
+using results::SolveRecord;
+using show::number_text;
+
+namespace {
+
+using Names = std::vector<std::string>;
+using Solves = std::span<const SolveRecord>;
+
+bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
+
+std::string with_unit(double value, const Observations& of, bool has_unit = true) {
+  const bool is_time = of.unit == "s";
+  const std::string unit = is_time ? "ms" : of.unit;
+  return number_text(is_time ? 1000 * value : value) + (unit.empty() || !has_unit ? "" : ' ' + unit);
+}
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + '.';
+}
+
+Holds always_or_on_average(bool always, bool on_average) {
+  return always ? Holds::holds : on_average ? Holds::in_part : Holds::fails;
+}
+
+// The study that the claim is about; with a part, only where numbers are taken from it.
+const JudgedStudy* study_of(const Asked& asked, bool is_of_part = true) {
+  const bool is_part = is_of_part && !asked.claim.study.empty();
+  return is_part ? asked.repeated.part(asked.claim.study) : &asked.repeated.study;
+}
+
+// A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
+bool is_rival(const std::string& name, const Claim& claim) {
+  return claim.against.empty() ? !has(claim.solvers, name) : has(claim.against, name);
+}
+std::string name_of_rival(const std::string& name, const Claim& claim) {
+  return has(claim.solvers, name) ? fmt::format("{} of {}", name, claim.study) : name;
+}
+
+// Judges them if all of the claim's solvers and some other one are there, and none is without observations.
+std::optional<Judged> judged_if_complete(Observations of, Plan plan, const Claim& claim) {
+  const auto is_there = [&](const std::string& name) {
+    return std::ranges::find(of.groups, name, &Group::name) != of.groups.end();
+  };
+  const bool has_own = std::ranges::all_of(claim.solvers, is_there) && of.groups.size() > claim.solvers.size();
+  if (!has_own || std::ranges::any_of(of.groups, [](const Group& each) { return describe(each).n == 0; })) return {};
+  if (!is_there(plan.control)) plan.control.clear();
+  Judged judged = judge({.observations = claim.of == Of::spread ? deviations(of) : of}, plan);
+  for (std::size_t i = 0; i < of.groups.size() && claim.of == Of::spread; ++i)
+    judged.described[i].mean = describe(of.groups[i]).sd;
+  return judged;
+}
+
+// The claim's solvers and others, each from its study.
+std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
+  const Claim& claim = asked.claim;
+  const JudgedStudy* const own = study_of(asked, claim.from != From::others);
+  const JudgedStudy* const others = study_of(asked, claim.from != From::solvers);
+  if (own == nullptr || others == nullptr) return {};
+  if (claim.study.empty() && !is_of_means(asked.repeated.paper, own->study)) return {};
+  Observations all = observe(own->study, metric).observations;
+  std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
+  for (Group& group : observe(others->study, metric).observations.groups) {
+    if (!is_rival(group.name, claim) || (own == others && has(claim.solvers, group.name))) continue;
+    group.name = name_of_rival(group.name, claim);
+    all.groups.push_back(std::move(group));
+  }
+  all.is_paired &= own == others;
+  for (Group& group : all.groups) {
+    if (!all.is_paired) group.blocks.clear();
+  }
+  return judged_if_complete(std::move(all), plan_for(asked.repeated.study.study, metric), claim);
+}
+
+// The printed numbers of the same solvers, by means; none if they are not about this study.
+std::optional<Judged> judged_print(const Asked& asked, const Metric& metric) {
+  const Claim& claim = asked.claim;
+  const StudyResults& study = asked.repeated.study.study;
+  PrintedRows rows = printed_rows(asked.repeated.paper, study, metric);
+  std::erase_if(rows, [&](const PrintedRow& row) {
+    return !has(study.solvers, row.solver) || !(has(claim.solvers, row.solver) || is_rival(row.solver, claim));
+  });
+  if (!claim.study.empty() || claim.of != Of::means || rows.empty()) return {};
+  const Plan plan = plan_for(study, metric);
+  return judged_if_complete(observations_of(rows, observe(study, metric).observations),
+                            {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin},
+                            claim);
+}
+
+double mean_of(const Judged& judged, std::string_view solver) {
+  const auto& groups = judged.observations.groups;
+  return judged.described[static_cast<std::size_t>(std::ranges::find(groups, solver, &Group::name) - groups.begin())]
+      .mean;
+}
+
+// The others by their means, the smallest first.
+Names rivals_of(const Judged& judged, const Names& own) {
+  Names rivals;
+  for (const Group& group : judged.observations.groups) {
+    if (!has(own, group.name)) rivals.push_back(group.name);
+  }
+  std::ranges::stable_sort(rivals, {}, [&](const std::string& name) { return mean_of(judged, name); });
+  return rivals;
+}
+
+Tally tally_of(const Judged& judged, const Names& own, const Names& rivals) {
+  Tally tally;
+  for (const std::string& solver : own) {
+    for (const std::string& rival : rivals) tally.add(verdict_between(judged, solver, rival));
+  }
+  return tally;
+}
+
+// "IK-BA 0.00168 cm (better: K-ABC 0.208, DE 0.253; not decided: MO-PSO 0.73)"
+std::string relations(const Judged& judged, const std::string& solver, const Names& rivals) {
+  std::map<Verdict, Names> by_verdict;
+  for (const std::string& rival : rivals)
+    by_verdict[verdict_between(judged, solver, rival)].push_back(
+        fmt::format("{} {}", rival, with_unit(mean_of(judged, rival), judged.observations, false)));
+  Names parts;
+  for (const auto& [verdict, list] : by_verdict)
+    parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
+  return fmt::format("{} {} ({})", solver, with_unit(mean_of(judged, solver), judged.observations),
+                     fmt::join(parts, "; "));
+}
+
+// Solvers of the companion that give the claim's solver's answers to the last bit.
+Names same_there(const Asked& asked) {
+  Names same;
+  if (asked.claim.from != From::others) return same;
+  const Solves ours = study_of(asked, false)->study.of(asked.claim.solvers.front());
+  const StudyResults& there = study_of(asked)->study;
+  for (const std::string& rival : there.solvers) {
+    const bool is_same = std::ranges::equal(ours, there.of(rival), [](const SolveRecord& a, const SolveRecord& b) {
+      return a.run == b.run && a.point == b.point && a.answer_rad == b.answer_rad;
+    });
+    if (is_rival(rival, asked.claim) && is_same) same.push_back(name_of_rival(rival, asked.claim));
+  }
+  return same;
+}
+
+// Its mean over the runs is the smallest at each target.
+Found better_at_each_point(const Asked& asked) {
+  const StudyResults& study = asked.repeated.study.study;
+  const std::string& own = asked.claim.solvers.front();
+  if (!is_of_means(asked.repeated.paper, study) || !has(study.solvers, own) || study.solvers.size() < 2) return {};
+  std::map<int, std::map<std::string, std::vector<double>>> values;  // by point and solver
+  for (const SolveRecord& solve : study.solves)
+    values[solve.point][solve.solver].push_back(asked.claim.metrics.front()->value(solve, study));
+  int first = 0;
+  for (const auto& [point, solvers] : values) {
+    const auto mean = [&](const std::string& solver) { return summarise(solvers.at(solver)).mean; };
+    first += std::ranges::all_of(solvers, [&](const auto& each) {
+      return each.first == own || (solvers.contains(own) && !(mean(each.first) <= mean(own)));
+    });
+  }
+  JudgedClaim claim = begun(asked.claim);
+  claim.holds = always_or_on_average(first == study.points, 2 * first > study.points);
+  claim.number = fmt::format("{} of {} points", first, study.points);
+  return {claim};
+}
+
+// Better in each study, which are arms, than the best of the rivals.
+Found better_in_each_study(const Asked& asked) {
+  const std::string& own = asked.claim.solvers.front();
+  JudgedClaim claim = begun(asked.claim);
+  Tally tally;
+  Names arms;
+  for (const JudgedStudy* each : asked.repeated.all()) {
+    const Judged judged = judge(each->study, *asked.claim.metrics.front());
+    Names rivals = rivals_of(judged, {own});
+    std::erase_if(rivals, [&](const std::string& name) { return !is_rival(name, asked.claim); });
+    if (rivals.empty() || !has(each->study.solvers, own)) continue;
+    const std::string& best = rivals.back();  // of shares
+    tally.add(verdict_between(judged, own, best));
+    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(judged, best),
+                               100 * mean_of(judged, own)));
+  }
+  claim.evidence = fmt::format("{} is not among the solvers.", own);
+  if (arms.empty()) return {claim};
+  claim.holds = holds_of(tally);
+  claim.number = fmt::format("on {} of {} arms", tally.better, tally.all());
+  claim.evidence = fmt::format("Shares solved: {}.", fmt::join(arms, ", "));
+  return {claim};
+}
+
+Found better(const Asked& asked) {
+  if (asked.claim.of == Of::points) return better_at_each_point(asked);
+  if (asked.claim.of == Of::each_study) return better_in_each_study(asked);
+  const bool is_spread = asked.claim.of == Of::spread;
+  const Names& own = asked.claim.solvers;
+  JudgedClaim claim = begun(asked.claim);
+  std::vector<Holds> here, in_print;
+  Names lists;
+  for (const Metric* metric : asked.claim.metrics) {
+    const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+    if (!found) return {};
+    const Names same = same_there(asked);
+    Names rivals = rivals_of(*found, own), words, means;
+    std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
+    here.insert(here.end(), same.size(), Holds::fails);
+    if (!same.empty())
+      claim.evidence = fmt::format("All answers of {} are the same to the last bit. ", show::listed(same));
+    if (!rivals.empty()) here.push_back(holds_of(tally_of(*found, own, rivals)));
+    if (printed) in_print.push_back(holds_of(tally_of(*printed, own, rivals_of(*printed, own))));
+    for (const std::string& solver : own) {
+      words.push_back(relations(*found, solver, rivals));
+      means.push_back(with_unit(mean_of(*found, solver), found->observations));
+    }
+    lists.push_back(fmt::format("{} of {}", metric->name, show::listed(words)));
+    if (!claim.number.empty()) continue;
+    claim.number = fmt::format("{} {}", is_spread ? "sd" : "mean", show::listed(means));
+    if (rivals.empty()) continue;
+    claim.number +=
+        fmt::format(", {} {}", rivals[0], with_unit(mean_of(*found, rivals[0]), found->observations, false));
+  }
+  claim.holds = holds_of(here);
+  if (!in_print.empty()) claim.printed = holds_of(in_print);
+  claim.evidence +=
+      sentence(fmt::format("{}{}", is_spread ? "standard deviation over the runs of " : "", fmt::join(lists, "; ")));
+  return {claim};
+}
+
+// Of each pair in this order.
+Tally ordered(const Judged& judged, const Names& order) {
+  Tally pairs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::size_t j = i + 1; j < order.size(); ++j) pairs.add(verdict_between(judged, order[i], order[j]));
+  }
+  return pairs;
+}
+
+// In part: most pairs.
+Holds holds_mostly(const Tally& pairs) {
+  if (2 * pairs.better > pairs.all()) return always_or_on_average(pairs.better == pairs.all(), true);
+  return pairs.worse > pairs.better ? Holds::fails : Holds::undecided;
+}
+
+Found order(const Asked& asked) {
+  const Metric& metric = *asked.claim.metrics.front();
+  const std::optional<Judged> here = judged_here(asked, metric), printed = judged_print(asked, metric);
+  if (!here || !printed) return {};
+  const Names in_print = rivals_of(*printed, {}), ours = rivals_of(*here, {});
+  const Tally pairs = ordered(*here, in_print);
+  JudgedClaim claim = begun(asked.claim);
+  claim.holds = holds_mostly(pairs);
+  claim.printed = holds_mostly(ordered(*printed, in_print));
+  claim.number = fmt::format("{} of {} pairs", pairs.better, pairs.all());
+  claim.evidence =
+      fmt::format("By our means: {}; {} pairs are shown in the reverse order.", fmt::join(ours, " < "), pairs.worse);
+  return {claim};
+}
+
+// Against each other solver: better in some metric and worse in none, or the other way round.
+Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
+  Tally tally;
+  for (const std::string& rival : rivals_of(metrics.front(), {solver})) {
+    Tally found;
+    for (const Judged& judged : metrics) found.add(verdict_between(judged, solver, rival));
+    tally.add(found.better > 0 && found.worse == 0   ? Verdict::better
+              : found.worse > 0 && found.better == 0 ? Verdict::worse
+                                                     : Verdict::undecided);
+  }
+  return tally;
+}
+
+Found ahead(const Asked& asked) {
+  const std::string& solver = asked.claim.solvers.front();
+  std::vector<Judged> here, in_print;
+  Names left_out;
+  for (const Metric* metric : asked.claim.metrics) {
+    std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+    if (!found || !printed) return {};
+    if (std::ranges::all_of(found->findings, [](const Finding& each) { return each.why == Why::apart; }))
+      left_out.emplace_back(metric->name);
+    here.push_back(std::move(*found));
+    in_print.push_back(std::move(*printed));
+  }
+  const Tally ours = dominance(here, solver), theirs = dominance(in_print, solver);
+  JudgedClaim claim = begun(asked.claim);
+  claim.holds = holds_of(ours);
+  if (!left_out.empty() && claim.holds == Holds::holds) claim.holds = Holds::in_part;
+  claim.printed = holds_of(theirs);
+  claim.number = fmt::format("ahead of {} of {}", ours.better, ours.all());
+  claim.evidence = fmt::format("In print it is ahead of {}.", theirs.better);
+  if (!left_out.empty()) claim.evidence += fmt::format(" Here {} is not compared.", show::listed(left_out));
+  return {claim};
+}
+
+Found differ(const Asked& asked) {
+  std::vector<Holds> here, in_print;
+  Names list;
+  for (const Metric* metric : asked.claim.metrics) {
+    const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+    if (!found) return {};
+    const double significance = plan_for(asked.repeated.study.study, *metric).significance;
+    const auto verdict = [&](const std::optional<TestOfAll>& anova) {
+      return anova ? always_or_on_average(anova->p < significance, false) : Holds::undecided;
+    };
+    here.push_back(verdict(found->anova));
+    if (printed) in_print.push_back(verdict(printed->anova));
+    const auto& its = found->anova;
+    list.push_back(fmt::format("{} {}", metric->name,
+                               its ? fmt::format("F({}, {}) = {}, {}", its->df, its->df_within,
+                                                 number_text(its->statistic), show::p_sentence(its->p))
+                                   : "not tested"));
+  }
+  JudgedClaim claim = begun(asked.claim);
+  claim.holds = holds_of(here);
+  if (!in_print.empty()) claim.printed = holds_of(in_print);
+  claim.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
+  claim.evidence = sentence(fmt::format("{}", fmt::join(list, "; ")));
+  return {claim};
+}
+
+// Counts of solves.
+
+JudgedClaim count_inside(JudgedClaim claim, Solves solves) {
+  std::size_t outside = 0;
+  double worst = 0;
+  for (const SolveRecord& solve : solves) {
+    outside += solve.limit_violation_deg > 0 || solve.limit_violation_m > 0;
+    worst = std::max(worst, solve.limit_violation_deg);
+  }
+  claim.holds = always_or_on_average(outside == 0, false);
+  claim.number = fmt::format("{} of {} outside", outside, solves.size());
+  claim.evidence = fmt::format("The worst joint is outside by {} deg.", number_text(worst));
+  return claim;
+}
+
+// At most ten times the spacing of doubles at the farthest target.
+JudgedClaim count_rounding(JudgedClaim claim, Solves solves) {
+  double farthest_cm = 0;
+  std::vector<double> errors;
+  for (const SolveRecord& solve : solves) {
+    double square = 0;
+    for (const double at : solve.target_position_m) square += 1e4 * at * at;
+    farthest_cm = std::max(farthest_cm, std::sqrt(square));
+    errors.push_back(solve.position_error_cm);
+  }
+  const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
+  const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
+  claim.holds = always_or_on_average(largest <= most, mean <= most);
+  claim.number = fmt::format("mean {} cm", number_text(mean));
+  claim.evidence = fmt::format("The largest error is {} cm; ten times the spacing of doubles at {} cm is {} cm.",
+                               number_text(largest), number_text(farthest_cm), number_text(most));
+  return claim;
+}
+
+// Why a study's times are not compared; empty if they are.
+std::string why_apart(const StudyResults& study) {
+  const Observed observed = observe(study, metric_named("seconds"));
+  return observed.doubts.empty() ? "" : words_of(observed.doubts.front());
+}
+
+JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResults& study, Solves solves) {
+  const double limit = asked.claim.limit_ms;
+  std::vector<double> times;
+  std::size_t reached = 0, in_time = 0, both = 0;
+  for (const SolveRecord& solve : solves) {
+    times.push_back(1000 * solve.seconds);
+    const bool is_near = solve.status == results::Status::ok, is_fast = times.back() < limit;
+    reached += is_near;
+    in_time += is_fast;
+    both += is_near && is_fast;
+  }
+  const Description its = describe({.name = {}, .values = times});
+  const PrintedRows rows = printed_times(asked.repeated.paper.name, asked.claim.table, asked.claim.row);
+  if (const PrintedRow* printed = row_of(rows, asked.claim.solvers.front()))
+    claim.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
+  const std::size_t n = solves.size();
+  claim.number = fmt::format("{} of {} within {:g} cm", reached, n, study.definition.stop.tolerance_cm);
+  if (const std::string why = why_apart(study); !why.empty()) {
+    claim.holds = Holds::not_comparable;
+    claim.evidence = sentence(why);
+    return claim;
+  }
+  claim.holds = always_or_on_average(both == n, its.median < limit);
+  claim.number += fmt::format(", {} in time", in_time == n ? "all" : fmt::to_string(in_time));
+  claim.evidence = fmt::format("Median {} ms, slowest {} ms.", number_text(its.median), number_text(its.largest));
+  return claim;
+}
+
+// All rates of an arm belong to one number of iterations, which is not printed. So one depends on that number only if
+// it can be the other's, too.
+JudgedClaim count_as_printed(const Asked& asked, const RatesOfArm& arm, const Rate& rate) {
+  const auto other = std::ranges::find_if(
+      arm.rates, [&](const Rate& each) { return each.is_solved_here() && each.solver != rate.solver; });
+  const bool can_depend = rate.first > 0;
+  const bool depends = can_depend && (other == arm.rates.end() || other->first == 0 ||
+                                      (rate.first <= other->last && other->first <= rate.last));
+  JudgedClaim claim = begun(asked.claim);
+  claim.id = fmt::format("{}-{}-{}", asked.claim.id, rate.solver, arm.arm);
+  claim.sentence =
+      fmt::format(fmt::runtime(asked.claim.sentence), fmt::arg("solver", rate.solver), fmt::arg("arm", arm.arm),
+                  fmt::arg("share", fmt::format("{:.2f} %", 100 * rate.printed)));
+  claim.holds = always_or_on_average(rate.is_as_printed(), depends);
+  claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * rate.share, 100 * rate.printed);
+  if (can_depend) claim.evidence = fmt::format("As printed within {} to {} iterations.", rate.first, rate.last);
+  if (can_depend && !depends)
+    claim.evidence += fmt::format(" The other rate takes {} to {}.", other->first, other->last);
+  return claim;
+}
+
+Found count(const Asked& asked) {
+  Found found;
+  for (const RatesOfArm& arm :
+       asked.claim.that == "as_printed" ? rates_of(asked.repeated) : std::vector<RatesOfArm>()) {
+    for (const Rate& rate : arm.rates) {
+      if (rate.is_solved_here()) found.push_back(count_as_printed(asked, arm, rate));
+    }
+  }
+  const JudgedStudy* const judged = study_of(asked);
+  if (!found.empty() || judged == nullptr) return found;
+  const Solves solves = judged->study.of(asked.claim.solvers.front());
+  if (solves.empty() || (asked.claim.study.empty() && !is_of_means(asked.repeated.paper, judged->study))) return {};
+  const JudgedClaim claim = begun(asked.claim);
+  return {asked.claim.that == "at_rounding" ? count_rounding(claim, solves)
+          : asked.claim.that == "in_time"   ? count_in_time(claim, asked, judged->study, solves)
+                                            : count_inside(claim, solves)};
+}
+
+Found ratios(const Asked& asked) {
+  const JudgedStudy* const judged = study_of(asked);
+  if (judged == nullptr) return {};
+  const Claim& claim = asked.claim;
+  const Paper& paper = asked.repeated.paper;
+  const Metric& metric = *claim.metrics.front();
+  const PrintedRows printed = claim.row.empty() ? printed_rows(paper, judged->study, metric)
+                                                : printed_times(paper.name, claim.table, claim.row);
+  const Observations times = observe(judged->study, metric).observations;
+  const auto ratio = [&](const std::string& solver) -> std::string {
+    std::array<double, 2> ours{unknown, unknown}, theirs{unknown, unknown};
+    for (const auto& [i, name] : {std::pair(0U, solver), std::pair(1U, claim.solvers.front())}) {
+      const auto group = std::ranges::find(times.groups, name, &Group::name);
+      if (group != times.groups.end()) ours[i] = describe(*group).median;
+      if (const PrintedRow* const row = row_of(printed, name)) theirs[i] = row->numbers.median;
+    }
+    const double here = ours[0] / ours[1], in_print = theirs[0] / theirs[1];
+    if (!std::isfinite(here) || !std::isfinite(in_print)) return "";
+    return fmt::format("{} {} (printed {})", solver, number_text(here), number_text(in_print));
+  };
+  Names list;
+  for (const std::string& solver : claim.against) list.push_back(ratio(solver));
+  if (std::erase(list, ""); list.empty()) return {};
+  JudgedClaim result = begun(claim);
+  const std::string why = why_apart(judged->study);
+  result.holds = Holds::not_comparable;
+  if (why.empty()) result.number = fmt::format("{} times {}", list.front(), claim.solvers.front());
+  result.evidence = !why.empty() ? sentence(why)
+                                 : fmt::format("Median times, printed of {}, by that of {}: {}.", paper.implementation,
+                                               claim.solvers.front(), fmt::join(list, ", "));
+  return {result};
+}
+
+constexpr Rule rules[]{{"better", better}, {"order", order}, {"ahead", ahead},
+                       {"differ", differ}, {"count", count}, {"ratios", ratios}};
+
+}  // namespace
+
+const Rule* rule_named(std::string_view name) {
+  const auto* found = std::ranges::find(rules, name, &Rule::name);
+  return found == std::end(rules) ? nullptr : found;
+}
+
+std::vector<std::string> rule_names() {
+  Names names;
+  for (const Rule& rule : rules) names.emplace_back(rule.name);
+  return names;
+}
+
+JudgedClaim begun(const Claim& claim) {
+  return {.id = claim.id, .sentence = claim.sentence, .section = claim.section, .is_ours = claim.is_ours};
+}
+
+void Tally::add(Verdict verdict) { ++(verdict == Verdict::better ? better : verdict == Verdict::worse ? worse : open); }
+
+Holds holds_of(const Tally& tally) {
+  if (tally.worse > 0) return Holds::fails;
+  if (tally.open == 0) return Holds::holds;
+  return tally.better > 0 ? Holds::in_part : Holds::undecided;
+}
+
+Holds holds_of(const std::vector<Holds>& parts) {
+  const auto has_any = [&](Holds part) { return std::ranges::find(parts, part) != parts.end(); };
+  if (std::ranges::count(parts, Holds::holds) == std::ssize(parts)) return Holds::holds;
+  if (has_any(Holds::holds) || has_any(Holds::in_part)) return Holds::in_part;
+  return has_any(Holds::fails) ? Holds::fails : Holds::undecided;
+}
+
+Observations deviations(Observations of) {
+  for (Group& group : of.groups) {
+    const double median = describe(group).median;
+    for (double& value : group.values) value = std::abs(value - median);
+  }
+  return of;
+}
+
+Verdict verdict_between(const Judged& judged, std::string_view first, std::string_view second) {
+  const Finding* const finding = show::finding_of(judged, first, second);
+  if (finding == nullptr) return Verdict::not_tested;
+  const Verdict verdict = finding->verdict;
+  if (finding->first == first || (verdict != Verdict::better && verdict != Verdict::worse)) return verdict;
+  return verdict == Verdict::better ? Verdict::worse : Verdict::better;
+}
+
+}  // namespace ikbench::papers

@@ -1,0 +1,210 @@
+// The rules, by the claims of both papers on hand-made studies.
+#include "analysis/papers/claims.hpp"
+
+#include "analysis/papers/rules.hpp"
+#include "tests/papers/studies.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using namespace ikbench::papers;
+
+namespace {
+
+Holds holds(const Repeated& of, std::string_view id) { return claim_of(of, id).holds; }
+
+}  // namespace
+
+TEST_CASE("a study with the printed numbers has the verdicts of the printed numbers", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const Repeated of = repeated(study);
+  for (const char* id : {"most_accurate", "least_variation", "better_than_ba", "repeatable", "solvers_differ",
+                         "inside_limits", "least_error_at_each_point"}) {
+    INFO(id);
+    CHECK(holds(of, id) == Holds::holds);
+  }
+  for (const JudgedClaim& claim : judged_claims(of)) {
+    INFO(claim.id);
+    if (claim.printed) CHECK(claim.printed == claim.holds);
+  }
+  CHECK(holds(of, "accuracy_order") == Holds::in_part);
+  CHECK(holds(of, "best_compromise") == Holds::in_part);  // PSO is faster
+  CHECK(claim_of(of, "most_accurate").printed == Holds::holds);
+  CHECK_FALSE(claim_of(of, "repeatable").printed.has_value());  // a standard deviation alone is no test
+  CHECK(holds(of, "real_arm") == Holds::not_tested);
+  CHECK(holds(of, "circle") == Holds::not_tested);
+  CHECK(claim_named(judged_claims(of), "accurate_inside_limits") == nullptr);  // a question needs its study
+}
+
+TEST_CASE("a claim fails where one is worse, and is not decided where none is shown to be", "[papers]") {
+  const JudgedStudy worse = study_of({}, [](SolveRecord& solve) {
+    if (solve.solver != "IK-BA") return;
+    solve.position_error_cm *= 2000;
+    solve.variation_deg *= 4;
+    solve.limit_violation_deg = 1;
+  });
+  for (const char* id : {"most_accurate", "least_variation", "better_than_ba", "repeatable", "inside_limits"}) {
+    INFO(id);
+    CHECK(holds(repeated(worse), id) == Holds::fails);
+  }
+  CHECK(claim_of(repeated(worse), "inside_limits").number == "80 of 80 outside");
+
+  const JudgedStudy equal = study_of({}, [](SolveRecord& solve) {
+    solve.position_error_cm = 1 + 0.1 * solve.run;
+    solve.variation_deg = 10 + solve.run;
+    solve.seconds = solve.cpu_seconds = 0.001 * solve.run;
+  });
+  for (const char* id : {"most_accurate", "accuracy_order", "least_variation", "best_compromise", "repeatable"}) {
+    INFO(id);
+    CHECK(holds(repeated(equal), id) == Holds::undecided);
+  }
+  CHECK(holds(repeated(equal), "solvers_differ") == Holds::fails);
+  CHECK(claim_of(repeated(equal), "least_error_at_each_point").number == "0 of 4 points");
+}
+
+TEST_CASE("an answer that is none decides nothing for its solver", "[papers]") {
+  const JudgedStudy lost = study_of({}, [](SolveRecord& solve) {
+    if (solve.solver == "DE" && solve.run == 1) solve.position_error_cm = unknown;
+  });
+  CHECK(holds(repeated(lost), "most_accurate") == Holds::in_part);
+}
+
+TEST_CASE("another solver's numbers come from a companion where the claim says so", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const JudgedStudy bounds = study_of({.name = "slim2023-bounds"}, [](SolveRecord& solve) {
+    if (solve.solver == "PSO") solve.position_error_cm = 1e-6 * solve.run;  // and IK-BA is as it was
+    if (solve.solver == "IK-BA") solve.position_error_cm = 0.01;
+  });
+  const Repeated of = repeated(study, {&bounds});
+  CHECK(holds(of, "accurate_none_clamped") == Holds::fails);
+  CHECK(claim_of(of, "accurate_none_clamped").number == "mean 0.00194 cm, PSO 1.05e-05");
+  CHECK(holds(of, "accurate_all_clamped") == Holds::holds);
+  CHECK(claim_of(of, "accurate_all_clamped").number.starts_with("mean 0.01 cm, K-ABC"));
+}
+
+TEST_CASE("what changes no bit has no effect, and what moves joints more has one", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const auto without = [&](double first, double second) {
+    const JudgedStudy companion =
+        study_of({.name = "slim2023-elongation", .solvers = {"IK-BA", "without the pull"}}, [&](SolveRecord& solve) {
+          const double factor = solve.solver == "IK-BA" ? first : second;
+          solve.answer_rad = {0.1 * solve.point, 0.001 * solve.run, 0.05};
+          if (factor != 1) solve.answer_rad[0] += 0.1;
+          solve.variation_deg = factor * as_printed("IK-BA", "variation_deg", solve.run);
+        });
+    return claim_of(repeated(study, {&companion}), "elongation_control");
+  };
+  CHECK(without(1, 1).holds == Holds::fails);
+  CHECK(without(1, 2).holds == Holds::in_part);
+  CHECK(contains(without(1, 2).evidence, "All answers of IK-BA of elongation are the same"));
+  CHECK(without(1, 2).number == "mean 88.8 deg, without the pull 178");
+  CHECK(without(2, 2).holds == Holds::holds);
+  CHECK(without(1, 0.5).holds == Holds::fails);
+}
+
+TEST_CASE("times of another program are not comparable: ratios stand beside the printed ones", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const JudgedClaim claim = claim_of(repeated(study), "mo_pso_slowest");
+  CHECK(claim.holds == Holds::not_comparable);
+  CHECK(claim.number == "MO-PSO 5.28 (printed 5.18) times IK-BA");
+  const JudgedStudy parallel = study_of({}, [](SolveRecord& solve) { solve.timing = results::Timing::parallel; });
+  CHECK(claim_of(repeated(parallel), "mo_pso_slowest").number.empty());
+  CHECK(holds(repeated(parallel), "best_compromise") == Holds::in_part);
+  CHECK(claim_of(repeated(parallel), "best_compromise").number == "ahead of 5 of 5");
+  CHECK(holds(repeated(parallel), "solvers_differ") == Holds::in_part);
+}
+
+TEST_CASE("in time and accurate are told apart", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const auto real_time = [&](int inaccurate, double slowest_ms) {
+    const JudgedStudy times = study_of({.name = "slim2023-time",
+                                        .path = "random",
+                                        .solvers = {"12 bats", "30 bats"},
+                                        .runs = 1,
+                                        .points = 20,
+                                        .tolerance_cm = 0.1},
+                                       [&](SolveRecord& solve) {
+                                         if (solve.point <= inaccurate)
+                                           solve.status = results::Status::tolerance_missed;
+                                         solve.seconds = solve.cpu_seconds =
+                                             solve.point == 20 ? slowest_ms / 1000 : 0.001;
+                                       });
+    return claim_of(repeated(study, {&times}), "real_time");
+  };
+  CHECK(real_time(0, 1).holds == Holds::holds);
+  CHECK(real_time(3, 1).holds == Holds::in_part);
+  CHECK(real_time(3, 1).number == "17 of 20 within 0.1 cm, all in time");
+  CHECK(real_time(0, 60).number == "20 of 20 within 0.1 cm, 19 in time");
+  CHECK(real_time(0, 60).printed == Holds::in_part);  // mean 48.01, largest 67.2
+}
+
+TEST_CASE("an error is at rounding level within ten spacings of doubles", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const auto circle = [&](double error) {
+    const JudgedStudy dobot = study_of({.name = "slim2023-dobot", .path = "circle", .solvers = {"IK-BA"}, .runs = 1},
+                                       [&](SolveRecord& solve) { solve.position_error_cm = error * solve.point; });
+    return claim_of(repeated(study, {&dobot}), "circle").holds;
+  };
+  CHECK(circle(2e-14) == Holds::holds);    // ten times 2^-52 of 40 cm is 8.9e-14
+  CHECK(circle(3e-14) == Holds::in_part);  // the last point is above, the mean is not
+  CHECK(circle(1e-12) == Holds::fails);
+}
+
+TEST_CASE("rates are as printed in all iterations, in fewer, or not", "[papers]") {
+  const auto share = [](int of_thousand, int within) {
+    return study_of({.name = "beeson2015",
+                     .paper = "beeson2015",
+                     .path = "random",
+                     .robot = "abb_irb120",
+                     .solvers = {"KDL", "KDL-RR"},
+                     .runs = 1,
+                     .points = 1000,
+                     .tolerance_cm = 0.001},
+                    [=](SolveRecord& solve) {
+                      const int solved = solve.solver == "KDL-RR" ? 985 : of_thousand;
+                      solve.status = solve.point <= solved ? results::Status::ok : results::Status::tolerance_missed;
+                      solve.iterations = solve.point <= within ? 10 : 400;
+                    });
+  };
+  const std::string kdl = "rate-KDL-ABB IRB120";  // printed 39.41 and 98.48 %
+  const JudgedStudy as_printed = share(394, 0), in_fewer = share(800, 394), never = share(200, 0);
+  CHECK(holds(repeated(as_printed), kdl) == Holds::holds);
+  CHECK(claim_of(repeated(as_printed), kdl).sentence == "KDL solves 39.41 % on the ABB IRB120");
+  CHECK(holds(repeated(as_printed), "rate-KDL-RR-ABB IRB120") == Holds::holds);
+  CHECK(holds(repeated(in_fewer), kdl) == Holds::fails);  // KDL-RR takes 400 iterations for its rate
+  CHECK(contains(claim_of(repeated(in_fewer), kdl).evidence, "within 10 to 399"));
+  CHECK(holds(repeated(never), kdl) == Holds::fails);
+  CHECK(holds(repeated(never), "restarts") == Holds::holds);
+  CHECK(claim_of(repeated(never), "restarts").number == "on 1 of 1 arms");
+  CHECK(holds(repeated(never), "trac_ik") == Holds::not_tested);
+  CHECK(rates_table(repeated(never)).rows.size() == 1);
+}
+
+TEST_CASE("the tally of pairs and of parts", "[papers]") {
+  CHECK(holds_of(Tally{.better = 2}) == Holds::holds);
+  CHECK(holds_of(Tally{.better = 2, .open = 1}) == Holds::in_part);
+  CHECK(holds_of(Tally{.better = 2, .worse = 1}) == Holds::fails);
+  CHECK(holds_of(Tally{.open = 1}) == Holds::undecided);
+  CHECK(holds_of(std::vector{Holds::holds, Holds::fails}) == Holds::in_part);
+  CHECK(holds_of(std::vector{Holds::undecided, Holds::fails}) == Holds::fails);
+}
+
+TEST_CASE("claims are told by verdict, with their shares of readings", "[papers]") {
+  const JudgedStudy study = study_of({});
+  const SharesOfClaim shares{
+      .id = "most_accurate", .all = {.holds = 2, .fails = 7.98, .undecided = 0.02}, .near = {.holds = 1}};
+  const std::vector<JudgedClaim> claims = judged_claims(repeated(study), {shares});
+  CHECK(shares_words(*claim_named(claims, "most_accurate")) ==
+        "holds in 20 %, fails in 80 % (near the print: holds in 100 %, fails in 0 %)");
+  CHECK(percent(0.001) == "< 1 %");
+  CHECK(percent(0.999) == "> 99 %");
+  const show::Blocks blocks = claims_section(claims);
+  REQUIRE(blocks.size() == 4);
+  const auto& table = std::get<show::Table>(blocks[1]);
+  CHECK(table.rows.size() == 18);
+  CHECK(std::get<std::string>(table.rows.front()[0]) == "holds");
+  CHECK(std::get<std::string>(table.rows.back()[0]) == "not tested");
+  const std::string text = screen({"A sentence."}, means_table(repeated(study)), claims, {"Report: x"});
+  CHECK(contains(text, "0.00194 cm (printed 0.0019)"));
+  CHECK(text.find("\nholds\n") < text.find("\nnot tested\n"));
+  CHECK(text.ends_with("Report: x\n"));
+}

@@ -1,0 +1,64 @@
+#include "analysis/papers/published.hpp"
+
+#include <stdexcept>
+
+#include "tests/papers/studies.hpp"
+
+using namespace ikbench;
+using namespace ikbench::papers;
+
+TEST_CASE("a printed number stands for all that round to its digits", "[papers]") {
+  CHECK(half_unit("1.7824e-4") == Approx(5e-9));
+  CHECK(half_unit("12") == 0.5);
+  CHECK(agrees(34.84, "34.8"));
+  CHECK(agrees(2.5, "2"));
+  CHECK_FALSE(agrees(34.86, "34.8"));
+  CHECK(can_be(0.1, 0.19996, "0.2"));
+  CHECK_FALSE(can_be(0.1, 0.14, "0.2"));
+  CHECK_THROWS_AS(agrees(1, "one"), std::invalid_argument);
+}
+
+TEST_CASE("printed rows have their digits, and the names that a table gives by its columns", "[papers]") {
+  const PrintedRows errors = printed_means("slim2023", "table-3", "position_error_cm");
+  REQUIRE(errors.size() == 6);
+  CHECK(errors[0].solver == "IK-BA");
+  CHECK(errors[0].numbers.n == 20);
+  CHECK(errors[0].numbers.sd == 1.7824e-4);
+  CHECK(errors[0].digits[2] == "1.7824e-4");
+  const PrintedRows times = printed_times("slim2023", "table-7", "{bats} bats");
+  REQUIRE(row_of(times, "30 bats") != nullptr);
+  CHECK(row_of(times, "30 bats")->numbers.largest == 448.44);
+  CHECK(row_of(times, "13 bats") == nullptr);
+  CHECK(printed_table("slim2023", "table-99").rows.empty());
+}
+
+TEST_CASE("printed means are compared as summaries, and give the printed ANOVA but for rounding", "[papers]") {
+  const compare::Observations of =
+      observations_of(printed_means("slim2023", "table-3", "position_error_cm"), {.metric = "error"});
+  const auto anova = compare::anova(of);
+  REQUIRE(anova);
+  CHECK(anova->statistic == Approx(40.7736).epsilon(1e-5));  // printed 40.7685 (docs/paper-notes.md)
+  CHECK(anova->df_within == 114);
+}
+
+TEST_CASE("ours stand beside what is printed, alone where nothing is", "[papers]") {
+  const PrintedRow row{.solver = "A", .digits = {"0.2"}};
+  CHECK(std::get<show::Printed>(beside(0.1, &row)).printed == "0.2");
+  CHECK(std::get<double>(beside(0.1, &row, 1)) == 0.1);
+  CHECK(std::get<double>(beside(0.1, nullptr)) == 0.1);
+}
+
+TEST_CASE("papers are read from their files, and a mistake says where it is", "[papers]") {
+  CHECK(papers::papers().front().name == "slim2023");
+  CHECK(paper_named("slim2023").claims.size() == 24);
+  CHECK(paper_named("beeson2015").means.empty());
+  CHECK(contains(refusal([&] { paper_named("slim2032"); }), "slim2023"));
+  const auto read = [](const std::string& claim) { return read_paper("x", "[[claims]]\n" + claim, "x.toml"); };
+  const std::string whole = "id = 'a'\nsentence = 'b'\ndecides = 'c'\n";
+  CHECK(read(whole).claims.front().id == "a");
+  CHECK(contains(refusal([&] { read("id = 'a'\n"); }), "x.toml:1"));
+  CHECK(contains(refusal([&] { read(whole + "rule = 'bettr'"); }), "better"));
+  CHECK(contains(refusal([&] { read(whole + "rule = 'better'"); }), "without metrics"));
+  CHECK(contains(refusal([&] { read(whole + "colour = 'red'"); }), "colour"));
+  CHECK(contains(refusal([&] { read(whole + "[[claims]]\n" + whole); }), "twice"));
+}

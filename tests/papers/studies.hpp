@@ -1,0 +1,97 @@
+// Hand-made studies of papers.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "analysis/compare/judge.hpp"
+#include "analysis/papers/claims.hpp"
+#include "tests/catch.hpp"
+#include "tests/contains.hpp"
+
+namespace ikbench::papers {
+
+using results::SolveRecord;
+using Change = std::function<void(SolveRecord&)>;
+
+struct Made {
+  std::string name = "slim2023", paper = "slim2023", path = "helix", robot = "kuka_iiwa14";
+  std::vector<std::string> solvers = {"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"};
+  int runs = 20, points = 4;
+  double tolerance_cm = 0;
+};
+
+// What a solver has of one metric in a run: the printed mean, spread over the runs as it is printed.
+inline double as_printed(const std::string& solver, const std::string& metric, int run) {
+  static const std::map<std::string, PrintedRows> printed{
+      {"position_error_cm", printed_means("slim2023", "table-3", "position_error_cm")},
+      {"variation_deg", printed_means("slim2023", "table-3", "variation_deg")},
+      {"seconds", printed_means("slim2023", "table-3", "seconds")}};
+  const PrintedRow* const row = row_of(printed.at(metric), solver);
+  if (row == nullptr) return 1;
+  const double place = ((run * 7) % 20 - 9.5) / 9.5;  // from -1 to 1
+  return std::max(1e-6, row->numbers.mean + row->numbers.sd * place * (place > 0 ? 1.8 : 1));
+}
+
+// Each solve has the printed numbers, unless `change` says otherwise.
+inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}) {
+  results::StudyEntry entry{
+      .name = made.name,
+      .definition = fmt::format(
+          R"({{"published": "{}", "robot": "{}", "search": "wrist", "start": "{}", "runs": {}, "points": {},
+              "path": {{"kind": "{}", "targets": "fixed"}}, "stop": {{"tolerance_cm": {}, "iterations": 200}}}})",
+          made.paper, made.robot, made.tolerance_cm > 0 ? "initial" : "previous", made.runs, made.points, made.path,
+          made.tolerance_cm),
+      .series = {}};
+  std::vector<SolveRecord> solves;
+  for (const std::string& solver : made.solvers) {
+    entry.series.push_back({.key = solver + "@1", .label = solver, .algorithm = solver, .options = "{}"});
+    for (int run = 1; run <= made.runs; ++run) {
+      for (int point = 1; point <= made.points; ++point) {
+        const double seconds = as_printed(solver, "seconds", run) / 1000;
+        solves.push_back({.solver = solver,
+                          .run = run,
+                          .point = point,
+                          .target_position_m = {0.1 * point, 0, 0},
+                          .answer_rad = {0.1 * point, 0.001 * run, 0.01 * static_cast<double>(solver.size())},
+                          .position_error_cm = as_printed(solver, "position_error_cm", run),
+                          .variation_deg = as_printed(solver, "variation_deg", run),
+                          .evaluations = 100,
+                          .iterations = 200,
+                          .seconds = seconds,
+                          .cpu_seconds = seconds,
+                          .session = 1});
+        if (change) change(solves.back());
+      }
+    }
+  }
+  return compare::judge(compare::study_of(entry, std::move(solves), {{.id = 1, .environment = {{"cpu", "one"}}}}));
+}
+
+inline Repeated repeated(const compare::JudgedStudy& study, std::vector<const compare::JudgedStudy*> companions = {}) {
+  return {.paper = paper_named(study.study.definition.published), .study = study, .companions = std::move(companions)};
+}
+
+inline JudgedClaim claim_of(const Repeated& of, std::string_view id) {
+  const std::vector<JudgedClaim> claims = judged_claims(of);
+  const JudgedClaim* const claim = claim_named(claims, id);
+  INFO(id);
+  REQUIRE(claim != nullptr);
+  return *claim;
+}
+
+// What is said of a mistake.
+inline std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace ikbench::papers
