@@ -1,0 +1,438 @@
+#include "analysis/papers/multiverse.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/figures/plots.hpp"
+#include "analysis/papers/rules.hpp"
+
+namespace ikbench::papers {
+
+using namespace compare;
+using results::Chosen;
+using results::Dimension;
+
+namespace {
+
+using ChosenSolver = Multiverse::ChosenSolver;
+using OfStudy = Multiverse::OfStudy;
+using Names = std::vector<std::string>;
+// Which printed numbers: those of error, then those of variation.
+using Explained = std::bitset<metrics_of_readings.size() * statistics.size()>;
+// By the choice of the study, by solver, by its own choice.
+using ExplainedReadings = std::vector<std::vector<std::vector<Explained>>>;
+// By metric and solver.
+using PrintedSolvers = std::array<std::vector<PrintedRow>, metrics_of_readings.size()>;
+
+std::size_t place_of(const Names& all, std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
+}
+
+// The shares of a claim.
+
+struct Counted {
+  SharesOfClaim shares;
+  std::string sentence;
+  std::vector<std::vector<Shares>> alternatives;  // by dimension; of the readings that make the choice
+};
+
+Group group_of(const std::vector<double>& runs) {
+  Group group;
+  std::ranges::copy_if(runs, std::back_inserter(group.values), [](double value) { return std::isfinite(value); });
+  group.lost = static_cast<int>(runs.size() - group.values.size());
+  return group;
+}
+
+// By Welch's t of this pair alone.
+Verdict verdict_of(const std::vector<double>& own, const std::vector<double>& theirs, const Claim& claim,
+                   const Plan& plan) {
+  const Metric& metric = *claim.metrics.front();
+  Observations of{.metric = std::string(metric.slug),
+                  .quantity = std::string(metric.name),
+                  .scale = metric.scale,
+                  .floor = metric.floor,
+                  .rounding = metric.rounding,
+                  .groups = {group_of(own), group_of(theirs)}};
+  return compare::compare(claim.of == Of::spread ? deviations(of) : of, plan).front().verdict;
+}
+
+// A choice of a solver: how the claim's solvers do against it.
+struct Option {
+  const Chosen& chosen;
+  Verdict verdict;
+  std::size_t explained;
+};
+using Options = std::vector<std::vector<Option>>;  // by solver
+
+// Numbers of readings by how many printed numbers they explain; without `by_explained` all are the first.
+std::vector<Shares> counted(const Options& options, bool by_explained) {
+  std::vector<Shares> counts{{.holds = 1}};
+  for (const std::vector<Option>& of_solver : options) {
+    std::vector<Shares> next(counts.size() + (by_explained ? Explained().size() : 0));
+    for (const Option& each : of_solver) {
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        const auto& [holds, fails, undecided] = counts[i];
+        next[i + (by_explained ? each.explained : 0)] += each.verdict == Verdict::better ? counts[i]
+                                                         : each.verdict == Verdict::worse
+                                                             ? Shares{.fails = counts[i].all()}
+                                                             : Shares{.fails = fails, .undecided = holds + undecided};
+      }
+    }
+    counts = std::move(next);
+  }
+  return counts;
+}
+
+Shares times(const Shares& of, double weight) { return {of.holds * weight, of.fails * weight, of.undecided * weight}; }
+
+// Adds the readings of one choice of the study and of each of the claim's solvers.
+void add(Counted& into, const Options& options, const Chosen& of_study, double weight, int near) {
+  const Shares all = times(counted(options, false).front(), weight);
+  into.shares.all += all;
+  const std::vector<Shares> by_explained = near > 0 ? counted(options, true) : std::vector<Shares>();
+  for (auto i = static_cast<std::size_t>(near); i < by_explained.size(); ++i)
+    into.shares.near += times(by_explained[i], weight);
+  for (const auto& [dimension, alternative] : of_study) into.alternatives[dimension][alternative] += all;
+  for (std::size_t s = 0; s < options.size(); ++s) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Option>> by_choice;
+    for (const Option& each : options[s]) {
+      for (const auto& [dimension, alternative] : each.chosen) by_choice[{dimension, alternative}].push_back(each);
+    }
+    for (const auto& [choice, of_solver] : by_choice) {
+      Options restricted;
+      for (std::size_t i = 0; i < options.size(); ++i) restricted.push_back(i == s ? of_solver : options[i]);
+      into.alternatives[choice.first][choice.second] += times(counted(restricted, false).front(), weight);
+    }
+  }
+}
+
+// Every combination of the choices of these solvers: by solver, its choice.
+using OwnChoices = std::map<std::size_t, std::size_t>;
+std::vector<OwnChoices> combined(const OfStudy& study, const std::vector<std::size_t>& solvers) {
+  std::vector<OwnChoices> all(1);
+  for (const std::size_t solver : solvers) {
+    std::vector<OwnChoices> more;
+    for (const OwnChoices& each : all) {
+      for (std::size_t choice = 0; choice < study.solvers[solver].size(); ++choice)
+        more.emplace_back(each)[solver] = choice;
+    }
+    all = std::move(more);
+  }
+  return all;
+}
+
+// None if a solver of the claim is missing.
+std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& claim, const results::Plan& plan,
+                                   const ExplainedReadings& explained, int near) {
+  const Names& solvers = multiverse.solvers;
+  const std::size_t k = solvers.size(), seeds = multiverse.studies[0].solvers[0][0].means[0].size();
+  const std::size_t metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
+  std::vector<std::size_t> own, rivals;
+  for (const std::string& solver : claim.solvers) own.push_back(place_of(solvers, solver));
+  for (const std::string& solver : claim.against.empty() ? solvers : claim.against) {
+    if (std::ranges::find(claim.solvers, solver) == claim.solvers.end()) rivals.push_back(place_of(solvers, solver));
+  }
+  const auto has = [](const auto& all, std::size_t s) { return std::ranges::find(all, s) != all.end(); };
+  if (has(own, k) || has(rivals, k)) return {};
+  const auto compared = static_cast<double>(own.size() + rivals.size());
+  const Plan of_pair{.test = Plan::Test::means,
+                     .significance = plan.significance / (compared * (compared - 1) / 2),
+                     .margin = plan.margin};
+  Counted result{.shares = {.id = claim.id, .all = {}}, .sentence = claim.sentence, .alternatives = {}};
+  for (const Dimension& each : multiverse.dimensions) result.alternatives.emplace_back(each.alternatives.size());
+  for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
+    const OfStudy& study = multiverse.studies[g];
+    for (std::size_t seed = 0; seed < seeds; ++seed) {
+      std::map<std::pair<const ChosenSolver*, const ChosenSolver*>, Verdict> known;
+      const auto verdict = [&](const ChosenSolver& one, const ChosenSolver& other) {
+        const auto [found, is_new] = known.try_emplace({&one, &other});
+        if (is_new) found->second = verdict_of(one.means[metric][seed], other.means[metric][seed], claim, of_pair);
+        return found->second;
+      };
+      for (const OwnChoices& chosen : combined(study, own)) {
+        Options options(k);
+        for (std::size_t s = 0; s < k; ++s) {
+          for (std::size_t c = 0; c < study.solvers[s].size(); ++c) {
+            if (chosen.contains(s) && chosen.at(s) != c) continue;
+            const ChosenSolver& theirs = study.solvers[s][c];
+            Tally tally;
+            for (const auto& [solver, choice] : chosen) {
+              if (has(rivals, s)) tally.add(verdict(study.solvers[solver][choice], theirs));
+            }
+            options[s].push_back({theirs.chosen,
+                                  tally.worse > 0  ? Verdict::worse
+                                  : tally.open > 0 ? Verdict::undecided
+                                                   : Verdict::better,
+                                  explained.empty() ? 0 : explained[g][s][c].count()});
+          }
+        }
+        add(result, options, study.chosen, study.weight / study.readings() / static_cast<double>(seeds), near);
+      }
+    }
+  }
+  return result;
+}
+
+// The largest difference between alternatives in the share that holds.
+double difference(const std::vector<Shares>& alternatives) {
+  double least = 1, most = 0;
+  for (const Shares& each : alternatives) {
+    if (each.all() == 0) continue;
+    least = std::min(least, each.holds / each.all());
+    most = std::max(most, each.holds / each.all());
+  }
+  return std::max(0.0, most - least);
+}
+
+// "who obeys limits: 0 % where no solver is clamped, 28 % where all but IK-BA are"
+std::string words_of(const Dimension& dimension, const std::vector<Shares>& alternatives) {
+  Names words;
+  for (std::size_t a = 0; a < alternatives.size(); ++a) {
+    const Shares& each = alternatives[a];
+    if (each.all() > 0)
+      words.push_back(fmt::format("{} where {}", percent(each.holds / each.all()), dimension.alternatives[a].where));
+  }
+  return fmt::format("{}: {}", dimension.open, fmt::join(words, ", "));
+}
+
+show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& claims) {
+  show::Table table{.name = "multiverse",
+                    .caption = "The claims in every reading of what the paper leaves open",
+                    .columns = {{"claim"},
+                                {"holds", "%"},
+                                {"fails", "%"},
+                                {"not decided", "%"},
+                                {"near: holds", "%"},
+                                {"near: fails", "%"},
+                                {"near: not decided", "%"},
+                                {"decided most by"}}};
+  double readings = 0;
+  for (const OfStudy& study : multiverse.studies) readings += study.readings();
+  for (const auto& [shares, sentence, alternatives] : claims) {
+    auto& row = table.rows.emplace_back(std::vector<show::Cell>{sentence});
+    for (const Shares* of : {&shares.all, &shares.near}) {
+      for (const double part : {of->holds, of->fails, of->undecided})
+        row.push_back(of->all() > 0 ? show::Cell(100 * part / of->all()) : show::Cell());
+    }
+    const auto most = std::ranges::max_element(alternatives, {}, difference);
+    const bool is_decided = most != alternatives.end() && difference(*most) > 0;
+    row.push_back(is_decided ? show::Cell(words_of(
+                                   multiverse.dimensions[static_cast<std::size_t>(most - alternatives.begin())], *most))
+                             : show::Cell());
+  }
+  table.notes = {fmt::format(
+      "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own.",
+      readings, multiverse.studies.size())};
+  return table;
+}
+
+// The printed numbers.
+
+PrintedSolvers printed_of(const Paper& paper, const Multiverse& multiverse) {
+  PrintedSolvers all;
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    const PrintedRows rows =
+        paper.means.empty() ? PrintedRows() : printed_means(paper.name, paper.means, metrics_of_readings[m]);
+    for (const std::string& solver : multiverse.solvers) {
+      const PrintedRow* const row = row_of(rows, solver);
+      all[m].push_back(row ? *row : PrintedRow());
+    }
+  }
+  return all;
+}
+
+std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
+  std::vector<double> all;
+  for (const std::vector<double>& seed : own.means[metric]) all.insert(all.end(), seed.begin(), seed.end());
+  return all;
+}
+
+// A number is explained if it lies, but for its rounding, in the range that 95 % of studies with as many runs would
+// have.
+ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedSolvers& printed) {
+  std::map<std::vector<double>, Ranges> known;  // many readings share a series
+  ExplainedReadings explained;
+  for (const OfStudy& study : multiverse.studies) {
+    explained.emplace_back(study.solvers.size());
+    for (std::size_t s = 0; s < study.solvers.size(); ++s) {
+      for (const ChosenSolver& own : study.solvers[s]) {
+        Explained& its = explained.back()[s].emplace_back();
+        for (std::size_t m = 0; m < printed.size(); ++m) {
+          const PrintedRow& row = printed[m][s];
+          const auto [found, is_new] = known.try_emplace(pooled(own, m));
+          if (is_new) found->second = predicted_ranges(found->first, row.numbers.n);
+          for (std::size_t i = 0; i < statistics.size(); ++i) {
+            const auto& [low, high] = found->second[i];
+            its[m * statistics.size() + i] = !row.digits[i].empty() && can_be(low, high, row.digits[i]);
+          }
+        }
+      }
+    }
+  }
+  return explained;
+}
+
+// The first of the readings that explain most, by what it chooses otherwise than the default.
+std::string nearest_words(const Multiverse& multiverse, const ExplainedReadings& explained, int numbers) {
+  std::size_t most = 0, by_default = 0;
+  Names settings;
+  for (const auto& of_solver : explained[0]) by_default += of_solver[0].count();
+  for (std::size_t g = 0; g < explained.size(); ++g) {
+    std::size_t all = 0;
+    Chosen chosen = multiverse.studies[g].chosen;
+    for (std::size_t s = 0; s < explained[g].size(); ++s) {
+      const auto best = std::ranges::max_element(explained[g][s], {}, &Explained::count);
+      const auto place = static_cast<std::size_t>(best - explained[g][s].begin());
+      const Chosen& own = multiverse.studies[g].solvers[s][place].chosen;
+      chosen.insert(chosen.end(), own.begin(), own.end());
+      all += best->count();
+    }
+    if (all <= most) continue;
+    most = all;
+    settings.clear();
+    for (const auto& [dimension, alternative] : chosen) {
+      if (alternative > 0) settings.push_back(multiverse.dimensions[dimension].alternatives[alternative].set);
+    }
+  }
+  return fmt::format(
+      "Of {} printed numbers of error and joint motion the default explains {}, the nearest reading {}{}.", numbers,
+      by_default, most, settings.empty() ? "" : fmt::format(" (with {})", fmt::join(settings, ", ")));
+}
+
+std::string unexplained_words(const Multiverse& multiverse, const ExplainedReadings& explained,
+                              const PrintedSolvers& printed) {
+  Names none;
+  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
+    Explained any;
+    for (const auto& of_study : explained) {
+      for (const Explained& own : of_study[s]) any |= own;
+    }
+    for (std::size_t m = 0; m < printed.size(); ++m) {
+      Names names;
+      for (std::size_t i = 0; i < statistics.size(); ++i) {
+        if (!any[m * statistics.size() + i] && !printed[m][s].digits[i].empty())
+          names.emplace_back(statistics[i].column);
+      }
+      if (!names.empty())
+        none.push_back(fmt::format("{} of {} ({})", metric_named(metrics_of_readings[m]).name, multiverse.solvers[s],
+                                   fmt::join(names, ", ")));
+    }
+  }
+  return none.empty() ? "Each is explained by some reading."
+                      : fmt::format("No reading explains: {}.", fmt::join(none, "; "));
+}
+
+// Readings drawn at random by their weights, the same each time; the runs of all seeds are pooled.
+figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
+  constexpr std::size_t drawn = 150;
+  const std::size_t own = place_of(multiverse.solvers, solver);
+  figures::Specifications rows{
+      .groups = {}, .all = {}, .below = solver + " is more accurate", .above = "its best rival is"};
+  std::map<std::size_t, std::size_t> groups;  // by dimension
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    const Dimension& dimension = multiverse.dimensions[d];
+    if (!dimension.solver.empty() && dimension.solver != solver) continue;
+    groups.emplace(d, groups.size());
+    rows.groups.emplace_back();
+    for (const auto& alternative : dimension.alternatives) rows.groups.back().push_back(alternative.where);
+  }
+  rows.groups.emplace_back();
+  for (const std::string& name : multiverse.solvers) rows.groups.back().push_back("best rival: " + name);
+  std::mt19937_64 engine(1);
+  double before = 0;
+  auto study = multiverse.studies.begin();
+  for (std::size_t i = 0; i < drawn; ++i) {
+    while (study + 1 != multiverse.studies.end() && before + study->weight < (static_cast<double>(i) + 0.5) / drawn)
+      before += (study++)->weight;
+    std::vector<Summary> means;
+    std::vector<std::size_t> choices(groups.size() + 1);
+    std::size_t& rival = choices.back() = own == 0 ? 1 : 0;
+    Chosen chosen = study->chosen;
+    for (const std::vector<ChosenSolver>& of_solver : study->solvers) {
+      const ChosenSolver& each = of_solver[engine() % of_solver.size()];
+      if (means.size() == own) chosen.insert(chosen.end(), each.chosen.begin(), each.chosen.end());
+      means.push_back(summarise(pooled(each, 0)));
+    }
+    for (std::size_t s = 0; s < means.size(); ++s) {
+      if (s != own && means[s].mean < means[rival].mean) rival = s;
+    }
+    for (const auto& [dimension, alternative] : chosen) choices[groups.at(dimension)] = alternative;
+    const auto error = [](const Summary& of) { return of.sd / std::sqrt(of.n) / of.mean; };
+    const double ratio = means[own].mean / means[rival].mean;
+    const double factor = std::exp(1.96 * std::hypot(error(means[own]), error(means[rival])));
+    if (std::isfinite(std::log(ratio))) rows.all.push_back({ratio, ratio / factor, ratio * factor, choices});
+  }
+  std::ranges::stable_sort(rows.all, {}, &figures::Specification::estimate);
+  return figures::specifications(
+      {.name = "multiverse",
+       .caption =
+           fmt::format("Mean error of {} by that of its best rival, with 95 % intervals, in {} readings drawn by "
+                       "their weights. Below: the choices of each.",
+                       solver, rows.all.size()),
+       .quantity = fmt::format("mean error of {} / of its best rival", solver)},
+      rows);
+}
+
+}  // namespace
+
+double Multiverse::OfStudy::readings() const {
+  double product = 1;
+  for (const std::vector<ChosenSolver>& of_solver : solvers) product *= static_cast<double>(of_solver.size());
+  return product;
+}
+
+bool hangs_on_reading(const Claim& claim) {
+  return claim.rule == "better" && claim.metrics.size() == 1 && claim.study.empty() && claim.of <= Of::spread &&
+         std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
+}
+
+JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
+  if (multiverse.studies.empty()) throw std::invalid_argument("no reading; expected the default first");
+  if (place_of(multiverse.solvers, paper.solver) == multiverse.solvers.size())
+    throw std::invalid_argument(fmt::format("no reading has the solver {}", paper.solver));
+  const PrintedSolvers printed = printed_of(paper, multiverse);
+  int numbers = 0, printed_runs = 0;
+  for (const std::vector<PrintedRow>& rows : printed) {
+    for (const PrintedRow& row : rows) {
+      for (const std::string& digits : row.digits) numbers += digits.empty() ? 0 : 1;
+      printed_runs = std::max(printed_runs, row.numbers.n);
+    }
+  }
+  const std::size_t runs = multiverse.studies[0].solvers[0][0].means[0].front().size();
+  const bool can_compare = numbers > 0 && std::cmp_equal(runs, printed_runs);
+  const ExplainedReadings explained = can_compare ? explained_in(multiverse, printed) : ExplainedReadings();
+  std::vector<Counted> claims;
+  JudgedMultiverse result{.claims = {}, .sentences = {}, .table = {}, .figure = curve(multiverse, paper.solver)};
+  for (const Claim& claim : paper.claims) {
+    if (!hangs_on_reading(claim)) continue;
+    auto counts = count_claim(multiverse, claim, plan, explained, can_compare ? paper.near : 0);
+    if (!counts) continue;
+    result.claims.push_back(counts->shares);
+    claims.push_back(std::move(*counts));
+  }
+  result.table = table_of(multiverse, claims);
+  if (can_compare && !claims.empty()) {
+    result.table.notes.push_back(
+        fmt::format("near: readings that explain at least {} of the {} printed numbers, {} of all.", paper.near,
+                    numbers, percent(result.claims.front().near.all())));
+  }
+  if (can_compare) {
+    result.sentences = {nearest_words(multiverse, explained, numbers),
+                        unexplained_words(multiverse, explained, printed)};
+  } else if (numbers > 0) {
+    result.sentences = {
+        fmt::format("The paper has {} runs, this has {}: not compared with print.", printed_runs, runs)};
+  }
+  return result;
+}
+
+}  // namespace ikbench::papers

@@ -1,0 +1,58 @@
+// A paper's claims in every reading of what it leaves open (Steegen et al., Perspectives on Psychological Science 11
+// (2016) 702), and its printed numbers beside each. A reading is a choice for the study and one for each solver. Given
+// the study's, the solvers are independent, and pairs are judged alone, so products count all readings exactly.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/papers/claims.hpp"
+#include "results/dimension.hpp"
+
+namespace ikbench::papers {
+
+constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm", "variation_deg"};
+
+struct Multiverse {
+  struct ChosenSolver {
+    results::Chosen chosen;
+    // By metric, seed and run: the mean over its targets; infinite where an answer is not finite.
+    std::array<std::vector<std::vector<double>>, metrics_of_readings.size()> means;
+  };
+  // Its readings share its weight evenly.
+  struct OfStudy {
+    results::Chosen chosen;
+    double weight = 1;
+    std::vector<std::vector<ChosenSolver>> solvers;  // by solver; the default first
+
+    double readings() const;
+  };
+  std::vector<results::Dimension> dimensions;
+  std::vector<std::string> solvers;
+  std::vector<OfStudy> studies;  // the default first; all weights sum to 1
+};
+
+// A claim hangs on a reading if it is that a solver is better in error, variation or their spread.
+bool hangs_on_reading(const Claim& claim);
+
+struct JudgedMultiverse {
+  std::vector<SharesOfClaim> claims;
+  std::vector<std::string> sentences;  // at most two: on the printed numbers
+  show::Table table;                   // "multiverse": the shares, and what decides them most
+  figures::Figure figure;              // "multiverse": the specification curve
+};
+
+// Throws std::invalid_argument if there is no reading, or the paper's own solver is not in it.
+JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan);
+
+// The range of each statistic in 95 % of studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms
+// of the values: the next one is equally likely in each gap of the known ones, and then is known itself; beyond the
+// last there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163). Unknown for fewer than five
+// values, or one that is not above 0.
+using Ranges = std::array<compare::Interval, statistics.size()>;
+Ranges predicted_ranges(const std::vector<double>& values, int runs);
+
+}  // namespace ikbench::papers
