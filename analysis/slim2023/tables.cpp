@@ -1,0 +1,272 @@
+#include "analysis/slim2023/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "analysis/show/text.hpp"
+#include "numerics/units.hpp"
+
+namespace ikbench::slim2023 {
+
+using namespace compare;
+using namespace papers;
+using results::SolveRecord;
+using show::Cell;
+using show::Table;
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> columns{
+    {{"position_error_cm", "table-4"}, {"variation_deg", "table-5"}, {"seconds", "table-6"}}};
+
+const Judged* judged_of(const JudgedStudy& study, const Metric& metric) {
+  const auto found = std::ranges::find(
+      study.metrics, metric.slug, [](const Judged& judged) { return std::string_view(judged.observations.metric); });
+  return found == study.metrics.end() ? nullptr : &*found;
+}
+
+Cell text(std::string of) { return of.empty() ? Cell() : Cell(std::move(of)); }
+
+// The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
+std::array<std::array<double, 5>, 3> rows_of(const TestOfAll& of) {
+  const double between = of.ss_between, within = of.ss_within;
+  return {{{between, of.df, between / of.df, of.statistic, of.p},
+           {within, of.df_within, within / of.df_within, unknown, unknown},
+           {between + within, of.df + of.df_within, unknown, unknown, unknown}}};
+}
+
+// Printed about the same solvers.
+bool is_about(const StudyResults& study, const PrintedRows& rows) {
+  std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), theirs;
+  for (const PrintedRow& row : rows) theirs.insert(row.solver);
+  return ours == theirs;
+}
+
+// The companion by the other reading of what is searched.
+std::optional<Repeated> all_joints(const Repeated& of) {
+  const JudgedStudy* const companion = of.part("all-joints");
+  if (companion == nullptr || companion == &of.study) return {};
+  return Repeated{.paper = of.paper, .study = *companion, .has_times = false};
+}
+
+}  // namespace
+
+Table table_3(const Repeated& of) {
+  Table table{.name = "table-3",
+              .caption = "Table 3: position error, angles variation and computing time",
+              .columns = {{"solver"}, {"metric"}, {"unit"}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}},
+              .notes = {"Printed times are of another machine and language: they are not compared."}};
+  for (const auto& [column, anova] : columns) {
+    const Metric& metric = metric_named(column);
+    const Judged* const judged = judged_of(of.study, metric);
+    const PrintedRows printed = printed_rows(of.paper, of.study.study, metric);
+    for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
+      const std::string& solver = judged->observations.groups[i].name;
+      auto& row =
+          table.rows.emplace_back(std::vector<Cell>{solver, std::string(metric.name), std::string(metric.unit)});
+      for (std::size_t s = 0; s < statistics.size(); ++s)
+        row.push_back(beside(judged->described[i].*statistics[s].of, row_of(printed, solver), s));
+    }
+  }
+  return table;
+}
+
+std::vector<Table> anova_tables(const Repeated& of) {
+  std::vector<Table> tables;
+  for (const auto& [column, name] : columns) {
+    const Metric& metric = metric_named(column);
+    const Judged* const judged = judged_of(of.study, metric);
+    const PrintedRows rows = printed_rows(of.paper, of.study.study, metric);
+    if (judged == nullptr || !judged->anova || rows.empty()) continue;
+    Table& table =
+        tables.emplace_back(Table{.name = std::string(name),
+                                  .caption = fmt::format("Table {}: ANOVA of the {}", name.back(), metric.name),
+                                  .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
+    const results::CsvTable printed = printed_table(of.paper.name, name);
+    const auto ours = rows_of(*judged->anova);
+    for (std::size_t r = 0; r < ours.size(); ++r) {
+      auto& row = table.rows.emplace_back(std::vector<Cell>{printed.rows[r][0]});
+      for (std::size_t c = 0; c < ours[r].size(); ++c) {
+        const std::string& digits = printed.rows[r][c + 1];
+        const bool is_printed = !digits.empty() && is_about(of.study.study, rows);
+        row.push_back(is_printed ? Cell(show::Printed{ours[r][c], digits}) : Cell(ours[r][c]));
+      }
+    }
+  }
+  return tables;
+}
+
+std::optional<Table> table_7(const Repeated& of) {
+  constexpr double limit_ms = 50;
+  const StudyResults& study = of.study.study;
+  const PrintedRows printed = printed_times(of.paper.name, "table-7", "{bats} bats");
+  if (study.definition.path != "random" || study.solves.empty()) return {};
+  const double tolerance = study.definition.stop.tolerance_cm;
+  Table table{.name = "table-7",
+              .caption = fmt::format("Table 7: computing time until the error is {:g} cm", tolerance),
+              .columns = {{"solver"}, {"solves"}, {"reached"}, {fmt::format("reached in {:g} ms", limit_ms)}},
+              .notes = {"Each solve counts, also one that does not reach the tolerance."}};
+  for (const Statistic& each : statistics) table.columns.push_back({std::string(each.column), "ms"});
+  table.columns.push_back({"median iterations"});
+  for (const std::string& solver : study.solvers) {
+    Group times, iterations;
+    std::int64_t reached = 0, in_time = 0;
+    for (const SolveRecord& solve : study.of(solver)) {
+      const bool is_near = solve.status == results::Status::ok;
+      times.values.push_back(1000 * solve.seconds);
+      iterations.values.push_back(static_cast<double>(solve.iterations));
+      reached += is_near;
+      in_time += is_near && times.values.back() < limit_ms;
+    }
+    auto& row = table.rows.emplace_back(
+        std::vector<Cell>{solver, static_cast<std::int64_t>(times.values.size()), reached, in_time});
+    for (std::size_t s = 0; s < statistics.size(); ++s)
+      row.push_back(beside(describe(times).*statistics[s].of, row_of(printed, solver), s));
+    row.emplace_back(describe(iterations).median);
+  }
+  return table;
+}
+
+std::optional<Table> table_8(const Repeated& of) {
+  const StudyResults& study = of.study.study;
+  const results::CsvTable printed = printed_table(of.paper.name, "table-8");
+  if (study.definition.path != "circle" || study.solves.empty()) return {};
+  Table table{.name = "table-8",
+              .caption = "Table 8: joint angles and position error along the circle",
+              .columns = {{"point"}}};
+  const std::size_t angles = printed.header.size() - 2;  // between point and error
+  for (std::size_t joint = 1; joint <= angles; ++joint)
+    table.columns.push_back({fmt::format("theta {}", joint), "deg"});
+  table.columns.push_back({"position error", "cm"});
+  std::size_t agreeing = 0, compared = 0;
+  for (const SolveRecord& solve : study.of(study.solvers.front())) {
+    if (solve.run > 1) break;
+    const auto same =
+        std::ranges::find(printed.rows, fmt::to_string(solve.point), [](const auto& row) { return row[0]; });
+    auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
+    for (std::size_t c = 1; c <= angles + 1; ++c) {
+      const bool is_angle = c <= angles;
+      const double ours = !is_angle                      ? solve.position_error_cm
+                          : c <= solve.answer_rad.size() ? solve.answer_rad[c - 1] / numerics::degree
+                                                         : unknown;
+      row.push_back(same == printed.rows.end() ? Cell(ours) : Cell(show::Printed{ours, (*same)[c]}));
+      if (!is_angle || same == printed.rows.end()) continue;
+      ++compared;
+      agreeing += agrees(ours, (*same)[c]);
+    }
+  }
+  table.notes = {
+      fmt::format("{} of {} printed angles are ours to the printed digit. The arm's lengths are not printed: they "
+                  "were fitted to these angles.",
+                  agreeing, compared)};
+  return table;
+}
+
+std::vector<Table> reading_tables(const Repeated& wrist, const Repeated& all_joints) {
+  Table means{.name = "table-3-readings",
+              .caption = "Means by both readings of what is searched: the joints before the wrist, or all seven",
+              .columns = {{"solver"}}};
+  Table claims{
+      .name = "claims-readings",
+      .caption = "The claims by both readings",
+      .columns = {{"claim"}, {"printed"}, {"wrist"}, {"number by wrist"}, {"all joints"}, {"number by all joints"}}};
+  for (const std::string& solver : wrist.study.study.solvers) means.rows.push_back({solver});
+  for (const auto& column : {columns[0].first, columns[1].first}) {
+    const Metric& metric = metric_named(column);
+    const PrintedRows printed = printed_rows(wrist.paper, wrist.study.study, metric);
+    for (const auto& [of, name] : {std::pair(&wrist, "wrist"), std::pair(&all_joints, "all joints")}) {
+      means.columns.push_back({fmt::format("{}, {}", metric.name, name), std::string(metric.unit)});
+      const Judged* const judged = judged_of(of->study, metric);
+      for (auto& row : means.rows) {
+        const std::string solver = std::get<std::string>(row[0]);
+        double mean = unknown;
+        for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
+          if (judged->observations.groups[i].name == solver) mean = judged->described[i].mean;
+        }
+        row.push_back(beside(mean, row_of(printed, solver)));
+      }
+    }
+  }
+  const std::vector<JudgedClaim> by_other = judged_claims(all_joints);
+  for (const JudgedClaim& claim : judged_claims({.paper = wrist.paper, .study = wrist.study, .has_times = false})) {
+    const JudgedClaim* const other = claim_named(by_other, claim.id);
+    if (other == nullptr || claim.holds == Holds::not_tested) continue;
+    claims.rows.push_back({claim.sentence, text(claim.printed ? std::string(name_of(*claim.printed)) : ""),
+                           std::string(name_of(claim.holds)), text(claim.number), std::string(name_of(other->holds)),
+                           text(other->number)});
+  }
+  return {means, claims};
+}
+
+std::vector<std::string> sentences(const Repeated& of, const std::vector<JudgedClaim>& claims) {
+  const auto words = [](const JudgedClaim& claim) {
+    return fmt::format("{}{} ({})", claim.holds > Holds::fails ? "is " : "", name_of(claim.holds), claim.number);
+  };
+  const JudgedClaim* const most = claim_named(claims, "most_accurate");
+  if (most == nullptr || most->number.empty()) return {};
+  std::string first = fmt::format("That {} {}", most->sentence, words(*most));
+  if (const auto other = all_joints(of)) {
+    const std::vector<JudgedClaim> by_other = judged_claims(*other);
+    const JudgedClaim* const same = claim_named(by_other, most->id);
+    if (same && !same->number.empty())
+      first += fmt::format("; where all seven joints are searched it {}", words(*same));
+  }
+  std::vector<std::string> all{first + '.'};
+  if (const std::string shares = shares_words(*most); !shares.empty())
+    all.push_back(fmt::format("Over all readings of what the paper leaves open it {}.", shares));
+  std::vector<std::string> better;
+  for (const auto& [id, who] : {std::pair("better_than_classical", "damped least squares"),
+                                std::pair("accurate_none_clamped", "a rival, if no solver is clamped"),
+                                std::pair("accurate_inside_limits", "a rival, if all limits are enforced")}) {
+    const JudgedClaim* const claim = claim_named(claims, id);
+    if (claim && claim->holds == Holds::fails) better.push_back(fmt::format("{} ({})", who, claim->number));
+  }
+  if (!better.empty()) all.push_back(fmt::format("Better than it: {}.", show::listed(better, "; ")));
+  return all;
+}
+
+show::Blocks first(const Repeated& of, const std::vector<JudgedClaim>& claims) {
+  show::Blocks blocks;
+  for (const std::string& sentence : sentences(of, claims)) {
+    if (blocks.empty())
+      blocks.emplace_back(show::Heading{sentence});
+    else
+      blocks.emplace_back(show::Text{sentence});
+  }
+  if (!blocks.empty()) blocks.emplace_back(means_table(of));
+  return blocks;
+}
+
+std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedClaim>& claims,
+                                   const std::vector<figures::Figure>& figures_of_circle) {
+  std::vector<show::Blocks> sections;
+  if (show::Blocks blocks = claims_section(claims); !blocks.empty()) sections.push_back(std::move(blocks));
+  const auto add = [&](std::string heading, show::Blocks blocks) {
+    if (blocks.empty()) return;
+    blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
+    sections.push_back(std::move(blocks));
+  };
+  if (is_of_means(of.paper, of.study.study)) add("Table 3", {table_3(of)});
+  if (const auto other = all_joints(of)) {
+    show::Blocks blocks;
+    for (Table& table : reading_tables(of, *other)) blocks.emplace_back(std::move(table));
+    add("Both readings of what is searched", std::move(blocks));
+  }
+  show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
+  for (Table& table : anova_tables(of)) anovas.emplace_back(std::move(table));
+  add("Tables 4 to 6", std::move(anovas));
+  for (const JudgedStudy* each : of.all()) {
+    const Repeated part{.paper = of.paper, .study = *each};
+    if (auto table = table_7(part)) times.emplace_back(std::move(*table));
+    if (auto table = table_8(part)) circle.emplace_back(std::move(*table));
+  }
+  add("Table 7: real time", std::move(times));
+  add("Table 8: the Dobot's circle", std::move(circle));
+  return sections;
+}
+
+}  // namespace ikbench::slim2023

@@ -1,0 +1,33 @@
+// What Slim et al. 2023 adds to a report: Tables 3 to 8 beside the printed numbers, both readings of what is searched,
+// and the answer in some sentences.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/figures/figure.hpp"
+#include "analysis/papers/claims.hpp"
+
+namespace ikbench::slim2023 {
+
+show::Table table_3(const papers::Repeated& of);
+// Tables 4 to 6: of error, variation and time.
+std::vector<show::Table> anova_tables(const papers::Repeated& of);
+// Of random targets and of the circle; none for other studies.
+std::optional<show::Table> table_7(const papers::Repeated& of);
+std::optional<show::Table> table_8(const papers::Repeated& of);
+
+// Means and claims by both readings: the joints before the wrist are searched (Sec. 4.3), or all seven (Sec. 5.1).
+// Times and claims on other studies are left out.
+std::vector<show::Table> reading_tables(const papers::Repeated& wrist, const papers::Repeated& all_joints);
+
+// Is IK-BA the most accurate? By which reading? What beats it? At most three, of which each has its numbers.
+std::vector<std::string> sentences(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims);
+
+// The beginning of the report, and its further sections; `figures_of_circle` stand by Table 8.
+show::Blocks first(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims);
+std::vector<show::Blocks> sections(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims,
+                                   const std::vector<figures::Figure>& figures_of_circle = {});
+
+}  // namespace ikbench::slim2023

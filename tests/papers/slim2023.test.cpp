@@ -1,0 +1,99 @@
+#include "analysis/slim2023/tables.hpp"
+#include "tests/papers/studies.hpp"
+
+using namespace ikbench;
+using namespace ikbench::compare;
+using namespace ikbench::papers;
+
+namespace {
+
+double ours(const show::Cell& cell) { return std::get<show::Printed>(cell).ours; }
+std::string printed(const show::Cell& cell) { return std::get<show::Printed>(cell).printed; }
+
+const JudgedStudy& helix() {
+  static const JudgedStudy study = study_of({});
+  return study;
+}
+
+// IK-BA is beaten by DE.
+const JudgedStudy& all_joints() {
+  static const JudgedStudy study = study_of({.name = "slim2023-all-joints"}, [](SolveRecord& solve) {
+    if (solve.solver == "DE") solve.position_error_cm = 1e-5 * solve.run;
+  });
+  return study;
+}
+
+}  // namespace
+
+TEST_CASE("Tables 3 to 6 have ours beside the printed numbers", "[papers]") {
+  const show::Table table = slim2023::table_3(repeated(helix()));
+  REQUIRE(table.rows.size() == 18);
+  CHECK(std::get<std::string>(table.rows[6][1]) == "joint motion");
+  CHECK(printed(table.rows[0][5]) == "1.7824e-4");
+  CHECK(ours(table.rows[0][5]) == Approx(helix().metrics[0].described[0].sd));
+  const std::vector<show::Table> anovas = slim2023::anova_tables(repeated(helix()));
+  REQUIRE(anovas.size() == 3);
+  CHECK(anovas[0].name == "table-4");
+  CHECK(printed(anovas[0].rows[0][5]) == "7.2225e-24");
+  CHECK(ours(anovas[0].rows[2][2]) == 119);
+  CHECK(ours(anovas[0].rows[0][1]) + ours(anovas[0].rows[1][1]) == Approx(ours(anovas[0].rows[2][1])));
+  const JudgedStudy fewer = study_of({.solvers = {"IK-BA", "BA"}});  // another question than the printed one
+  CHECK(std::holds_alternative<double>(slim2023::anova_tables(repeated(fewer))[0].rows[0][1]));
+}
+
+TEST_CASE("Tables 7 and 8 are of random targets and of the circle", "[papers]") {
+  const JudgedStudy times = study_of(
+      {.name = "slim2023-time", .path = "random", .solvers = {"12 bats"}, .runs = 1, .points = 20, .tolerance_cm = 0.1},
+      [](SolveRecord& solve) {
+        if (solve.point < 4) solve.status = results::Status::tolerance_missed;
+        solve.seconds = 0.001 * solve.point;
+      });
+  const auto table = slim2023::table_7(repeated(times));
+  REQUIRE(table);
+  CHECK(std::get<std::int64_t>(table->rows[0][2]) == 17);
+  CHECK(ours(table->rows[0][7]) == 20);  // the slowest [ms]
+  CHECK(printed(table->rows[0][7]) == "67.2");
+  CHECK_FALSE(slim2023::table_7(repeated(helix())));
+
+  constexpr double degree = 0.017453292519943295;
+  const JudgedStudy circle =
+      study_of({.name = "slim2023-dobot", .path = "circle", .solvers = {"IK-BA"}, .points = 1}, [](SolveRecord& solve) {
+        solve.answer_rad = {34.84 * degree, 66.5 * degree, 49.5 * degree, 30 * degree};
+      });
+  const auto angles = slim2023::table_8(repeated(circle));
+  REQUIRE(angles);
+  CHECK(angles->rows.size() == 1);
+  CHECK(printed(angles->rows[0][5]) == "2.04e-14");
+  CHECK(contains(angles->notes[0], "3 of 4 printed angles"));
+}
+
+TEST_CASE("both readings stand side by side, without times", "[papers]") {
+  const Repeated other{.paper = paper_named("slim2023"), .study = all_joints(), .has_times = false};
+  const std::vector<show::Table> tables = slim2023::reading_tables(repeated(helix()), other);
+  CHECK(ours(tables[0].rows[2][2]) == Approx(1.05e-4));
+  CHECK(printed(tables[0].rows[2][2]) == "0.3653");
+  const auto& row = tables[1].rows[0];
+  CHECK(std::get<std::string>(row[0]) == "IK-BA is the most accurate");
+  CHECK(std::get<std::string>(row[2]) == "holds");
+  CHECK(std::get<std::string>(row[4]) == "fails");
+  for (const auto& each : tables[1].rows) CHECK_FALSE(contains(std::get<std::string>(each[0]), "fastest"));
+}
+
+TEST_CASE("the first sentences say by which reading IK-BA is the most accurate, and what beats it", "[papers]") {
+  const JudgedStudy context = study_of({.name = "slim2023-context", .solvers = {"DLS"}},
+                                       [](SolveRecord& solve) { solve.position_error_cm = 1e-6 * solve.run; });
+  const Repeated of = repeated(helix(), {&all_joints(), &context});
+  const std::vector<JudgedClaim> claims =
+      judged_claims(of, {{.id = "most_accurate", .all = {.holds = 1, .fails = 1, .undecided = 2}}});
+  const std::vector<std::string> sentences = slim2023::sentences(of, claims);
+  REQUIRE(sentences.size() == 3);
+  CHECK(contains(sentences[0], "holds (mean 0.00194 cm, K-ABC"));
+  CHECK(contains(sentences[0], "it fails (mean 0.00194 cm, DE 0.000105)"));
+  CHECK(contains(sentences[1], "holds in 25 %, fails in 25 %"));
+  CHECK(contains(sentences[2], "damped least squares (mean 0.00194 cm, DLS 1.05e-05)"));
+  const std::vector<show::Blocks> sections = slim2023::sections(of, claims);
+  std::vector<std::string> headings;
+  for (const show::Blocks& blocks : sections) headings.push_back(std::get<show::Heading>(blocks.front()).text);
+  CHECK(headings ==
+        std::vector<std::string>{"The claims", "Table 3", "Both readings of what is searched", "Tables 4 to 6"});
+}
