@@ -8,19 +8,18 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/screen.hpp"
+#include "cli/options.hpp"
 #include "experiments/foreign/check.hpp"
 
 namespace ikbench::cli {
 
 using namespace experiments;
-using namespace report;
 
 void add_check_solver(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> words;
     double patience = 5;
-    OutputArguments output;
+    bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
@@ -28,7 +27,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
-  add_json_option(*command, arguments->output);
+  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
@@ -36,11 +35,11 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
     std::vector<std::string> failed;
-    report::Json all = report::Json::array();
+    numerics::OrderedJson all = numerics::OrderedJson::array();
     check_program({.process = arguments->words, .patience = arguments->patience}, [&](const CheckLine& line) {
       all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
       if (!line.passed) failed.push_back(line.what);
-      if (arguments->output.is_json) return;
+      if (arguments->is_json) return;
       constexpr std::size_t length_of_state = 8;
       const std::string text = wrapped(fmt::format("{}{}{}", line.what, line.seen.empty() ? "" : ": ", line.seen),
                                        text_width() - length_of_state);
@@ -48,7 +47,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       std::fflush(stdout);
     });
     if (!failed.empty()) invocation.exit_code = 1;
-    if (arguments->output.is_json) return show_json(all);
+    if (arguments->is_json) return show_json(all);
     const std::string verdict =
         failed.empty() ? fmt::format("All {} checks passed", all.size())
                        : fmt::format("{} of {} checks failed: {}", failed.size(), all.size(), fmt::join(failed, "; "));

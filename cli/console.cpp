@@ -16,13 +16,13 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/inference/text.hpp"
+#include "numerics/utf8.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
 
 using namespace experiments;
-using namespace inference;
+using namespace numerics;
 
 namespace {
 
@@ -72,15 +72,6 @@ void write_error(const std::string& text) {
   std::fflush(stderr);
 }
 
-std::atomic<std::size_t> said_lines{0};
-
-std::size_t line_count(const std::string& text) { return 1 + static_cast<std::size_t>(std::ranges::count(text, '\n')); }
-
-void write_lines(const std::string& text) {
-  said_lines += line_count(text);
-  write_error(text + '\n');
-}
-
 constexpr std::size_t most_columns = 100, fewest_columns = 40;
 
 // The columns of a stream; those of standard error break its lines too.
@@ -99,10 +90,8 @@ bool has_colours(int stream) {
 }
 
 std::string coloured_for(int stream, std::string text, Tone tone) {
-  constexpr std::string_view codes[]{"", "32", "33", "31"};
-  const std::string_view code = codes[static_cast<std::size_t>(tone)];
-  return code.empty() || text.empty() || !has_colours(stream) ? std::move(text)
-                                                              : fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+  constexpr int codes[]{32, 33, 31};
+  return has_colours(stream) ? fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<int>(tone)], text) : text;
 }
 
 // The words of a text in lines of at most that width; longer words stay whole.
@@ -173,16 +162,12 @@ std::string printable(std::string_view text) {
   return result + one_line(line);
 }
 
-void say(std::string_view text) { write_lines(wrapped(text, columns_of(STDERR_FILENO))); }
-
-void leave_room_for(std::string_view text) { said_lines += line_count(wrapped(text, columns_of(STDERR_FILENO))); }
-
-std::size_t take_said_lines() { return said_lines.exchange(0); }
+void say(std::string_view text) { write_error(wrapped(text, columns_of(STDERR_FILENO)) + '\n'); }
 
 void warn(std::string_view text) {
   constexpr std::string_view word = "warning:";
   const std::string shown = wrapped(fmt::format("{} {}", word, text), columns_of(STDERR_FILENO));
-  write_lines(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()));
+  write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
 }
 
 std::size_t text_width() { return columns_of(STDOUT_FILENO); }
@@ -220,7 +205,7 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
   return text;
 }
 
-std::vector<std::string> aligned_rows(const Rows& rows, std::size_t width, const Tones& tones) {
+std::string aligned(const Rows& rows, std::size_t width) {
   Rows shown = rows;
   std::vector<std::size_t> widths;
   for (auto& row : shown) {
@@ -231,36 +216,24 @@ std::vector<std::string> aligned_rows(const Rows& rows, std::size_t width, const
     }
   }
   narrow(widths, shown, width);
-  std::vector<std::string> result;
-  for (std::size_t r = 0; r < shown.size(); ++r) {
-    const auto& row = shown[r];
+  std::string text;
+  for (const auto& row : shown) {
     std::vector<std::vector<std::string>> cells;
     std::size_t lines = 1;
     for (std::size_t c = 0; c < row.size(); ++c) {
       lines = std::max(lines, cells.emplace_back(lines_of(row[c], widths[c], widths[c])).size());
     }
-    std::string text;
     for (std::size_t line = 0; line < lines; ++line) {
       std::size_t missing = 0;  // blanks before the next cell
-      if (line > 0) text += '\n';
       for (std::size_t c = 0; c < row.size(); ++c) {
         const std::string cell = line < cells[c].size() ? cells[c][line] : "";
-        const bool has_tone = c == tones.column && r < tones.of_rows.size();
-        if (!cell.empty()) {
-          text += std::string(missing, ' ') + (has_tone ? coloured(cell, tones.of_rows[r]) : cell);
-          missing = 0;
-        }
+        if (!cell.empty()) text += std::string(std::exchange(missing, 0), ' ') + cell;
         missing += widths[c] - std::min(widths[c], character_count(cell)) + 2;
       }
+      text += '\n';
     }
-    result.push_back(std::move(text));
   }
-  return result;
-}
-
-std::string aligned(const Rows& rows, std::size_t width) {
-  const std::vector<std::string> lines = aligned_rows(rows, width);
-  return lines.empty() ? "" : fmt::format("{}\n", fmt::join(lines, "\n"));
+  return text;
 }
 
 SignalWatch::SignalWatch() {

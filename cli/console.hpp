@@ -22,7 +22,6 @@ std::string printable(std::string_view text);
 // break between words.
 void say(std::string_view text);
 void warn(std::string_view text);  // says "warning: " and the text
-std::size_t take_said_lines();     // how many lines these printed since the last call
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t text_width();
@@ -31,24 +30,16 @@ std::string wrapped(std::string_view text, std::size_t width = text_width());
 
 // The colour of a verdict on a terminal, unless NO_COLOR is set or TERM is dumb. No colour has a meaning that
 // the words do not have.
-enum class Tone { plain, good, open, bad };
+enum class Tone { good, open, bad };
 std::string coloured(std::string text, Tone tone);
 
 // A program and its arguments as a shell would take them again.
 std::string shell_command(std::string_view program, const std::vector<std::string>& arguments);
 
 using Rows = std::vector<std::vector<std::string>>;
-// The tones of a column, by row.
-struct Tones {
-  std::size_t column = 0;
-  std::vector<Tone> of_rows = {};
-};
-
 // Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
 // widest columns are wrapped.
 std::string aligned(const Rows& rows, std::size_t width = text_width());
-// The same row by row, without the last newline.
-std::vector<std::string> aligned_rows(const Rows& rows, std::size_t width = text_width(), const Tones& tones = {});
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;

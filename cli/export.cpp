@@ -26,7 +26,6 @@ namespace ikbench::cli {
 
 using namespace results;
 using namespace experiments;
-using namespace report;
 
 namespace {
 

@@ -11,11 +11,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/inference/metrics.hpp"
+#include "analysis/compare/metrics.hpp"
+#include "analysis/show/block.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/robot.hpp"
-#include "cli/screen.hpp"
+#include "cli/options.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
@@ -30,32 +31,43 @@ using namespace robots;
 using namespace solvers;
 using namespace results;
 using namespace experiments;
-using namespace report;
 
 namespace {
 
 // A list for a reader and for a program.
 struct Listed {
   std::string text;
-  report::Json json;
+  numerics::OrderedJson json;
 };
 
-// The rows of the table. For a reader the names of its columns are in capitals.
-Listed listed(const Table& table) {
-  Rows rows = readable_cells(table);
-  for (std::string& head : rows.front()) {
-    std::ranges::transform(head, head.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  }
-  return {aligned(rows), rows_json(table)};
+// Of a text or a whole number.
+std::string words_of(const show::Cell& cell) {
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return fmt::to_string(*number);
+  const auto* text = std::get_if<std::string>(&cell);
+  return text == nullptr ? "" : *text;
 }
 
-Table solver_list() {
-  Table table{.name = "solvers", .caption = "", .columns = {"name", "what", "from"}};
+// The rows of the table. For a reader the names of its columns are in capitals.
+Listed listed(const show::Table& table) {
+  Rows rows(1);
+  for (const show::Column& column : table.columns) {
+    std::string& head = rows.front().emplace_back(column.name);
+    std::ranges::transform(head, head.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  }
+  for (const auto& cells : table.rows) {
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const show::Cell& cell : cells) row.push_back(words_of(cell));
+  }
+  return {aligned(rows), show::to_json(table)};
+}
+
+show::Table solver_list() {
+  show::Table table{.name = "solvers", .caption = "", .columns = {{"name"}, {"what"}, {"from"}}};
   for (const SolverInfo& info : all_solvers()) {
     table.rows.push_back({std::string(info.name), std::string(info.summary), std::string(info.source)});
   }
   for (const MissingPeer& peer : missing_peers()) {
-    table.rows.push_back({std::string(peer.name), std::string(peer.how), Cell()});
+    table.rows.push_back({std::string(peer.name), std::string(peer.how), show::Cell()});
   }
   return table;
 }
@@ -67,7 +79,7 @@ Listed solver_details(std::string_view name) {
     }
   }
   const SolverInfo info = solver(name);
-  Table table{.name = "options", .caption = "", .columns = {"option", "default", "expected", "meaning"}};
+  show::Table table{.name = "options", .caption = "", .columns = {{"option"}, {"default"}, {"expected"}, {"meaning"}}};
   info.describe([&](const OptionList& list) {
     for (const Option& option : list.options()) {
       table.rows.push_back({option.name, option.get(), option.expected, option.meaning});
@@ -85,8 +97,8 @@ Listed solver_details(std::string_view name) {
            {"options", options.json}}};
 }
 
-Table robot_list() {
-  Table table{.name = "robots", .caption = "", .columns = {"name", "joints", "what"}};
+show::Table robot_list() {
+  show::Table table{.name = "robots", .caption = "", .columns = {{"name"}, {"joints"}, {"what"}}};
   for (const Robot& arm : all_robots()) table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary});
   return table;
 }
@@ -96,8 +108,8 @@ Listed robot_details(const std::string& name) {
   return {robot_text(arm), robot_json(arm)};
 }
 
-Table study_list(const std::vector<Study>& studies) {
-  Table table{.name = "studies", .caption = "", .columns = {"name", "solvers", "runs", "points", "what"}};
+show::Table study_list(const std::vector<Study>& studies) {
+  show::Table table{.name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
   for (const Study& study : studies) {
     table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
                           std::int64_t{study.path->points()}, study.title});
@@ -106,12 +118,12 @@ Table study_list(const std::vector<Study>& studies) {
 }
 
 Listed study_details(const std::string& name) {
-  const Study study = load_study(name, {}, PointsAsObservations::forced);
+  const Study study = load_study(name);
   return {to_toml(study), parsed_ordered_json(to_json(study))};
 }
 
-Table path_list() {
-  Table table{.name = "paths", .caption = "", .columns = {"name", "targets", "what"}};
+show::Table path_list() {
+  show::Table table{.name = "paths", .caption = "", .columns = {{"name"}, {"targets"}, {"what"}}};
   for (const Path& path : paths()) {
     table.rows.push_back({std::string(path->name()),
                           path->is_drawn() ? "random, different in every run" : "the same in every run",
@@ -133,38 +145,36 @@ Listed path_details(const std::string& name) {
 }
 
 // The table, or its row with that name in the first column.
-Listed rows_or_one(Table table, std::string_view what, std::string_view name) {
+Listed rows_or_one(show::Table table, std::string_view what, std::string_view name) {
   if (name.empty()) return listed(table);
   std::vector<std::string> names;
-  for (const auto& row : table.rows) names.push_back(readable(row.front()));
+  for (const auto& row : table.rows) names.push_back(words_of(row.front()));
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) throw std::invalid_argument(unknown_name(what, name, names));
   table.rows = {table.rows[static_cast<std::size_t>(found - names.begin())]};
   return listed(table);
 }
 
-Table column_list() {
-  Table table{.name = "columns", .caption = "", .columns = {"column", "type", "meaning"}};
+show::Table column_list() {
+  show::Table table{.name = "columns", .caption = "", .columns = {{"column"}, {"type"}, {"meaning"}}};
   for (const ColumnInfo& column : columns()) {
     table.rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
   }
   return table;
 }
 
-Table metric_list() {
-  using namespace inference;
-  Table table{.name = "metrics", .caption = "", .columns = {"metric", "unit", "better", "of", "what"}};
-  for (const Metric metric : all_metrics()) {
-    const MetricInfo& info = info_of(metric);
-    table.rows.push_back({std::string(info.column), std::string(info.unit),
-                          info.better == Better::larger ? "larger" : "smaller", is_of_run(metric) ? "run" : "solve",
-                          std::string(info.name)});
+show::Table metric_list() {
+  show::Table table{.name = "metrics", .caption = "", .columns = {{"metric"}, {"unit"}, {"better"}, {"of"}, {"what"}}};
+  for (const compare::Metric& metric : compare::metrics()) {
+    table.rows.push_back({std::string(metric.column), std::string(metric.unit),
+                          metric.kind == compare::Kind::share ? "larger" : "smaller",
+                          metric.of_run != nullptr ? "run" : "solve", std::string(metric.name)});
   }
   return table;
 }
 
-Table instruction_set_list() {
-  Table table{.name = "instruction-sets", .caption = "", .columns = {"name", "in use"}};
+show::Table instruction_set_list() {
+  show::Table table{.name = "instruction-sets", .caption = "", .columns = {{"name"}, {"in use"}}};
   for (const InstructionSet each : instruction_sets()) {
     table.rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
   }
@@ -186,7 +196,7 @@ Listed listed(const std::string& kind, const std::string& name) {
 void add_list(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string kind, name;
-    OutputArguments output;
+    bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
@@ -196,7 +206,7 @@ void add_list(CLI::App& app, Invocation&) {
   command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
-  add_json_option(*command, arguments->output);
+  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench list solvers\n"
@@ -210,7 +220,7 @@ void add_list(CLI::App& app, Invocation&) {
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
     const Listed found = listed(arguments->kind, arguments->name);
-    if (arguments->output.is_json)
+    if (arguments->is_json)
       show_json(found.json);
     else
       fmt::print("{}", isatty(STDOUT_FILENO) != 0 ? printable(found.text) : found.text);  // a file keeps every letter

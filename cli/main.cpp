@@ -27,13 +27,12 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
       "  ikbench run my.toml                      run it and write a report\n"
-      "  ikbench stats my.csv --value error --group solver\n"
-      "                                           the same statistics on your own data\n"
-      "  ikbench multiverse slim2023              in how many of all interpretations each claim holds\n"
+      "  ikbench stats my.csv                     which group of your own data is better\n"
+      "  ikbench multiverse slim2023              in how many readings of the paper each claim holds\n"
       "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
       "  ikbench help COMMAND                     more examples, as ikbench COMMAND --help\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
-      "(a full disk), 3 a regression beyond the margin, 4 undecided (compare --strict),\n"
+      "(a full disk), 3 something is worse, 4 something is not decided (compare),\n"
       "5 solves are missing (merge),\n"
       "128 + number of the signal (130: Ctrl-C).");
   app.set_version_flag("--version", program_name());

@@ -12,14 +12,13 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
-#include "cli/screen.hpp"
+#include "cli/options.hpp"
 #include "experiments/shard.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
 
 using namespace results;
-using namespace report;
 
 namespace {
 
@@ -79,7 +78,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string out;
     std::vector<std::string> places;
-    OutputArguments output;
+    bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
@@ -91,7 +90,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
                    "stores, folders with a store.sqlite, or a folder of such folders, as out/<study>/shards")
       ->required()
       ->check(not_empty());
-  add_json_option(*command, arguments->output);
+  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
@@ -112,14 +111,14 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const Merged& merged = *done;
     const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
     const std::size_t taken = stores.size() - merged.half_written.size();
-    if (!arguments->output.is_json) {
+    if (!arguments->is_json) {
       fmt::print("{}\n", wrapped(fmt::format("{}: {} solve{} added from {} store{}, {} were there with the same bits",
                                              out.string(), merged.added, merged.added == 1 ? "" : "s", taken,
                                              taken == 1 ? "" : "s", merged.known)));
     }
     for (const std::string& sentence : merged.half_written) warn("left out: " + sentence);
     const Store store(out, Store::Mode::read);
-    report::Json missing = report::Json::object();
+    numerics::OrderedJson missing = numerics::OrderedJson::object();
     for (const StudyEntry& study : store.studies()) {
       const std::int64_t all = experiments::solves_of({}, experiments::size_of(study));
       const std::int64_t lacks = all - experiments::solves_within(study, store);
@@ -128,7 +127,7 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       invocation.exit_code = 5;
       missing[study.name] = lacks;
     }
-    if (!arguments->output.is_json) return;
+    if (!arguments->is_json) return;
     show_json({{"store", out.string()},
                {"stores", taken},
                {"added", merged.added},

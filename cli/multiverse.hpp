@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/multiverse.hpp"
+#include "analysis/papers/multiverse.hpp"
 #include "experiments/multiverse.hpp"
 #include "experiments/series_means.hpp"
 
@@ -21,13 +21,8 @@ struct SeriesArguments {
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-struct SolvedMultiverse {
-  inference::Multiverse multiverse;
-  results::AnalysisPlan plan;  // the study's plan
-};
-
 // Shows progress. Returns nothing if it was cancelled: shares need all universes.
-std::optional<SolvedMultiverse> solved_multiverse(const std::string& study,
+std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
                                                   const std::vector<results::Dimension>& varied,
                                                   experiments::MultiverseRequest request,
                                                   const SeriesArguments& arguments);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 
 namespace ikbench::cli {
@@ -30,18 +31,14 @@ void add_report(CLI::App& app, Invocation&) {
   command->footer(
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
-      "  ikbench report theirs.sqlite --out out/theirs --quartiles 7\n"
+      "  ikbench report theirs.sqlite --out out/theirs\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
     const Store store = checked_store(arguments->store);
-    refuse_reproduction(folder.empty() ? "." : folder);
     const StudyEntry study = chosen_study(store, arguments->study);
-    write_and_announce(store, {.study = study.name,
-                               .folder = folder.empty() ? "." : folder,
-                               .arguments = arguments->report,
-                               .tells_of_further = arguments->study.empty()});
+    write_and_announce(store, study.name, folder.empty() ? "." : folder, arguments->report);
   });
 }
 

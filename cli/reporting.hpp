@@ -9,13 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/figures/figure.hpp"
-#include "analysis/inference/metrics.hpp"
-#include "analysis/report/claims.hpp"
-#include "analysis/report/paper.hpp"
-#include "analysis/report/report.hpp"
-#include "analysis/report/table.hpp"
-#include "cli/screen.hpp"
+#include "analysis/show/report.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
@@ -23,64 +17,27 @@
 
 namespace ikbench::cli {
 
-// Refuses an empty folder name: it comes from an unset variable of a script.
-CLI::Validator not_empty();
-
-// Adds PAPER, the name of a paper; the first by default. The help names the offered ones.
-void add_paper_option(CLI::App& command, std::string& paper, bool (*is_offered)(const report::Paper& of));
+// Adds PAPER, the name of a paper; the first by default.
+void add_paper_option(CLI::App& command, std::string& paper);
 
 struct ReportArguments {
-  std::string unit = {};    // replaces the study's
-  int quartiles = 0;        // replaces the study's; 0: not given
-  double significance = 0;  // replaces the study's; 0: not given
-  bool forced = false;      // points of a run may be observations
-  bool without_figures = false;
+  bool without_figures = false, is_json = false;
   std::string style = {};  // a file; its keys replace those of the study's [figures]
-  OutputArguments output = {};
 };
 
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 // Reads the style file, if there is one. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const ReportArguments& arguments);
-// Throws std::invalid_argument if points are to be observations and --force is not given. Call it before anything is
-// solved.
-void refuse_points(const ReportArguments& arguments);
+// Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
+void check_plan(const experiments::Study& study);
 
-// Throws std::invalid_argument if the folder has the report of a reproduction, which also has interpretations that no
-// store of the study holds. Call it before anything is solved.
-void refuse_reproduction(const std::filesystem::path& folder);
-
-// A report to write: its study, its place, and a command's additions to it.
-struct WrittenReport {
-  std::string study;
-  std::filesystem::path folder;
-  ReportArguments arguments = {};
-  std::vector<std::string> remarks = {};       // printed after the results
-  report::Json data = report::Json::object();  // printed with the verdict as JSON
-  std::vector<report::Table> tables = {};
-  std::vector<figures::Figure> figures = {};
-  std::vector<report::ClaimShares> shares = {};
-  bool tells_of_further = false;  // says which studies of the store it is not about
-};
-
-// Writes tables, figures, report.md and report.html into the folder; prints the verdict, the claims or the results, the
-// remarks and, as the last line, the path of report.html.
-void write_and_announce(const results::Store& store, WrittenReport wanted);
-
-// Shows how far a report is, a bar for each step and study.
-class ReportProgress {
- public:
-  void show(report::ReportStep step, std::int64_t done, std::int64_t all);
-  void end() { bar_.reset(); }
-
- private:
-  std::optional<report::ReportStep> step_ = {};
-  std::optional<ProgressBar> bar_ = {};
-};
-
-// Writes figures into the folder, draws them, with the program's name in them, and warns of those that were not drawn.
-void draw(const std::vector<figures::Figure>& figures, const std::filesystem::path& folder,
-          figures::RenderOptions options);
+show::Reported report_of(const compare::JudgedStudy& judged, const results::FigureStyle& style);
+// Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
+void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+              const results::FigureStyle& style, const std::string& screen = {});
+// The report of a study of the store, written and announced.
+void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,
+                        const ReportArguments& arguments);
 
 // Opens a store for reading, and checks the errors of all solves that are read (experiments/recheck.hpp).
 results::Store checked_store(const std::filesystem::path& file);
@@ -116,14 +73,6 @@ struct Solved {
 // says after Ctrl-C how to continue.
 Ended run_study(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request,
                 Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
-// The same, and says what was solved.
-Ended run_and_tell(const experiments::Study& study, const std::filesystem::path& folder,
-                   experiments::RunRequest request, const OutputArguments& output,
-                   results::Store::Mode mode = results::Store::Mode::write);
-
-Tone tone_of(report::Verdict verdict);
-Tone tone_of(inference::Relation relation);  // of the first
-
 std::filesystem::path store_in(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

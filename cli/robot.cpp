@@ -13,11 +13,12 @@
 
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/figure.hpp"
-#include "analysis/figures/figure_parts.hpp"
+#include "analysis/figures/plots.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/plan_options.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/number.hpp"
@@ -30,7 +31,6 @@ namespace ikbench::cli {
 using namespace numerics;
 using namespace robots;
 using namespace figures;
-using namespace report;
 
 namespace {
 
@@ -39,7 +39,7 @@ struct RobotArguments {
   UrdfChoice urdf;
   double snap_deg = 0.001;
   std::vector<double> at, at_rad;
-  OutputArguments output;
+  bool is_json = false;
 };
 
 // The unit of an angle.
@@ -150,26 +150,19 @@ std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) 
 }
 
 Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
-  Figure figure{.name = "robot",
-                .caption = caption,
-                .height_cm = 8.0,
-                .data = "# the arm from the base to the tool: x, y, z [cm]\n"};
-  std::array<std::vector<double>, 3> coordinates;
-  for (const Point& point : arm_points(arm, q)) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      coordinates[axis].push_back(point[axis] / centimetre);
-      figure.data += data_number(coordinates[axis].back()) + (axis < 2 ? ' ' : '\n');
-    }
-  }
-  figure.settings = space_axes(coordinates);
-  figure.plot = "splot 'robot.dat' using 1:2:3 with linespoints lw 1.6 pt 7 ps 0.4 lc rgb word(colours, 2) notitle";
-  return figure;
+  figures::PathRows rows{.targets = {}};
+  auto& [label, corners] = rows.arms.emplace_back(arm.name, std::vector<figures::Corner>());
+  for (const Point& point : arm_points(arm, q))
+    corners.push_back({point[0] / centimetre, point[1] / centimetre, point[2] / centimetre});
+  return path({.name = "robot", .caption = caption}, rows);
 }
 
-void draw_arm(const Figure& figure, const std::filesystem::path& folder, const OutputArguments& output) {
-  draw({figure}, folder, {.jobs = 1});
-  if (output.is_json) return;
-  fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
+void draw_arm(const Figure& figure, const std::filesystem::path& folder, bool is_quiet) {
+  for (const FigureOutcome& outcome :
+       write_figures({figure}, folder, {.jobs = 1, .program = experiments::program_name()})) {
+    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
+  }
+  if (!is_quiet) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
 }
 
 }  // namespace
@@ -185,11 +178,12 @@ std::string robot_text(const Robot& arm) {
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
 
-report::Json robot_json(const Robot& arm) {
-  report::Json json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
-  const report::Json definition = parsed_ordered_json(experiments::to_json(arm));
+numerics::OrderedJson robot_json(const Robot& arm) {
+  numerics::OrderedJson json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
+  const numerics::OrderedJson definition = parsed_ordered_json(experiments::to_json(arm));
   for (const auto& [key, value] : definition.items()) json[key] = value;
-  json["reach_m"] = json_number(arm.chain.reach().radius);
+  const double reach = arm.chain.reach().radius;
+  json["reach_m"] = std::isfinite(reach) ? numerics::OrderedJson(reach) : numerics::OrderedJson(nullptr);
   json["has_spherical_wrist"] = SphericalWrist::fits(arm.chain);
   return json;
 }
@@ -221,7 +215,7 @@ void add_robot(CLI::App& app, Invocation&) {
       ->check(number_in({0, 1}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
-  add_json_option(*command, arguments->output);
+  add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
       "  ikbench robot ur5e\n"
@@ -240,11 +234,11 @@ void add_robot(CLI::App& app, Invocation&) {
     const Robot arm = is_arm_file(arguments->robot) ? load_robot(arguments->robot, choice) : robot(arguments->robot);
     const Configuration q = joints_at(arm, *arguments);
     const std::string where_tool_is = tool_text(arm, q, arguments->at_rad.empty() ? degrees : radians);
-    if (arguments->output.is_json) {
+    if (arguments->is_json) {
       const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
       const Frame tool = frame_of(arm.chain.forward(q));
       const Eigen::Vector3d rpy_deg = tool.rpy / degree;
-      report::Json json = robot_json(arm);
+      numerics::OrderedJson json = robot_json(arm);
       json["at"] = std::vector<double>(in_units.begin(), in_units.end());
       json["tool_at"] = {{"position_m", std::vector<double>(tool.position.begin(), tool.position.end())},
                          {"rpy_deg", std::vector<double>(rpy_deg.begin(), rpy_deg.end())}};
@@ -252,7 +246,7 @@ void add_robot(CLI::App& app, Invocation&) {
     } else
       fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
     if (arguments->out.empty()) return;
-    draw_arm(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), arguments->out, arguments->output);
+    draw_arm(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), arguments->out, arguments->is_json);
   });
 }
 

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "analysis/report/json.hpp"
+#include "numerics/json.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::cli {
 
 std::string robot_text(const robots::Robot& arm);
-report::Json robot_json(const robots::Robot& arm);
+numerics::OrderedJson robot_json(const robots::Robot& arm);
 
 }  // namespace ikbench::cli

@@ -7,8 +7,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/inference/judge.hpp"
-#include "analysis/inference/method.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/reporting.hpp"
@@ -21,26 +19,6 @@ using namespace results;
 using namespace experiments;
 
 namespace {
-
-// Warns before hours are spent on an undecidable study: tests within blocks need a number of blocks, whatever the data.
-void warn_of_too_few(const Study& study) {
-  const AnalysisPlan& plan = study.analysis;
-  if (study.solvers.size() < 2 || !why_no_blocks(study).empty()) return;
-  const bool starts_anew = study.start != Start::previous;
-  const auto points = static_cast<std::size_t>(study.path->points()), runs = static_cast<std::size_t>(study.runs);
-  const std::size_t solvers = study.solvers.size();
-  inference::Evidence planned;
-  planned.plan = plan;
-  planned.blocks = !study.path->is_drawn() ? points : starts_anew ? runs * points : runs;
-  planned.groups.resize(solvers);
-  planned.pairs = solvers * (solvers - 1) / 2;
-  planned.method = &inference::method_for(planned);
-  if (!planned.decides_within_blocks()) return;
-  const auto fewest = static_cast<std::size_t>(inference::fewest_to_differ(planned));
-  if (planned.blocks < 2 || planned.blocks >= fewest) return;
-  warn(fmt::format("with {} {} no two of {} solvers can be told apart, whatever they do; it takes at least {}",
-                   planned.blocks, starts_anew ? "targets" : "runs", solvers, fewest));
-}
 
 void refuse_empty_shard(const Study& study, Shard shard) {
   const std::int64_t parts = parts_of(size_of(study));
@@ -84,11 +62,10 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
-    refuse_points(arguments->report);
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Study study =
-        load_study(arguments->study, arguments->overrides,
-                   arguments->report.forced ? PointsAsObservations::forced : PointsAsObservations::refused);
+        load_study(arguments->study, arguments->overrides);
+    check_plan(study);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();
     refuse_empty_shard(study, shard);
@@ -99,10 +76,6 @@ void add_run(CLI::App& app, Invocation& invocation) {
     RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
     if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
     const bool has_report = !arguments->without_report && !is_part;
-    if (has_report) {
-      refuse_reproduction(folder);
-      warn_of_too_few(study);
-    }
     Solved solved;
     if (run_study(study, folder, request, solved, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
         Ended::stopped) {
@@ -111,13 +84,12 @@ void add_run(CLI::App& app, Invocation& invocation) {
     }
     const std::string words = solved.words(store_in(folder));
     if (!has_report) {
-      if (!arguments->report.output.is_json) fmt::print("{}\n", wrapped(words));
+      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(words));
       return;
     }
     const Store store = checked_store(store_in(folder));
     check_is_stored(study, store);
-    write_and_announce(store,
-                       {.study = study.name, .folder = folder, .arguments = arguments->report, .remarks = {words}});
+    write_and_announce(store, study.name, folder, arguments->report);
   });
 }
 

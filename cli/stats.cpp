@@ -13,7 +13,7 @@
 #include "analysis/show/screen.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/plan_options.hpp"
+#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/json.hpp"
 #include "results/csv.hpp"

@@ -80,17 +80,6 @@ std::vector<Configuration> starts(const Study& study, const Robot& arm, int run)
   return all;
 }
 
-std::string why_no_blocks(const Study& study) {
-  const bool is_drawn = study.path->is_drawn(), is_chained = study.start == Start::previous;
-  if (is_chained && !is_drawn) {
-    return "the solves of a run are chained along a path, so that each solver meets a target from where it left the "
-           "arm";
-  }
-  const std::int64_t blocks =
-      (is_drawn ? std::int64_t{study.runs} : 1) * (is_chained ? 1 : std::int64_t{study.path->points()});
-  return blocks >= 2 ? "" : "it has only one such target or one run";
-}
-
 std::vector<Unreachable> unreachable(const Study& study) {
   if (study.path->is_drawn()) return {};
   const Robot arm = arm_of(study);

@@ -10,8 +10,8 @@
 
 #include "experiments/path.hpp"
 #include "numerics/units.hpp"
-#include "results/analysis_plan.hpp"
 #include "results/figure_style.hpp"
+#include "results/plan.hpp"
 #include "robots/robot.hpp"
 #include "robots/urdf.hpp"
 #include "solvers/options.hpp"
@@ -110,8 +110,8 @@ struct Study {
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
   std::vector<LeftOut> left_out;
-  results::AnalysisPlan analysis;  // how the solves will be judged; decides no number of them
-  results::FigureStyle figures;    // the look of its figures, without the colours of its entries
+  results::Plan analysis;        // how the solves will be judged; decides no number of them
+  results::FigureStyle figures;  // the look of its figures, without the colours of its entries
 };
 
 // The study's arm; std::invalid_argument if there is none of that name.
@@ -133,10 +133,6 @@ std::vector<robots::Pose> targets(const Study& study, int run);
 
 // The starts of a run's solves, the same for all solvers; none for Start::previous and Start::initial.
 std::vector<robots::Configuration> starts(const Study& study, const robots::Robot& arm, int run);
-
-// Says why the study has no blocks, problems that all solvers share; empty if it has at least two: runs with their own
-// targets, or the points of a path if no solve starts from the previous answer.
-std::string why_no_blocks(const Study& study);
 
 // A target that certainly no configuration reaches, by its distance from the shoulder (to the wrist's centre, if that
 // is searched).

@@ -1,7 +1,7 @@
 // The fields of a study, listed once: name, member, range, meaning, and whether it decides a number of a solve. Readers
 // and writers of studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
 // list. A new option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those
-// of the analysis plan in results/analysis_plan_fields.hpp.
+// of the analysis plan in results/plan.hpp.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include "experiments/fields.hpp"
 #include "experiments/study.hpp"
 #include "numerics/units.hpp"
-#include "results/analysis_plan_fields.hpp"
+#include "results/plan.hpp"
 
 namespace ikbench::experiments {
 

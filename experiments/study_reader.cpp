@@ -74,8 +74,8 @@ Path read_path(TomlReader reader) {
 }
 
 // The plan depends on `study`'s path, runs and solvers.
-AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObservations points_as_observations) {
-  AnalysisPlan plan;
+results::Plan read_analysis(TomlReader reader, const Study& study) {
+  results::Plan plan;
   list_fields(reader, plan);
   reader.refuse_unknown_keys();
   std::vector<std::string> labels;
@@ -83,9 +83,6 @@ AnalysisPlan read_analysis(TomlReader reader, const Study& study, PointsAsObserv
   if (!plan.control.empty() && std::find(labels.begin(), labels.end(), plan.control) == labels.end()) {
     reader.fail("control", *reader.find("control"),
                 fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
-  }
-  if (plan.unit == Unit::point && points_as_observations == PointsAsObservations::refused) {
-    reader.fail("unit", *reader.find("unit"), fmt::format("\"run\": {}", why_points_are_refused));
   }
   return plan;
 }
@@ -136,7 +133,7 @@ Robot read_arm(const TomlReader& reader, Study& study) {
   return *study.robot_of_file;
 }
 
-Study read_study(toml::table& table, std::string_view source, PointsAsObservations points_as_observations) {
+Study read_study(toml::table& table, std::string_view source) {
   Study study;
   study.left_out = leave_out(table);
   TomlReader reader(table, source, "");
@@ -153,7 +150,7 @@ Study read_study(toml::table& table, std::string_view source, PointsAsObservatio
   }
   study.solvers = read_solvers(reader, study.left_out);
   if (const toml::table* analysis = reader.subtable("analysis")) {
-    study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study, points_as_observations);
+    study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study);
   }
   if (const toml::table* figures = reader.subtable("figures"))
     study.figures = read_figures(reader.nested(*figures, "figures."), study);
@@ -182,11 +179,10 @@ Study read_study(toml::table& table, std::string_view source, PointsAsObservatio
 
 }  // namespace
 
-Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides,
-                  PointsAsObservations points_as_observations) {
+Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
   toml::table table = parse_toml(toml_text, source);
   for (const std::string& text : overrides) override_one(table, text);
-  return read_study(table, source, points_as_observations);
+  return read_study(table, source);
 }
 
 std::vector<Study> studies() {
@@ -196,14 +192,13 @@ std::vector<Study> studies() {
   return all;
 }
 
-Study load_study(const std::string& name_or_file, const Overrides& overrides,
-                 PointsAsObservations points_as_observations) {
+Study load_study(const std::string& name_or_file, const Overrides& overrides) {
   if (const EmbeddedFile* const file = find_embedded(study_files, name_or_file))
-    return parse_study(file->text, source_of(*file), overrides, points_as_observations);
+    return parse_study(file->text, source_of(*file), overrides);
   std::error_code error;
   const std::filesystem::path file = name_or_file;
   if (!std::filesystem::is_regular_file(file, error)) throw std::invalid_argument(no_study(file));
-  return parse_study(text_of_file(file), name_or_file, overrides, points_as_observations);
+  return parse_study(text_of_file(file), name_or_file, overrides);
 }
 
 }  // namespace ikbench::experiments

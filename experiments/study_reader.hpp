@@ -14,20 +14,12 @@ namespace ikbench::experiments {
 // `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 
-// Says whether the analysis may take points of a run as observations (analysis.unit = "point").
-enum class PointsAsObservations { refused, forced };
-constexpr std::string_view why_points_are_refused =
-    "points of one run depend on each other and are no replicates; a study of several runs has them; to insist: "
-    "--force";
-
 // Throws std::invalid_argument with place, mistake and what is expected; for an unknown key, with the nearest known
 // one.
-Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {},
-                  PointsAsObservations points_as_observations = PointsAsObservations::refused);
+Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
 // The built-in studies by name: the files of studies/, which the build embeds in the program (embed.cmake).
 std::vector<Study> studies();
 // Loads a built-in study by its name, or else a file. Throws as parse_study does.
-Study load_study(const std::string& name_or_file, const Overrides& overrides = {},
-                 PointsAsObservations points_as_observations = PointsAsObservations::refused);
+Study load_study(const std::string& name_or_file, const Overrides& overrides = {});
 
 }  // namespace ikbench::experiments

@@ -58,7 +58,7 @@ class TomlWriter final : public Fields {
     out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
   }
 
-  // Used by the analysis plan alone.
+  // Used by the look of figures alone.
   template <class Enum>
   void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>& choices,
               std::string_view meaning) {
@@ -103,7 +103,7 @@ class TomlWriter final : public Fields {
 
 class JsonWriter final : public Fields {
  public:
-  // Used by the analysis plan alone.
+  // Used by the look of figures alone.
   template <class Enum>
   void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>&, std::string_view) {
     for (const Enum value : field) out[std::string(key)].push_back(name_of(value));
@@ -127,7 +127,7 @@ class JsonWriter final : public Fields {
   void add(Name name, nlohmann::ordered_json value) { out[std::string(name.key)] = std::move(value); }
 };
 
-nlohmann::ordered_json json_of(AnalysisPlan plan) {
+nlohmann::ordered_json json_of(results::Plan plan) {
   JsonWriter writer;
   list_fields(writer, plan);
   return writer.out;
@@ -358,6 +358,6 @@ std::string to_json(const Study& study) {
 
 std::string to_json(const Robot& arm) { return numerics::text_of(arm_definition(arm)); }
 
-std::string to_json(const AnalysisPlan& plan) { return numerics::text_of(json_of(plan)); }
+std::string to_json(const results::Plan& plan) { return numerics::text_of(json_of(plan)); }
 
 }  // namespace ikbench::experiments

@@ -16,6 +16,6 @@ std::string to_json(const Study& study);
 // The arm's links, base and tool, as in its file.
 std::string to_json(const robots::Robot& arm);
 // A plan, as in the definition at "/analysis".
-std::string to_json(const results::AnalysisPlan& plan);
+std::string to_json(const results::Plan& plan);
 
 }  // namespace ikbench::experiments

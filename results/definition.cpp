@@ -38,29 +38,48 @@ void read(const nlohmann::json& value, std::vector<std::string>& into) {
   }
 }
 
+// Reads the members that fields have; the rest keep their values.
+struct FieldsOf {
+  const nlohmann::json& all;
+
+  const nlohmann::json& of(std::string_view key) const { return at(all, fmt::format("/{}", key)); }
+  void text(std::string_view key, std::string& field, std::string_view) const { read(of(key), field); }
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view) const {
+    if (of(key).is_array()) field.clear();
+    read(of(key), field);
+  }
+  void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
+              std::string_view) const {
+    if (!of(key).is_number()) return;
+    const auto value = of(key).get<double>();
+    if (!(value >= range.first && value <= range.second))
+      throw std::invalid_argument(fmt::format("{} is {}; expected {} to {}", key, value, range.first, range.second));
+    field = value * unit;
+  }
+  template <class Enum>
+  void choice(std::string_view key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              std::string_view) const {
+    for (const auto& [name, value] : choices) {
+      if (of(key) == name) field = value;
+    }
+  }
+  template <class Enum>
+  void chosen(std::string_view key, std::vector<Enum>& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              std::string_view) const {
+    if (!of(key).is_array()) return;
+    field.clear();
+    for (const auto& [name, value] : choices) {
+      if (std::ranges::find(of(key), nlohmann::json(name)) != of(key).end()) field.push_back(value);
+    }
+  }
+};
+
 }  // namespace
 
-Plan plan_of(const nlohmann::json& analysis, std::string_view published) {
+Plan plan_of(const nlohmann::json& analysis) {
   Plan plan;
-  const auto read_at = [&](const char* path, auto& into) { read(at(analysis, path), into); };
-  const auto expect = [](const char* field, double value, double least, double most) {
-    if (value >= least && value <= most) return;
-    throw std::invalid_argument(fmt::format("plan: {} {}; expected {} to {}", field, value, least, most));
-  };
-  std::string test;
-  double margin_percent = 100 * plan.margin;
-  read_at("/test", test);
-  read_at("/metric", plan.metric);
-  read_at("/control", plan.control);
-  read_at("/significance", plan.significance);
-  read_at("/margin_percent", margin_percent);
-  read_at("/margin_cm", plan.margin_cm);
-  expect("significance", plan.significance, 0.0001, 0.2);
-  expect("margin_percent", margin_percent, 0, 99);
-  expect("margin_cm", plan.margin_cm, 0, 1000);
-  plan.margin = margin_percent / 100;
-  // Other names are of tests that are gone.
-  if (test == "means" || (test != "ranks" && published == "slim2023")) plan.test = Plan::Test::means;
+  FieldsOf fields{analysis};
+  list_fields(fields, plan);
   return plan;
 }
 
@@ -91,7 +110,14 @@ Definition definition_of(std::string_view json) {
   read_at("/out_of_reach/points", of.out_of_reach);
   of.draws_targets = at(all, "/path/targets") == "drawn";
   of.arm = at(all, "/arm");
-  of.plan = plan_of(at(all, "/analysis"), of.published);
+  FieldsOf style{at(all, "/figures")};
+  list_fields(style, of.style);
+  for (const auto& [label, colour] : style.of("colours").items()) {
+    if (colour.is_string()) of.style.colours[label] = colour.get<std::string>();
+  }
+  if (const auto mistake = mistake_in(of.style))
+    throw std::invalid_argument(fmt::format("figures: {}; expected {}", mistake->first, mistake->second));
+  of.plan = plan_of(at(all, "/analysis"));
   return of;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/figure_style.hpp"
 #include "results/plan.hpp"
 
 namespace ikbench::results {
@@ -27,6 +28,7 @@ struct Definition {
   int out_of_reach = 0;                      // targets that no configuration reaches
   nlohmann::json arm;                        // as robots/description.hpp reads it
   Plan plan;
+  FigureStyle style;
 
   // Each solve begins where the last one left the arm.
   bool is_chained() const { return start == "previous"; }
@@ -37,7 +39,7 @@ struct Definition {
 // Members that the text lacks, or that have another type, keep their defaults. Throws std::invalid_argument if it is no
 // JSON object, or if its plan cannot be.
 Definition definition_of(std::string_view json);
-// The part "analysis" of a definition, also as a session recorded it. `published` is the definition's.
-Plan plan_of(const nlohmann::json& analysis, std::string_view published);
+// The part "analysis" of a definition, also as a session recorded it.
+Plan plan_of(const nlohmann::json& analysis);
 
 }  // namespace ikbench::results

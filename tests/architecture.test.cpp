@@ -28,52 +28,33 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
   return found;
 }
 
-std::vector<std::string> papers() { return between(text_of("analysis/papers.inc"), "PAPER(", ")"); }
-
 // docs/architecture.md: each folder, and the folders that it may know.
-std::map<std::string, Names> folders_and_papers() {
-  std::map<std::string, Names> table{
+const std::map<std::string, Names>& may_know() {
+  static const std::map<std::string, Names> table{
       {"numerics", {}},
       {"robots", {"numerics"}},
       {"solvers", {"numerics", "robots"}},
       {"results", {"numerics"}},
       {"experiments", {"numerics", "robots", "solvers", "results"}},
-      {"analysis/statistics", {}},
+      {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments"}},
       {"analysis/compare", {"numerics", "results"}},
       {"analysis/csv", {"numerics", "results", "analysis/compare"}},
-      {"analysis/inference", {"numerics", "results", "analysis/statistics"}},
-      {"analysis/figures",
-       {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/compare"}},
+      {"analysis/figures", {"numerics", "robots", "results", "analysis/compare"}},
       {"analysis/show", {"numerics", "robots", "results", "analysis/compare", "analysis/figures"}},
       {"analysis/papers", {"numerics", "results", "analysis/compare", "analysis/figures", "analysis/show"}},
-      {"analysis/report",
-       {"numerics", "robots", "results", "analysis/statistics", "analysis/inference", "analysis/figures"}},
-      {"analysis/claims",
-       {"numerics", "results", "analysis/statistics", "analysis/inference", "analysis/figures", "analysis/report"}},
-      // the registry of the papers, which alone knows the folders of papers
-      {"analysis", {"numerics", "analysis/report", "analysis/claims"}},
+      {"analysis/slim2023",
+       {"numerics", "robots", "results", "analysis/compare", "analysis/figures", "analysis/show", "analysis/papers"}},
       {"cli",
-       {"numerics", "robots", "solvers", "results", "experiments", "analysis/statistics", "analysis/inference",
-        "analysis/csv", "analysis/show", "analysis/figures", "analysis/report", "analysis"}},
-      {microbenchmarks, {"numerics", "robots", "solvers", "results", "experiments"}},
+       {"numerics", "robots", "solvers", "results", "experiments", "analysis/compare", "analysis/csv",
+        "analysis/figures", "analysis/show", "analysis/papers", "analysis/slim2023"}},
   };
-  for (const std::string& paper : papers()) {
-    table["analysis"].insert("analysis/" + paper);
-    table["analysis/" + paper] = table.at("analysis/claims");
-    table["analysis/" + paper].insert({"robots", "analysis/claims", "analysis/compare", "analysis/papers", "analysis/show"});
-  }
-  return table;
-}
-
-const std::map<std::string, Names>& may_know() {
-  static const std::map<std::string, Names> table = folders_and_papers();
   return table;
 }
 
 // CMake writes these into the build folder of those that include them.
-const Names generated{"arms.inc",   "build_info.hpp",       "paper_files.inc",    "multiverse.inc",
-                      "papers.inc", "published_tables.inc", "source_digests.inc", "studies.inc",
-                      "style.inc",  "templates.inc"};
+const Names generated{"arms.inc",           "build_info.hpp", "multiverse.inc",
+                      "paper_files.inc",    "studies.inc",    "published_tables.inc",
+                      "source_digests.inc", "style.inc",      "templates.inc"};
 
 // The folder of the table that contains a path of the repository; else its first part.
 std::string folder_of(const std::string& path) {

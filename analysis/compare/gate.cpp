@@ -128,6 +128,7 @@ Gate gate(const Side& baseline, const Side& candidate) {
   Gate gate{.are_times_apart = !have_one_session(study)};
   Judged answers = judged_answers(study);
   gate.judged = judge(std::move(study));
+  gate.judged.study.definition.plan.control = gate.judged.study.solvers.back();  // shown second, after it was judged
   gate.judged.metrics.push_back(std::move(answers));
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;

@@ -230,7 +230,7 @@ std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
-    const results::Plan then = plan_of(numerics::parsed_json(recorded->second), study.definition.published);
+    const results::Plan then = plan_of(numerics::parsed_json(recorded->second));
     std::set<std::string> fields;
     if (then.test != plan.test) fields.insert("test");
     if (then.metric != plan.metric) fields.insert("metric");

@@ -5,13 +5,12 @@
 
 namespace ikbench::figures {
 
-using namespace inference;
 using namespace robots;
 
 std::vector<Point> arm_points(const Robot& arm, const Eigen::VectorXd& q) {
   std::vector<Point> points{{0, 0, 0}};
   const auto add = [&](const Eigen::Vector3d& at) { points.push_back({at.x(), at.y(), at.z()}); };
-  Description joints;  // up to the corner
+  robots::Description joints;  // up to the corner
   for (const DescribedJoint& joint : arm.description) {
     joints.push_back(joint);
     add(pose_of(joints, q).translation());
@@ -30,13 +29,6 @@ std::vector<Point> arm_points(const Robot& arm, const Eigen::VectorXd& q) {
   }
   points.erase(std::unique(points.begin(), points.end()), points.end());  // a length of 0 is no corner
   return points;
-}
-
-std::vector<Point> arm_points(const StudyFacts& facts, const std::vector<double>& angles_rad) {
-  const std::optional<Robot> arm = stored_arm(facts.json);
-  const Eigen::Map<const Eigen::VectorXd> q(angles_rad.data(), static_cast<Eigen::Index>(angles_rad.size()));
-  if (!arm || q.size() != arm->joints() || !q.allFinite()) return {};
-  return arm_points(*arm, q);
 }
 
 }  // namespace ikbench::figures

@@ -18,7 +18,6 @@
 
 #include "analysis/figures/process.hpp"
 #include "analysis/figures/solver_styles.hpp"
-#include "analysis/inference/text.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"

@@ -34,7 +34,7 @@ std::span<const SolveRecord> first_run_of(const StudyResults& study, std::string
 }
 
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
-  const Description all = describe({.name = "", .values = values});
+  const compare::Description all = describe({.name = "", .values = values});
   if (average == Average::mean) return {.x = x, .y = all.mean, .dotted = values.size() > 1 ? all.median : nowhere};
   if (values.size() == 1) return {.x = x, .y = all.median};
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
@@ -194,7 +194,7 @@ std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, co
   for (const std::string& solver : shown_solvers(judged.study, look)) {
     const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
     if (group == metric.observations.groups.end()) continue;
-    const Description all = describe(*group);
+    const compare::Description all = describe(*group);
     BoxRow& row = rows.emplace_back(BoxRow{.label = solver, .style = style_of(look, solver), .values = group->values});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= factor;

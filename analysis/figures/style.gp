@@ -6,7 +6,7 @@ array character[126]
 do for [i = 33:126] { character[i] = sprintf("%c", i) }
 
 # What [figures] of the study or --style says: size of text [pt] and font; width and height of every figure [cm], 0: each
-# its own; colours, and then a shade of each. Names beside an axis are smaller, remarks smaller still.
+# its own; colours, and then a shade of each.
 text = TEXT_PT
 font = "FONT"
 all_width_cm = WIDTH_CM
@@ -35,7 +35,6 @@ set grid xtics ytics ls 1000
 set key below horizontal Left reverse noenhanced noautotitle samplen 2 spacing 1.1 height 0.8
 set xtics noenhanced offset 0, 0.3
 set xlabel offset 0, 0.85
-set ylabel offset 0.5, 0
 
 # Heights, margins and legends follow the size of text: up() is a height as a share of the figure's.
 if (all_width_cm > 0) width_cm = all_width_cm
@@ -44,8 +43,6 @@ legend_rows = legend > 0 ? (legend + columns(legend_cm) - 1) / columns(legend_cm
 height_cm = (height_cm + (legend > 0 ? 0.3 + 0.36 * legend_rows : 0)) * text / 8.0
 if (all_height_cm > 0) height_cm = all_height_cm
 up(cm) = cm * text / 8.0 / height_cm
-names = sprintf(",%g", 0.875 * text)
-remarks = sprintf(",%g", 0.75 * text)
 margin(cm) = cm * text / 8.0 < 0.65 * width_cm ? cm * text / 8.0 / width_cm : 0.65
 
 # Three outputs of the same size, with thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a point of

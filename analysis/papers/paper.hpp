@@ -51,7 +51,7 @@ struct Paper {
   std::string solver = {};                // that it proposes
   std::string means = {};                 // its table of means; empty: none is printed
   std::vector<std::string> not_on = {};   // kinds of path that this table is not about
-  std::string implementation = {};        // of its times: "MATLAB"
+  std::string implementation = {};        // of its times: "another machine"
   int near = 0;                           // a reading is near the print if it explains so many printed numbers
   Rates rates = {};
   std::vector<Claim> claims = {};
@@ -66,8 +66,6 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
 // The rows that are about such a study; none on a path that they are not about.
 PrintedRows printed_rows(const Paper& paper, const compare::StudyResults& study, const compare::Metric& metric);
 bool is_of_means(const Paper& paper, const compare::StudyResults& study);
-// Within the study's tolerance, wherever the joints are.
-bool is_reached(const results::SolveRecord& solve, const compare::StudyResults& study);
 
 // A solver's share of solved targets on an arm.
 struct Rate {
@@ -89,6 +87,7 @@ struct Repeated {
   const Paper& paper;
   const compare::JudgedStudy& study;
   std::vector<const compare::JudgedStudy*> companions = {};
+  bool has_times = true;  // else claims on times are left out
 
   std::vector<const compare::JudgedStudy*> all() const;
   // The companion NAME-part, or the study itself if it is that; null if there is none.

@@ -88,7 +88,7 @@ struct PageWriter {
     return text + "</div>\n";
   }
   std::string operator()(const figures::Figure& figure) const {
-    constexpr std::size_t largest = 400'000;  // of a picture in the page [bytes]
+    constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]
     const std::string caption = html_text(figure.caption);
     const bool is_drawn = !pictures.not_drawn.contains(figure.name);
     std::string picture;

@@ -28,12 +28,18 @@ struct PaperMetric {
 constexpr PaperMetric paper_metrics[]{
     {error, "position error", 6, 10}, {motion, "angles variation", 7, 11}, {time, "computing time", 8, 12}};
 
-std::string numbered(int number) { return fmt::format("figure-{}", number); }
+About numbered(int number, const std::string& caption) {
+  return {.name = fmt::format("figure-{}", number), .caption = fmt::format("Figure {}. {}", number, caption)};
+}
 
-About about_of(const StudyResults& study, const PaperMetric& of, int number, std::string caption) {
+About about_of(const StudyResults& study, const PaperMetric& of, int number, const std::string& caption) {
   const Metric& metric = metric_named(of.column);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  return {numbered(number), std::move(caption), std::string(of.name), unit, factor * metric.rounding};
+  About about = numbered(number, caption);
+  about.quantity = of.name;
+  about.unit = unit;
+  about.floor = factor * metric.rounding;
+  return about;
 }
 
 std::string_view text_at(const CsvTable& table, std::size_t row, std::string_view column) {
@@ -49,7 +55,7 @@ std::optional<std::size_t> printed_row(const CsvTable& table, std::string_view s
 }
 
 // The printed times are of another machine: only their ratios can be compared.
-std::string printed_times(const CsvTable& table) {
+std::string times_in_print(const CsvTable& table) {
   std::vector<std::string> ratios;
   const double own = table.number(printed_row(table, own_solver, time).value(), "mean");
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
@@ -66,7 +72,7 @@ Figure path_figure(const StudyResults& study, int number, std::size_t arms, cons
   const std::string view = arms == 0   ? ", from above"
                            : arms == 1 ? ", with the arm"
                                        : ", with the arm at three of them";
-  return path({numbered(number), fmt::format("Targets, and what {} reached in its first run{}.", solver, view)}, rows);
+  return path(numbered(number, fmt::format("Targets, and what {} reached in its first run{}.", solver, view)), rows);
 }
 
 // The means of Table 3, ours and printed.
@@ -97,12 +103,12 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   for (const PaperMetric& metric : paper_metrics) {
     About about = about_of(study, metric, metric.curves,
                            fmt::format("The {} at each point, mean of the runs. Dotted: the median.", metric.name));
-    if (metric.column == time) about.caption += printed_times(printed);
+    if (metric.column == time) about.caption += times_in_print(printed);
     all.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
   all.push_back(
-      joints({numbered(9), "Joint angles along the path, first run of each solver. Dashed: limits."}, rows, columns));
+      joints(numbered(9, "Joint angles along the path, first run of each solver. Dashed: limits."), rows, columns));
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
     if (values == nullptr) continue;
@@ -133,7 +139,7 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
       for (std::vector<double>& angles : row.angles_deg) angles.push_back(angles.front());
     }
   }
-  all.push_back(joints({numbered(16), caption}, rows, columns));
+  all.push_back(joints(numbered(16, caption), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});

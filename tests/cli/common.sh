@@ -5,9 +5,11 @@ export LC_ALL=C.UTF-8 # else, where no locale is set, bash writes $'\u202e' as l
 PATH=/usr/bin:$PATH   # Debian's python3, which has what ./setup installs, and no shim that takes 0.2 s to find another
 program=$(realpath "$1")
 scripts=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+root=$(realpath "$scripts"/../..)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+for tool in python3 sqlite3; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done
 
 fail() {
   echo "FAILED: $*" >&2
@@ -21,46 +23,56 @@ run_it() {
   out=$(<"$work/.out") err=$(<"$work/.err")
 }
 
-# stopped_after_a_second ARGUMENTS...: a run that is far too long; exit code 130 after SIGINT, its messages in
-# stopped.err.
-stopped_after_a_second() {
-  "$program" "$@" >stopped.out 2>stopped.err &
-  local process=$!
-  sleep 1
-  kill -INT $process || fail "it had ended before it could be stopped: $(<stopped.err)"
-  wait $process
-  code=$?
-  [ "$code" = 130 ] || fail "exit code $code after SIGINT, expected 130: $(<stopped.err)"
-}
-
-# succeeds ARGUMENTS...: exit code 0.
-succeeds() {
-  run_it "$@"
-  [ "$code" = 0 ] || fail "ikbench $*: exit code $code, expected 0; it said: $out $err"
-}
-
-# refused WORDS ARGUMENTS...: exit code 1, nothing on the standard output, and one sentence that has the words.
-refused() {
-  local words=$1 line
+# ends CODE ARGUMENTS...
+ends() {
+  local expected=$1
   shift
   run_it "$@"
-  [ "$code" = 1 ] || fail "ikbench $*: exit code $code, expected 1; it said: $out $err"
+  [ "$code" = "$expected" ] || fail "ikbench $*: exit code $code, expected $expected; it said: $out $err"
+}
+succeeds() { ends 0 "$@"; }
+
+# refused WORD ARGUMENTS...: exit code 1, nothing on the standard output, and one sentence that names the word.
+refused() {
+  local word=$1 sentence
+  shift
+  ends 1 "$@"
   [ -z "$out" ] || fail "ikbench $*: wrote to the standard output: $out"
-  line=$(sed -e ':a;N;$!ba;s/\n  / /g' "$work/.err" | grep -v '^warning: ') # sentences, which are broken between words
-  [ "$(wc -l <<<"$line")" = 1 ] || fail "ikbench $*: not one sentence: $line"
-  [[ $line == "ikbench: "* ]] || fail "ikbench $*: does not say who speaks: $line"
-  [[ $line == *"$words"* ]] || fail "ikbench $*: expected '$words' in: $line"
+  sentence=$(sed -e ':a;N;$!ba;s/\n  / /g' "$work/.err" | grep -v '^warning: ') # lines are broken between words
+  [[ $sentence == "ikbench: "*"$word"* && $sentence != *$'\n'* ]] || fail "ikbench $*: expected '$word' in one sentence: $err"
 }
 
-# flat TEXT: the text in one line, as it was before its lines were broken between words.
-flat() { printf %s "$1" | tr -s '\n ' ' '; }
+# has TEXT WORD
+has() { [[ $1 == *"$2"* ]] || fail "expected '$2' in: $1"; }
+has_no() { [[ $1 != *"$2"* ]] || fail "expected no '$2' in: $1"; }
+# equal WHAT FOUND EXPECTED
+equal() { [ "$2" = "$3" ] || fail "$1: $2, expected $3"; }
 
-has() {
-  [[ $1 == *"$2"* || $(flat "$1") == *"$(flat "$2")"* ]] || fail "expected '$2' in: $1"
+# json EXPRESSION [FILE]: the file, else what was said last, is JSON, `of`, of which the expression holds.
+json() {
+  python3 -c 'import json, sys; of = json.load(open(sys.argv[2])); sys.exit(not eval(sys.argv[1]))' "$1" "${2:-$work/.out}" ||
+    fail "not $1: $(head -c 600 "${2:-$work/.out}")"
 }
 
-has_no() {
-  [[ $1 != *"$2"* && $(flat "$1") != *"$(flat "$2")"* ]] || fail "expected no '$2' in: $1"
+# golden NAME [FILE]: what a verdict says as JSON, a line each group, pair and doubt, without times, which no machine
+# repeats, is tests/cli/golden/NAME. IKBENCH_GOLDEN=write writes that instead.
+golden() {
+  local file=$scripts/golden/$1
+  python3 - "${2:-$work/.out}" >"$work/.rows" <<'PYTHON' || fail "$1: no verdict: $(head -c 1000 "$work/.out")"
+import json, sys
+of = json.load(open(sys.argv[1]))
+text = lambda x: "-" if x is None or x == "" else f"{x:.4g}" if isinstance(x, float) else str(x).replace(" ", "_")
+for part in of.get("solvers", [of]):
+    keys = {"groups": "metric solver n mean median smallest largest", "tests": "metric test statistic p",
+            "findings": "metric first second estimate low high p test verdict"}
+    for kind, names in keys.items():
+        for row in part[kind]:
+            if row["metric"] != "time": print(kind[:-1], *(text(row.get(name)) for name in names.split()))
+    for kind in ("worse", "undecided"):
+        if kind in part: print(kind, *map(text, part[kind]))
+PYTHON
+  if [ "${IKBENCH_GOLDEN:-}" = write ]; then cp "$work/.rows" "$file"; fi
+  diff "$file" "$work/.rows" || fail "other numbers than in $file"
 }
 
 # A study that takes little, of the paper's six solvers.
@@ -76,43 +88,18 @@ numbers() {
 }
 
 # solves STORE: the number of its solves.
-solves() {
-  "$program" export "$1" | tail -n +2 | wc -l
-}
+solves() { "$program" export "$1" | tail -n +2 | wc -l; }
 
 # same_fingerprint STORE STORE: and both have one.
 same_fingerprint() {
   local first second
   first=$("$program" export "$1" --format fingerprint) && second=$("$program" export "$2" --format fingerprint) || fail "no fingerprint of $1 or $2"
-  [ -n "$first" ] && [ "$first" = "$second" ] || fail "another fingerprint: $1 has '$first', $2 has '$second'"
+  [ -n "$first" ] && equal "fingerprint of $1" "$first" "$second"
 }
 
 # quiet: what went to no terminal has no control characters (colours, cursor moves, carriage returns).
 quiet() {
   ! LC_ALL=C grep -q $'[\001-\010\013-\037\177]' "$work/.out" "$work/.err" || fail "control characters in: $out $err"
-}
-
-# fits WORDS ARGUMENTS...: what it says is no more than a screen, with the warnings, and begins with the words.
-fits() {
-  local words=$1 lines columns
-  shift
-  run_it "$@"
-  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $*: exit code $code: $err"
-  lines=$(cat "$work/.out" "$work/.err" | wc -l) columns=$(cat "$work/.out" "$work/.err" | wc -L)
-  [ "$lines" -le 30 ] && [ "$columns" -le 100 ] || fail "ikbench $*: $lines lines of $columns columns: $out $err"
-  [[ $(flat "$out") == "$words"* ]] || fail "ikbench $*: expected '$words' first in: $out"
-  quiet
-}
-
-# as_json EXPRESSION ARGUMENTS...: standard output is JSON, `of`, which the expression holds. Nothing without python3.
-as_json() {
-  local expression=$1
-  shift
-  run_it "$@" --json
-  [ "$code" != 1 ] && [ "$code" != 2 ] || fail "ikbench $* --json: exit code $code: $err"
-  command -v python3 >/dev/null || return 0
-  python3 -c "import json, sys; of = json.load(open('$work/.out')); sys.exit(not ($expression))" ||
-    fail "ikbench $* --json: not $expression: $out"
 }
 
 # study NAME ENTRY...: a study file of two runs of eight points, damped least squares first.

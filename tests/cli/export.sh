@@ -1,104 +1,119 @@
 #!/usr/bin/env bash
-# Exports are what other programs read.
+# Exports are what other programs read: CSV, JSON, a folder for IOHprofiler, a fingerprint.
 source "$(dirname "$0")/common.sh"
-
-succeeds run slim2023 "${small[@]}" --set trace=best_error --no-report --out made
+traced=(slim2023 "${small[@]}" --set trace=best_error --no-report)
+succeeds run "${traced[@]}" --out made
 succeeds run slim2023-context "${small[@]}" --no-report --out made
-
 succeeds export made/store.sqlite
-[ -z "$err" ] || fail "export wrote to the standard error: $err"
-[ "$(wc -l <.out)" = 37 ] || fail "a head and 36 solves expected, not $(wc -l <.out) lines"
-[ "$(awk -F, '{ print NF }' .out | sort -u | wc -l)" = 1 ] || fail "rows of different lengths"
 quiet
+[ -z "$err" ] || fail "export wrote to the standard error: $err"
+equal "lines" "$(wc -l <.out)" 37 # a head and 36 solves
+equal "lengths of rows" "$(awk -F, '{ print NF }' .out | sort -u | wc -l)" 1
 cp .out first.csv
-succeeds export made/store.sqlite -o file.csv
-[ -z "$out" ] || fail "export -o wrote to the standard output too"
-cmp file.csv first.csv || fail "-o writes something else"
+equal "lines of the second study" "$("$program" export made/store.sqlite --study slim2023-context | wc -l)" 13
 
-# A fingerprint is a line, the same with several jobs, and another with another seed.
+# A fingerprint: the same with several jobs, another with another seed.
 succeeds export made/store.sqlite --study slim2023-context --format fingerprint
 [[ $out =~ ^[0-9a-f]{32}\ \ 12\ \ slim2023-context$ ]] || fail "it said: $out"
-succeeds run slim2023 "${small[@]}" --set trace=best_error --jobs 3 --no-report --out many
+succeeds run "${traced[@]}" --jobs 3 --out many
 same_fingerprint many/store.sqlite made/store.sqlite
-succeeds run slim2023 "${small[@]}" --set trace=best_error --set seed=2 --no-report --out seed-2
-succeeds export seed-2/store.sqlite --format fingerprint
-[ "$out" != "$("$program" export made/store.sqlite --format fingerprint)" ] || fail "the same fingerprint with another seed"
+succeeds run "${traced[@]}" --set seed=2 --out seed-2
+[ "$("$program" export seed-2/store.sqlite --format fingerprint)" != "$("$program" export made/store.sqlite --format fingerprint)" ] ||
+  fail "the same fingerprint with another seed"
 
-# -o follows links, keeps permissions, and writes into what is no regular file.
+# -o follows links, keeps permissions and other names, and writes into what is no regular file.
 echo old >private.csv
 chmod 600 private.csv
 ln -s private.csv link.csv
+ln private.csv other.csv
 succeeds export made/store.sqlite -o link.csv
-[ -L link.csv ] || fail "-o replaced a link"
-cmp private.csv first.csv || fail "-o through a link writes something else"
-[ "$(stat -c %a private.csv)" = 600 ] || fail "-o made a private file $(stat -c %a private.csv)"
+[ -z "$out" ] && [ -L link.csv ] && cmp private.csv first.csv && cmp other.csv first.csv || fail "-o through a link"
+equal "permissions" "$(stat -c %a private.csv)" 600
 mkfifo pipe
 cat pipe >from-pipe.csv &
-reader=$!
 succeeds export made/store.sqlite -o pipe
-[ -p pipe ] || fail "-o replaced a pipe"
-wait $reader
-cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
-if mknod null c 1 3 2>.mknod && mknod full c 1 7 2>.mknod && : 2>.mknod >null; then # only root may
-  succeeds export made/store.sqlite -o null
-  run_it export made/store.sqlite -o full
-  [ "$code" = 2 ] || fail "exit code $code of an export to a full device, expected 2: $err"
-  has "$err" "cannot write 'full': No space left on device"
-  [ -c null ] && [ -c full ] || fail "-o replaced a device"
-fi
-"$program" export made/store.sqlite -o /dev/stdout | cmp - first.csv || fail "-o /dev/stdout writes something else"
-
-# A redirected standard output keeps what is in it before and after.
+wait $!
+[ -p pipe ] && cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
+ends 2 export made/store.sqlite -o /dev/full
 echo before >log
 "$program" export made/store.sqlite -o /dev/stdout >>log
-echo after >>log
-{ echo before; cat first.csv; echo after; } | cmp - log || fail "-o /dev/stdout lost what its file had"
-echo before >log
-exec 3>>log
-succeeds export made/store.sqlite -o /dev/fd/3
-echo after >&3
-exec 3>&-
-{ echo before; cat first.csv; echo after; } | cmp - log || fail "-o /dev/fd/3 lost what its file had"
-echo old >one.csv
-ln one.csv other.csv
-succeeds export made/store.sqlite -o one.csv
-cmp other.csv first.csv || fail "-o parted a file from its other name"
+{ echo before; cat first.csv; } | cmp - log || fail "-o /dev/stdout lost what its file had"
 for part in '' -wal -shm -journal; do
   [ -e "made/store.sqlite$part" ] || : >"made/store.sqlite$part"
-  refused 'is the store itself or part of it' export made/store.sqlite -o "made/store.sqlite$part"
+  refused 'store' export made/store.sqlite -o "made/store.sqlite$part"
   [ -s "made/store.sqlite$part" ] || rm "made/store.sqlite$part"
 done
-
-succeeds export made/store.sqlite --study slim2023-context
-[ "$(wc -l <.out)" = 13 ] || fail "a head and 12 solves expected of the second study"
-has "$out" "DLS"
-
-# A closed pipe is no crash.
 "$program" export made/store.sqlite | head -n 1 >.out
 code=${PIPESTATUS[0]}
 [ "$code" = 0 ] || [ "$code" = 141 ] || fail "export | head: exit code $code"
 
-command -v python3 >/dev/null || exit 0
+# IOHprofiler.
+succeeds export made/store.sqlite --format iohprofiler -o ioh
+[ -z "$err" ] || fail "a solver of the paper is left out: $err"
+refused 'FOLDER' export made/store.sqlite --format iohprofiler
+refused 'ioh' export made/store.sqlite --format iohprofiler -o ioh
+succeeds run slim2023 "${small[@]}" --no-report --out untraced
+refused 'best_error' export untraced/store.sqlite --format iohprofiler -o none
+[ ! -e none ] || fail "a folder without anything in it"
+cp -r made harmed # a course that nobody has run is damage
+sqlite3 harmed/store.sqlite "UPDATE solves SET improved_at = '[1e308,null,-3]', improved_to_cm = '[1,2,3]' WHERE run = 2 AND point = 1"
+refused "run 2, point 1" export harmed/store.sqlite --format iohprofiler -o none
+
+# The CSV and the JSON say the same, to every digit; the folder follows the rules by which IOHanalyzer 0.1.8.11 and
+# IOHinspector read it, numbered as in the specification of their format.
 succeeds export made/store.sqlite --format json -o solves.json
-python3 - <<'PYTHON' || fail "the JSON is not as it should be"
-import csv, json
+python3 - <<'PYTHON' || fail "other programs would not read it"
+import csv, json, os, re
 
 def strict(constant):
     raise ValueError(constant)  # NaN and Infinity are not JSON
 
-data = json.load(open("solves.json"), parse_constant=strict)
-rows = list(csv.DictReader(open("file.csv", newline="")))
-solves = data["solves"]
-assert data["study"] == "slim2023"
-assert data["definition"]["points"] == 3 and data["definition"]["runs"] == 2
+data, rows = json.load(open("solves.json"), parse_constant=strict), list(csv.DictReader(open("first.csv", newline="")))
+assert data["study"] == "slim2023" and data["definition"]["points"] == 3 and data["definition"]["runs"] == 2
 assert [series["label"] for series in data["series"]] == ["IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"]
-assert len(data["sessions"]) == 2
-assert len(solves) == len(rows) == 36
-for solve, row in zip(solves, rows):
+assert len(data["sessions"]) == 2 and len(data["solves"]) == len(rows) == 36
+for solve, row in zip(data["solves"], rows):
     for name in ("position_error_cm", "claimed_error_cm", "variation_deg", "seconds"):
-        assert solve[name] == float(row[name]), name  # all digits in both
+        assert solve[name] == float(row[name]), name
     assert solve["answer_rad"] == [float(row[f"answer_rad_{joint}"]) for joint in range(1, 8)]
     assert solve["solver"] == row["solver"] and solve["point"] == int(row["point"])
     assert len(solve["trace_cm"]) == solve["iterations"] == 5
     assert abs(solve["position_error_cm"] - solve["claimed_error_cm"]) < 1e-7
+
+solves = {(s["solver"], s["point"], s["run"]): s for s in data["solves"]}
+seen, files, plain = set(), set(), re.compile(r"[A-Za-z0-9_-]+(\.json|\.dat)?")
+required = ["version", "suite", "function_id", "function_name", "maximization", "algorithm", "attributes", "scenarios"]
+for folder, _, names in os.walk("ioh"):
+    for name in names:
+        assert plain.fullmatch(name) and plain.fullmatch(os.path.basename(folder)), name  # 7
+        files.add(os.path.join(folder, name))
+for file in sorted(f for f in files if f.endswith(".json")):
+    head = json.load(open(file))
+    assert all(key in head for key in required), head.keys()
+    assert tuple(map(int, head["version"].split("."))) >= (0, 3, 3) and head["maximization"] is False  # 8
+    assert head["experiment_attributes"] == head["run_attributes"] == []  # 3, 4
+    assert head["attributes"] == ["evaluations", "raw_y"] and set(head["algorithm"]) == {"name", "info"}
+    assert 0 < head["function_id"] < 65536  # 6
+    assert os.path.basename(file) == "IOHprofiler_f%d_%s.json" % (head["function_id"], head["function_name"])
+    for scenario in head["scenarios"]:
+        path = os.path.join(os.path.dirname(file), scenario["path"])
+        files.remove(path)
+        blocks = open(path).read().split("evaluations raw_y\n")
+        assert blocks[0] == "" and len(blocks) == len(scenario["runs"]) + 1 and scenario["dimension"] == 4
+        for run, block in zip(scenario["runs"], blocks[1:]):
+            assert set(run) == {"instance", "evals", "best"} and set(run["best"]) == {"evals", "y", "x"}  # 2
+            lines = [line.split(" ") for line in block.splitlines()]
+            evaluations, errors = [int(line[0]) for line in lines], [float(line[1]) for line in lines]
+            key = (head["algorithm"]["name"], head["function_id"], run["instance"])
+            solve = solves[key]
+            assert key not in seen  # 8
+            seen.add(key)
+            assert evaluations[0] == 1 and evaluations.count(1) == 1  # 1
+            assert evaluations == sorted(set(evaluations)) and evaluations[-1] == run["evals"] == solve["evaluations"]
+            assert all(a > b for a, b in zip(errors, errors[1:-1])) and errors[-1] == min(errors)
+            assert errors[-1] == run["best"]["y"] == solve["trace_cm"][-1]  # 5: every digit
+            assert evaluations[errors.index(min(errors))] == run["best"]["evals"] and len(run["best"]["x"]) == 4
+            assert set(errors[2:]) <= set(solve["trace_cm"])
+assert len(seen) == len(solves) == 36
+assert all(f.endswith(".json") for f in files), files  # every other file is named by one of them
 PYTHON

@@ -3,84 +3,84 @@
 source "$(dirname "$0")/common.sh"
 
 name=$'<script>$(touch pwned)`touch pwned`"\''
-labels=("\"quoted\", 'single'" '<b>&amp;</b>' '$(touch pwned)`touch pwned`' '100 % | 50 $ \ ~^#_{}&'
-  'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' 'A'
-  $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z')
-
+long=$(printf 'long%.0s' {1..50}) # 200 characters, the most
+labels=("\"quoted\", 'single'" '<b>&amp;</b>' '<script>pwned</script>' '$(touch pwned)`touch pwned`' '100 % | 50 $ \ ~^#_{}&'
+  'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' '*'
+  $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z' "$long")
 {
-  escaped=${name//\"/\\\"}
-  printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nruns = 2\npopulation = 6\n' "$escaped"
+  printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nruns = 2\npopulation = 6\n' "${name//\"/\\\"}"
   printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
   for label in "${labels[@]}"; do
     escaped=${label//\\/\\\\}
     printf '[[solvers]]\nsolver = "bat"\nlabel = "%s"\n' "${escaped//\"/\\\"}"
   done
 } >hostile.toml
+for odd in '\\u001b[31m' '\\n' "long$long"; do # what colours a terminal, ends a line or is longer is no name
+  sed "s/label = \"-x\"/label = \"$odd\"/" hostile.toml >control.toml
+  refused control.toml:44:9 run control.toml
+done
 
 mkdir here
-(
-  cd here || exit 1
-  succeeds run ../hostile.toml
-  quiet
-  has "$out" '<script>'
-  [ "$(ls -A)" = out ] || fail "something beside out/ was written: $(ls -A)"
-  [ "$(ls -A out | wc -l)" = 1 ] || fail "out/ has: $(ls -A out)"
-  folder=$(realpath out/*)
-  [[ $(basename "$folder") =~ ^[A-Za-z0-9._-]+$ ]] || fail "the folder is named $(basename "$folder")"
-  [ -s "$folder/report.md" ] || fail "no report"
-  # What people read has no letter that turns the direction of writing or ends a line.
-  turning=$'[\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]'
-  found=$(grep -l "$turning" "$work/.out" "$work/.err" "$folder"/report.{md,html} "$folder"/tables/*.{md,tex})
-  [ -z "$found" ] || fail "letters that turn the direction of writing in: $found"
-  # The page has scripts of its own, on lines that begin with them, and its figures.
-  ! sed 's/^<script>//; s/<img class="picture[^"<>]*" alt="[^"<>]*" src="data:image\/svg+xml;base64,[A-Za-z0-9+/=]*">//' \
-    "$folder/report.html" | grep '<script>\|<b>\|<img' >/dev/null || fail "the page has HTML of the user's making"
-  ! grep -q '<script>\|<b>\|<img' "$folder/report.md" || fail "the report has HTML of the user's making"
-  if command -v gnuplot >/dev/null; then
-    has_no "$err" "figure"
-    [ -s "$folder/figures/error.svg" ] || fail "no figure of the error"
-    ! grep -q '<b>\|<script>' "$folder"/figures/*.svg || fail "a figure has HTML of the user's making"
-  fi
-) || exit 1
-[ -z "$(find . -name 'pwned*')" ] || fail "a name was run: $(find . -name 'pwned*')"
-[ "$(ls)" = $'here\nhostile.toml' ] || fail "something was written outside: $(ls)"
+cd here || exit 1
+succeeds run ../hostile.toml
+cp "$work/.out" ../screen
+quiet
+[ "$(wc -L <../screen)" -le 120 ] && [ "$(wc -l <../screen)" -le 40 ] || fail "not one screen: $out"
+equal "beside out/" "$(ls -A)" out
+folder=$(realpath out/*)
+[[ $(basename "$folder") =~ ^[A-Za-z0-9._-]+$ ]] || fail "the folder is named $(basename "$folder")"
+cd ..
 
-# The text is intact in what other programs read.
-store=(here/out/*/store.sqlite)
-succeeds export "${store[0]}"
-for label in "${labels[@]}"; do
-  quoted=${label//\"/\"\"}
-  [[ $out == *",$label,"* || $out == *",\"$quoted\","* ]] || fail "the CSV has no label $label"
+# What people read has no letter that turns the direction of writing or ends a line, and no HTML of the user's making.
+turning='[\x{61c}\x{200e}\x{200f}\x{2028}-\x{202e}\x{2066}-\x{2069}]'
+grep -qP "$turning" hostile.toml || fail "grep does not see them"
+equal "files with letters that turn" "$(grep -lP "$turning" screen "$folder"/report.{md,html} "$folder"/tables/*.{md,tex})" ""
+! sed -E 's/^<script( type="[a-z]*")?>//; s/<img class="picture[^"<>]*" alt="[^"<>]*" src="data:image\/svg\+xml;base64,[A-Za-z0-9+\/=]*">//' \
+  "$folder/report.html" | grep -o '.\{60\}\(<script>\|<b>\|<img\).\{60\}' || fail "the page has HTML of the user's making"
+! grep '<script>\|<b>\|<img' "$folder/report.md" "$folder"/tables/*.md || fail "Markdown has HTML of the user's making"
+for table in "$folder"/tables/*.md; do
+  equal "columns of $table" "$(sed 's/\\|//g' "$table" | grep '^|' | tr -cd '|\n' | sort -u | wc -l)" 1
 done
-has "$out" "\"${name//\"/\"\"}\",kuka_iiwa14"
-if command -v python3 >/dev/null; then
-  succeeds export "${store[0]}" --format json -o export.json
-  "$program" export "${store[0]}" -o export.csv || fail "cannot export"
-  printf '%s\n' "${labels[@]}" | python3 -c '
+if command -v gnuplot >/dev/null; then
+  [ -s "$folder/figures/error-boxes.svg" ] || fail "no figure of the error: $(<.err)"
+  ! grep -l '<b>\|<script>' "$folder"/figures/*.svg || fail "a figure has HTML of the user's making"
+fi
+
+# The text is intact in what other programs read, and in the CSVs of tables a cell that begins like a formula is text.
+store=$folder/store.sqlite
+"$program" export "$store" -o export.csv && "$program" export "$store" --format json -o export.json || fail "cannot export"
+printf '%s\n' "${labels[@]}" | python3 -c '
 import csv, json, sys
 labels = sys.stdin.read().split("\n")[:-1]
-name = sys.argv[1]
-solves = json.load(open("export.json"))["solves"]
-rows = list(csv.DictReader(open("export.csv", newline="")))
+solves, rows = json.load(open("export.json"))["solves"], list(csv.DictReader(open("export.csv", newline="")))
 assert len(solves) == len(rows) == 6 * len(labels), (len(solves), len(rows))
 for found in (solves, rows):
     assert {solve["solver"] for solve in found} == set(labels), {solve["solver"] for solve in found} ^ set(labels)
-    assert {solve["study"] for solve in found} == {name}
-' "$name" || fail "names are not intact in JSON or CSV"
-fi
+    assert {solve["study"] for solve in found} == {sys.argv[1]}
+results = json.load(open(sys.argv[2] + "/results.json"))
+assert {row["solver"] for row in results["groups"]} == set(labels)
+for name in ("results", "pairs", "descriptives", "anova"):
+    table = list(csv.reader(open(sys.argv[2] + f"/tables/{name}.csv", newline="")))
+    assert len({len(row) for row in table}) == 1, name
+' "$name" "$folder" || fail "names are not intact in JSON or CSV"
 
-# And the study can be asked for by its name.
-succeeds report "${store[0]}" --study "$name" --no-figures --out again
-[ -s again/report.md ] || fail "no report of the study by its name"
+# By name; through compare and stats too.
+succeeds report "$store" --study "$name" --no-figures --out again
+ends 0 compare "${labels[1]}" "${labels[4]}" --store "$store" -o verdict.md
+quiet
+! grep '<b>' verdict.md || fail "the verdict has HTML of the user's making"
+printf 's,v\n"\e[31mred<b>",1\nB|%s,2\n' "$long$long" >coloured.csv
+succeeds stats coloured.csv --out stats
+quiet
+! grep -r 'red<b>' stats/report.* || fail "a label of a CSV is HTML"
 
-# Names that are no folder's.
+# Names that are no folder's, and nothing outside.
 for odd in .. . ../up /abs a/b; do
-  printf 'name = "%s"\nruns = 1\npopulation = 2\n[stop]\niterations = 1\n[path]\npoints = 1\n[[solvers]]\nsolver = "bat"\n' \
-    "$odd" >odd.toml
+  sed "s/^name = .*/name = \"${odd//\//\\/}\"/" hostile.toml >odd.toml
   mkdir odd && cd odd || exit 1
   succeeds run ../odd.toml --no-report
   [ "$(ls -A)" = out ] && [ "$(find out -name store.sqlite | wc -l)" = 1 ] || fail "name $odd: $(find .)"
   cd .. && rm -r odd
 done
-rm -f export.csv export.json  # only where there is a python3 to read them
-[ "$(ls)" = $'again\nhere\nhostile.toml\nodd.toml' ] || fail "something else was written: $(ls)"
+equal "run by a name" "$(find . -name 'pwned*')" ""
+equal "written" "$(echo *)" "again coloured.csv control.toml export.csv export.json here hostile.toml odd.toml screen stats verdict.md"

@@ -1,61 +1,27 @@
 #!/usr/bin/env bash
 # Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm. That of the results fits a column.
 source "$(dirname "$0")/common.sh"
-command -v pdflatex >/dev/null || exit 77
-for package in booktabs array adjustbox geometry; do
-  kpsewhich "$package.sty" >/dev/null || exit 77
-done
-command -v mf >/dev/null || exit 77 # makes fonts, and keeps them in the home folder
-export HOME=$PWD
+for tool in pdflatex mf; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done # mf makes fonts
+for package in booktabs array adjustbox geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
+export HOME=$PWD # where fonts are kept
 
-# compiles FOLDER: all of its tables in one document.
+# compiles CLASS OPTIONS TABLE...: all in one document, of which nothing sticks out.
 compiles() {
-  local folder=$1 packages
-  packages=$(sed -n '1s/^% Needs \\usepackage{\(.*\)}$/\1/p' -s "$folder"/*.tex | tr ',' '\n' | sort -u | paste -sd,)
-  [ "$(grep -lx '% Needs \\usepackage{.*}' "$folder"/*.tex | wc -l)" = "$(ls "$folder"/*.tex | wc -l)" ] ||
-    fail "a table of $folder does not say what it needs"
+  local class=$1 geometry=$2 table
+  shift 2
+  equal "tables that say what they need" "$(grep -lx '% Needs \\usepackage{.*}' "$@" | wc -l)" $#
   {
-    echo '\documentclass[a4paper]{article}'
-    echo '\usepackage[margin=2cm]{geometry}'
-    echo "\\usepackage{$packages}"
+    printf '\\documentclass%s\n%s\n' "$class" "$geometry"
+    printf '\\usepackage{%s}\n' "$(sed -n '1s/^% Needs \\usepackage{\(.*\)}$/\1/p' -s "$@" | tr ',' '\n' | sort -u | paste -sd,)"
     echo '\begin{document}'
-    for table in "$folder"/*.tex; do
-      echo "\\typeout{Table $(basename "$table")}"
-      echo "\\input{$table}"
-      echo '\clearpage'
-    done
-    echo '\end{document}'
+    for table in "$@"; do printf '\\typeout{Table %s}\n\\input{%s}\n\\clearpage\n' "$(basename "$table")" "$table"; done
+    echo 'Text.\end{document}'
   } >all.tex
   for _ in 1 2; do # the second knows the numbers of tables
-    pdflatex -interaction=nonstopmode -halt-on-error all.tex >.pdflatex 2>&1 || fail "$folder: $(grep -A 5 '^!' all.log)"
+    pdflatex -interaction=nonstopmode -halt-on-error all.tex >.pdflatex 2>&1 || fail "$*: $(grep -A 5 '^!' all.log)"
   done
-  ! grep -q 'Overfull \\hbox' all.log || fail "$folder: $(grep -E '^Table |Overfull \\hbox' all.log | grep -B 1 Overfull)"
-  ! grep -q 'Float too large' all.log || fail "$folder: $(grep -E '^Table |too large' all.log | grep -B 1 large)"
-  [ -z "${IKBENCH_LATEX:-}" ] || cp all.pdf "$IKBENCH_LATEX/${folder//\//-}.pdf"
+  ! grep -E '^Table |Overfull \\hbox|too large' all.log | grep -B 1 'Overfull\|large' || fail "sticks out of $class: $*"
 }
-
-# fits_a_column FOLDER: its table of results compiles in one of two columns.
-fits_a_column() {
-  local class
-  for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
-    [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue
-    {
-      printf '\\documentclass%s\n' "$class"
-      sed -n '1s/^% Needs //p' "$1/results.tex"
-      printf '\\begin{document}\n\\input{%s}\nText.\n\\end{document}\n' "$1/results.tex"
-    } >column.tex
-    pdflatex -interaction=nonstopmode -halt-on-error column.tex >.pdflatex 2>&1 || fail "$1: $(grep -A 5 '^!' column.log)"
-    ! grep -q -e 'Overfull \\hbox' -e 'Float too large' column.log ||
-      fail "$1/results.tex in $class: $(grep -A 2 -e Overfull -e 'too large' column.log)"
-    [ -z "${IKBENCH_LATEX:-}" ] || cp column.pdf "$IKBENCH_LATEX/${1//\//-}-${class//[^A-Za-z]/}.pdf"
-  done
-}
-
-# With two jobs, times are not judged, and have fewer tables.
-succeeds reproduce --runs 2 --jobs 2 --readings 1 --no-figures --out paper
-[ "$(ls paper/tables/*.tex | wc -l)" -gt 30 ] || fail "paper/tables has few tables: $(ls paper/tables)"
-compiles paper/tables
-! grep -h -E '\$-[0-9.]+ to ' paper/tables/*.tex || fail "words in mathematics"
 
 # Labels may be anything, and long.
 {
@@ -66,6 +32,11 @@ compiles paper/tables
   done
 } >labels.toml
 succeeds run labels.toml --no-figures --out labels
-compiles labels/tables
-fits_a_column labels/tables
-exit 0
+succeeds run slim2023 "${small[@]}" --no-figures --out paper
+for folder in labels paper; do
+  compiles '[a4paper]{article}' '\usepackage[margin=2cm]{geometry}' "$folder"/tables/*.tex
+  for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
+    [ "$class" != '{IEEEtran}' ] || kpsewhich IEEEtran.cls >/dev/null || continue
+    compiles "$class" "" $folder/tables/results.tex
+  done
+done

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Everything that can be named is listed, and everything listed can be looked at.
+# Everything that can be named is listed, everything listed can be looked at, and every command explains itself.
 source "$(dirname "$0")/common.sh"
 
 for kind in solvers robots studies paths columns metrics instruction-sets; do
   succeeds list $kind
-  [ -z "$err" ] || fail "list $kind wrote to the standard error: $err"
+  [ -z "$err" ] && [ "$(wc -L <.out)" -le 100 ] || fail "list $kind: $(wc -L <.out) columns; $err"
   quiet
-  names=$(tail -n +2 .out | cut -d' ' -f1)
-  [ -n "$names" ] || fail "list $kind is empty"
+  names=$(grep -E '^[a-z]' .out | cut -d' ' -f1)
+  succeeds list $kind --json
+  json "[list(row.values())[0] for row in of] == '''$names'''.split() and len(of) > 0"
   for name in $names; do
     succeeds list $kind "$name"
     has "$out" "$name"
@@ -15,52 +16,53 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   done
 done
 
-succeeds list solvers
-for name in ik_bat bat differential_evolution particle_swarm k_artificial_bee_colony multi_objective_swarm; do
-  has "$out" "$name" # the six of the paper
-done
-
-succeeds list solvers ik_bat
-has "$out" "Slim et al. 2023"
-for option in alpha gamma loudness pulse_rate acceptance bounds; do
-  has "$out" $'\n'"$option "
-done
-
-succeeds list robots kuka_iiwa14
-for length in 0.36 0.42 0.4 0.126; do # the manufacturer's, docs/paper-notes.md 1
-  has "$out" "  $length  "
-done
-has "$out" "170"
+succeeds list solvers --json
+json '{"ik_bat", "bat", "differential_evolution", "particle_swarm", "k_artificial_bee_colony", "multi_objective_swarm"} <= {row["name"] for row in of}'
+succeeds list solvers ik_bat --json
+json '{"alpha", "gamma", "loudness", "pulse_rate", "acceptance", "bounds"} <= {row["option"] for row in of["options"]}'
+succeeds list robots kuka_iiwa14 --json
+json '[round(link["d_m"], 6) for link in of["links"]] == [0.36, 0, 0.42, 0, 0.4, 0, 0.126]' # the manufacturer's
+succeeds list studies slim2023 --json
+json 'of["runs"] == 20 and of["analysis"]["test"] == "means"'
 
 # Every column of an export is listed.
 succeeds run slim2023 "${small[@]}" --no-report --out made
 succeeds list columns
-columns=$out
-succeeds export made/store.sqlite
-for column in $(head -n 1 .out | tr , '\n' | sed -E 's/_[0-9]+$//' | sort -u); do
-  has "$columns" $'\n'"$column "
-done
+cp .out columns
+"$program" export made/store.sqlite | head -n 1 | tr , '\n' | sed -E 's/_[0-9]+$//' | sort -u >exported
+while read -r column; do grep -q "^$column " columns || fail "not listed: $column"; done <exported
 
-# A listed study is a study file.
-for study in slim2023 slim2023-time slim2023-dobot slim2023-limits slim2023-bounds slim2023-elongation slim2023-context slim2023-all-joints; do
-  succeeds list studies $study
-  cp .out $study.toml
-  succeeds run $study.toml "${small[@]}" --no-report --out "from-$study"
-  succeeds list studies $study.toml
-  cmp .out $study.toml || fail "the listed study, listed again, is another"
+# A listed study is a study file, and says the meaning of its keys.
+for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do
+  succeeds list studies "$study"
+  cp .out "$study.toml"
+  [ "$(grep -c ' = .*  # ' .out)" -gt 30 ] || fail "$study does not explain its keys"
+  succeeds list studies "$study.toml"
+  diff <(grep "^[^#]" .out) <(grep "^[^#]" "$study.toml") || fail "the listed study, listed again, is another"
 done
+succeeds run slim2023-time.toml "${small[@]}" --no-report --out from-file
+succeeds run slim2023-time "${small[@]}" --no-report --out by-name
+same_fingerprint from-file/store.sqlite by-name/store.sqlite
 
-# So does its plan of analysis.
-succeeds list studies slim2023
-for line in "[analysis]  # how" "test = 'by_design'  # by_design | bootstrap | tamhane | kruskal_wallis: " \
-  "significance = 0.05  # significance level of a test" "margin_percent = 5  # smallest relative difference that matters" "unit = 'run'  # run | point: " \
-  "estimands = ['mean', 'typical', 'reliability']  # mean | typical | reliability: " "within_cm = 0.01  # "; do
-  has "$out" $'\n'"$line"
+# Help, and the version.
+succeeds --help
+cp .out all
+for command in $(sed -n '/^Subcommands/,/^$/s/^  \([a-z-]*\) .*/\1/p' all); do
+  succeeds "$command" --help
+  has "$out" "  ikbench $command "
+  [ -z "$err" ] || fail "$command --help wrote to the standard error: $err"
+  quiet
 done
+equal commands "$(sed -n '/^Subcommands/,/^$/p' all | grep -c '^  [a-z]')" 11
+succeeds --version
+[[ $out =~ ^ikbench\ ([0-9]+\.[0-9]+\.[0-9]+)\ \(.+\)$ ]] || fail "--version says: $out"
+grep -qx "version: ${BASH_REMATCH[1]}" "$root/CITATION.cff" || fail "CITATION.cff is not of ${BASH_REMATCH[1]}"
+ends 1
 
-# Keys come with their meaning, a solver's own population too.
-succeeds list studies slim2023-time
-for line in "start = 'initial'  # previous | initial | middle | random | near: a solve starts" "limits = 'recorded'  # recorded | enforced: " \
-  "kind = 'random'  # helix | circle | random | poses" "population = 12  # overrides the population of the study"; do
-  has "$out" $'\n'"$line"
-done
+# Colours and progress are for a terminal alone.
+script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 0 # no `script`, or no terminal to be had
+on_terminal() { TERM=xterm script -qec "stty cols 100; $1 '$program' ${*:2}" /dev/null </dev/null >shown; }
+on_terminal "" run slim2023 --set runs=4 --set path.points=5 --set stop.iterations=1000 --no-report --out shown_run
+[[ $(<shown) =~ \[[#]+[.]*\].*/120\ solves,\  ]] || fail "no bar in: $(<shown)"
+on_terminal "" compare BA DE --store made/store.sqlite
+[ "$(cat -v shown | grep -c 'vs')" -ge 4 ] || fail "no table: $(<shown)"

@@ -65,10 +65,9 @@ check_page() {
   cd "$work" || exit 1
 }
 
-for name in tutorial which-solver is-my-variant-better figures-for-my-paper your-own-csv; do
+for name in tutorial which-solver gate figures-for-my-paper your-own-csv; do
   check_page "docs/$name.md"
 done
 check_page README.md
 mine='ikbench list studies slim2023 >my.toml; sed -i "s/^name = .*/name = \"my\"/; /^published = /d" my.toml'
-check_page docs/gate.md "$mine; ikbench run my.toml --set runs=3 --no-report; cp out/my/store.sqlite baseline.sqlite"
 check_page docs/cluster.md "$mine"

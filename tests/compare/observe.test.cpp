@@ -310,7 +310,7 @@ TEST_CASE("Targets out of reach and a plan that was changed after the data are t
     return doubt_of(study(asked, as_made, {"A", "B"}, {{.id = 1, .environment = {{"analysis", plan}}}}),
                     DoubtKind::plan_changed);
   };
-  CHECK_FALSE(recorded(R"({"test": "by_design", "margin_percent": 10})"));
+  CHECK_FALSE(recorded(R"({"test": "ranks", "margin_percent": 10})"));
   REQUIRE(recorded(R"({"test": "means", "margin_percent": 5})"));
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->what == "margin, test");
   CHECK(recorded(R"({"test": "means", "margin_percent": 5})")->count == 40);

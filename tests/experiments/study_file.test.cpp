@@ -12,6 +12,7 @@
 #include "numerics/names.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
+#include "tests/contains.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/sources.hpp"
 
@@ -28,8 +29,6 @@ namespace {
 std::string said_of(const std::string& toml, const Overrides& overrides = {}) {
   return complaint<std::invalid_argument>([&] { parse_study(toml, "my.toml", overrides); });
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 const std::string solver_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 const std::string planar = "robot = \"planar_2\"\nsearch = \"all_joints\"\n";
@@ -135,12 +134,12 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.solvers = {
       {"a \"label\" with 'quotes' = [x] . # \\", "ik_bat", {{"acceptance", "yang2020"}, {"alpha", "0.25"}}},
       {"плечо", "bat", {}, 12}};
-  study.analysis = {.test = "kruskal_wallis",
+  study.analysis = {.test = Plan::Test::means,
+                    .metric = "seconds",
                     .control = "плечо",
                     .significance = 0.001,
                     .margin = 1.0 / 3,
-                    .quartiles = 9,
-                    .unit = Unit::point};
+                    .margin_cm = 0.25};
   study.figures = {.width_cm = 12.5,
                    .height_cm = 7,
                    .font = "DejaVu Sans",
@@ -149,16 +148,11 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
                    .solvers = {"плечо", study.solvers[0].label},
                    .formats = {Picture::pdf}};
   study.solvers[1].colour = "#123456";
-  const Study again = parse_study(to_toml(study), "my.toml", {}, PointsAsObservations::forced);
+  const Study again = read(to_toml(study));
   CHECK(to_toml(again) == to_toml(study));
   CHECK(to_json(again) == to_json(study));
   CHECK(keys_of(again) == keys_of(study));
-  CHECK(again.analysis.test == "kruskal_wallis");
-  CHECK(again.analysis.control == "плечо");
-  CHECK(again.analysis.significance == 0.001);
-  CHECK(again.analysis.margin == 1.0 / 3);
-  CHECK(again.analysis.quartiles == 9);
-  CHECK(again.analysis.unit == Unit::point);
+  CHECK(again.analysis == study.analysis);
   CHECK(again.title == study.title);
   CHECK(again.seed == study.seed);
   CHECK(again.stop.evaluations == study.stop.evaluations);
@@ -381,62 +375,37 @@ TEST_CASE("a study's arm may be a URDF file, read as its table urdf says", "[stu
       contains(said_of(solver_entry, {robot, "urdf.snap_deg=2"}), "urdf.snap_deg is 2; expected a number from 0 to 1"));
 }
 
-TEST_CASE("a study says how it will be judged, by default by the design at 5 % over run means, no control",
+TEST_CASE("a study says how it will be judged, by default by ranks at 5 %, the paper's studies by means",
           "[study][analysis]") {
   const Study study = read(solver_entry);
-  CHECK(study.analysis.test == std::string(by_design));
-  CHECK(nlohmann::json::parse(to_json(study))["analysis"] ==
-        nlohmann::json{{"test", "by_design"},
-                       {"control", ""},
-                       {"significance", 0.05},
-                       {"margin_percent", 5.0},
-                       {"margin_cm", 0.0},
-                       {"quartiles", 5},
-                       {"unit", "run"},
-                       {"estimands", {"mean", "typical", "reliability"}},
-                       {"within_cm", 0.01},
-                       {"program_times", "apart"}});
+  CHECK(study.analysis == Plan());
+  CHECK(nlohmann::json::parse(to_json(study))["analysis"] == nlohmann::json{{"test", "ranks"},
+                                                                            {"metric", ""},
+                                                                            {"control", ""},
+                                                                            {"significance", 0.05},
+                                                                            {"margin_percent", 5.0},
+                                                                            {"margin_cm", 0.0}});
   for (const Study& built_in : studies()) {
     INFO(built_in.name);
-    CHECK(to_json(built_in.analysis) == to_json(AnalysisPlan{}));
+    CHECK(built_in.analysis ==
+          Plan{.test = built_in.name.starts_with("slim2023") ? Plan::Test::means : Plan::Test::ranks});
     CHECK(contains(to_toml(built_in), "\n[analysis]"));
   }
 }
 
 TEST_CASE("the table of the analysis is read, and --set changes it as it does other fields", "[study][analysis]") {
-  const std::string toml =
-      "[analysis]\ntest = \"kruskal_wallis\"\nmargin_percent = 20\nquartiles = 7\n" + solver_entry + "label = \"A\"\n";
-  const AnalysisPlan plan = read(toml, {"analysis.significance=0.01", "analysis.control=A"}).analysis;
-  CHECK(plan.test == "kruskal_wallis");
-  CHECK(plan.margin == 0.2);  // 20 percent
-  CHECK(plan.quartiles == 7);
-  CHECK(plan.significance == 0.01);
-  CHECK(plan.control == "A");
-  const Study study = read("[analysis]\nestimands = [\"reliability\", \"mean\"]\nwithin_cm = 0.015\n" + solver_entry);
-  CHECK(study.analysis.estimands == std::vector{Estimand::mean, Estimand::reliability});  // in their own order
-  CHECK(study.analysis.within_cm == 0.015);
-  CHECK(to_json(read(to_toml(study)).analysis) == to_json(study.analysis));
+  const Study study =
+      read("[analysis]\ntest = \"means\"\nmetric = \"error\"\nmargin_percent = 20\nmargin_cm = 0.015\n" + solver_entry +
+               "label = \"A\"\n",
+           {"analysis.significance=0.01", "analysis.control=A"});
+  CHECK(study.analysis == Plan{.test = Plan::Test::means,
+                               .metric = "error",
+                               .control = "A",
+                               .significance = 0.01,
+                               .margin = 0.2,  // 20 percent
+                               .margin_cm = 0.015});
   CHECK(said_of(solver_entry, {"analysis.significance=7"}) ==
         "--set analysis.significance: analysis.significance is 7; expected a number from 0.0001 to 0.2");
-}
-
-TEST_CASE("targets are blocks where all solvers were given the same ones more than once", "[study][analysis]") {
-  Study study = small_study();  // a helix, chained
-  CHECK(contains(why_no_blocks(study), "chained"));
-  study.start = Start::initial;
-  CHECK(why_no_blocks(study).empty());
-  study.path = path_of({"points=1"});
-  CHECK(contains(why_no_blocks(study), "only one"));
-  study.path = path_of({"kind=random", "points=1"});
-  CHECK(why_no_blocks(study).empty());  // two runs, each with a target of its own
-  study.runs = 1;
-  CHECK(contains(why_no_blocks(study), "only one"));
-  study.path = path_of({"kind=random", "points=4"});
-  CHECK(why_no_blocks(study).empty());
-  study.start = Start::previous;
-  CHECK(contains(why_no_blocks(study), "only one"));
-  study.runs = 2;
-  CHECK(why_no_blocks(study).empty());
 }
 
 // ---- mistakes -----------------------------------------------------------------------------------------------------
@@ -495,25 +464,14 @@ TEST_CASE("what an analysis cannot be is told with its place and what it can be"
   const std::string table = "[analysis]\n";
   check({{"analysis = 3\n" + solver_entry, "my.toml:1:12: ", {"analysis is 3", "expected a table: [analysis]"}},
          {table + "signficance = 0.01\n" + solver_entry, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
-         {table + "test = \"t\"\n" + solver_entry,
-          "my.toml:2:8: ",
-          {"analysis.test is \"t\"", "\"by_design\", \"bootstrap\", \"tamhane\", \"kruskal_wallis\""}},
+         {table + "test = \"t\"\n" + solver_entry, "my.toml:2:8: ", {"analysis.test is \"t\"", "\"ranks\", \"means\""}},
          {table + "significance = 0\n" + solver_entry, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
          {table + "significance = nan\n" + solver_entry, "my.toml:2:16: ", {"significance is nan"}},
          {table + "margin_percent = -1\n" + solver_entry, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
-         {table + "estimands = []\n" + solver_entry,
-          "my.toml:2:13: ",
-          {"estimands is []", "a list of some of \"mean\", \"typical\", \"reliability\", each once"}},
-         {table + "estimands = \"mean\"\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
-         {table + "estimands = [\"mean\", \"median\"]\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
-         {table + "estimands = [\"mean\", 3]\n" + solver_entry, "my.toml:2:13: ", {"a list of some of"}},
-         {table + "estimands = [\"mean\", \"mean\"]\n" + solver_entry, "my.toml:2:13: ", {"each once"}},
-         {table + "within_cm = 0\n" + solver_entry, "my.toml:2:13: ", {"within_cm is 0", "from 1e-06 to 1000"}},
-         {table + "quartiles = 10\n" + solver_entry, "my.toml:2:13: ", {"quartiles is 10", "from 1 to 9"}},
+         {table + "margin_cm = 1001\n" + solver_entry, "my.toml:2:13: ", {"margin_cm is 1001", "from 0 to 1000"}},
          {table + "control = \"IK\"\n" + solver_entry + solver_entry + "label = \"B\"\n",
           "my.toml:2:11: ",
-          {"analysis.control is \"IK\"", "the label of a solver of the study: \"ik_bat\", \"B\""}},
-         {table + "unit = \"day\"\n" + solver_entry, "my.toml:2:8: ", {"\"run\", \"point\""}}});
+          {"analysis.control is \"IK\"", "the label of a solver of the study: \"ik_bat\", \"B\""}}});
 }
 
 TEST_CASE("what figures cannot be is told with its place and what they can be", "[study][mistakes]") {
@@ -524,14 +482,6 @@ TEST_CASE("what figures cannot be is told with its place and what they can be", 
          {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"blue, red"}}});
   CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=red"}).figures.text_pt == 10);
   CHECK(read(solver_entry, {"ik_bat.colour=red"}).solvers[0].colour == "red");
-}
-
-TEST_CASE("points are no observations, unless somebody insists", "[study][mistakes][analysis]") {
-  const std::string toml = "[analysis]\nunit = \"point\"\n" + solver_entry;
-  CHECK(said_of(toml) ==
-        "my.toml:2:8: analysis.unit is \"point\"; expected \"run\": points of one run depend on each other and are no "
-        "replicates; a study of several runs has them; to insist: --force");
-  CHECK(parse_study(toml, "my.toml", {}, PointsAsObservations::forced).analysis.unit == Unit::point);
 }
 
 TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {

@@ -7,11 +7,12 @@
 
 #include <fstream>
 #include <future>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/figures/figure.hpp"
-#include "tests/analysis/folder.hpp"
 #include "tests/catch.hpp"
+#include "tests/figures/drawn.hpp"
 
 using namespace ikbench;
 using namespace ikbench::results;
@@ -22,6 +23,15 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::perms mode_of(const fs::path& file) { return fs::status(file).permissions(); }
+
+// Every file below, relative to the folder.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) files.insert(fs::relative(entry.path(), folder).string());
+  }
+  return files;
+}
 
 // A device like /dev/full (7) or /dev/null (3), where the system lets us make one.
 bool make_device(const fs::path& file, unsigned number) {

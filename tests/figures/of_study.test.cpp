@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "analysis/slim2023/figures.hpp"
-#include "tests/analysis/drawn.hpp"
 #include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
 #include "tests/contains.hpp"
+#include "tests/figures/drawn.hpp"
 
 using namespace ikbench;
 using namespace ikbench::compare;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "analysis/figures/parts.hpp"
-#include "tests/analysis/drawn.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
+#include "tests/figures/drawn.hpp"
 
 using namespace ikbench;
 using namespace ikbench::figures;

@@ -5,9 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "analysis/inference/make_study.hpp"
-#include "analysis/report/study_tables.hpp"
-#include "analysis/statistics/descriptive.hpp"
+#include "analysis/compare/judge.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "tests/catch.hpp"
@@ -18,9 +16,7 @@ using namespace ikbench::numerics;
 using namespace ikbench::solvers;
 using namespace ikbench::results;
 using namespace ikbench::experiments;
-using namespace ikbench::statistics;
-using namespace ikbench::inference;
-using namespace ikbench::report;
+using namespace ikbench::compare;
 
 namespace {
 
@@ -39,7 +35,7 @@ StudyResults solved(int seed) {
   const Study study = load_study("slim2023", {"seed=" + std::to_string(seed), "repeats=1"});
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   run(study, store, {.jobs = 1});
-  return make_study(store.study(study.name), store.solves(study.name));
+  return read_study(store, store.study(study.name));
 }
 
 void check_means(const std::map<std::string, double>& means, const std::map<std::string, Range>& ranges) {
@@ -55,34 +51,32 @@ void check_means(const std::map<std::string, double>& means, const std::map<std:
 
 TEST_CASE("the helix study comes out as the paper's Table 3 in the readings of the notes", "[paper]") {
   constexpr int seeds = 5;
-  std::map<Metric, std::map<std::string, double>> over_seeds;
-  std::map<Metric, std::vector<double>> p;
+  const std::map<std::string, const std::map<std::string, Range>*> ranges{{"position_error_cm", &errors_cm},
+                                                                          {"variation_deg", &variations_deg}};
+  std::map<std::string, std::map<std::string, double>> over_seeds;
+  std::map<std::string, std::vector<double>> p;
   for (int seed = 1; seed <= seeds; ++seed) {
     const StudyResults study = solved(seed);
     REQUIRE(study.solves.size() == 6 * 20 * 20);
-    std::map<Metric, std::map<std::string, double>> means;
-    for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg}) {
-      for (const Sample& sample : samples(study, metric)) {
-        means[metric][sample.solver] = mean(sample.values);
-        over_seeds[metric][sample.solver] += mean(sample.values) / seeds;
+    for (const auto& [metric, range] : ranges) {
+      const Judged judged = judge(study, metric_named(metric));
+      std::map<std::string, double> means;
+      for (std::size_t i = 0; i < judged.described.size(); ++i) {
+        const std::string& solver = judged.observations.groups[i].name;
+        means[solver] = judged.described[i].mean;
+        over_seeds[metric][solver] += means[solver] / seeds;
       }
-    }
-    // The paper: 7.2e-24 and 7.2e-70. The error's p depends on BA's spread: over seeds 1 to 20 it is 7e-17 (seed 1,
-    // where a run of BA ends at 4.5 cm) to 1e-42, and below 1e-20 for 19 of them.
-    for (const Metric metric : {Metric::position_error_cm, Metric::variation_deg}) {
-      p[metric].push_back(anova(study, metric).table.p);
-    }
-    if (seed == 1) {
-      check_means(means[Metric::position_error_cm], errors_cm);
-      check_means(means[Metric::variation_deg], variations_deg);
+      // The paper: 7.2e-24 and 7.2e-70. The error's p depends on BA's spread: over seeds 1 to 20 it is 7e-17 (seed 1,
+      // where a run of BA ends at 4.5 cm) to 1e-42, and below 1e-20 for 19 of them.
+      p[metric].push_back(judged.anova->p);
+      if (seed == 1) check_means(means, *range);
     }
   }
   for (auto& [metric, values] : p) {
-    CAPTURE(name_of(metric));
+    CAPTURE(metric);
     std::sort(values.begin(), values.end());
     CHECK(values.back() < 1e-15);
     CHECK(values[seeds / 2] < 1e-20);
   }
-  check_means(over_seeds[Metric::position_error_cm], errors_cm);
-  check_means(over_seeds[Metric::variation_deg], variations_deg);
+  for (const auto& [metric, range] : ranges) check_means(over_seeds[metric], *range);
 }

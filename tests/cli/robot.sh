@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# An arm is a name, a file of joints, or a URDF: shown, run, and its mistakes.
+source "$(dirname "$0")/common.sh"
+cat >my_study.toml <<'TOML'
+robot = "my_arm.toml"
+search = "all_joints"
+[path]
+kind = "random"
+[[solvers]]
+solver = "damped_least_squares"
+TOML
+cat >my_arm.toml <<'TOML'
+summary = "SCARA: two turns and a slide"
+source = "an example"
+links = [
+  { d_m = 0.40, a_m = 0.30, limits_deg = [-130, 130] },
+  { a_m = 0.20, alpha_deg = 180, limits_deg = [-145, 145] },
+  { joint = "slides", limits_m = [0, 0.15] },
+]
+tool = { position_m = [0, 0, 0.05] }
+TOML
+cp "$root"/tests/data/urdf/{fetch,ur5e,gen3}.urdf .
+
+# shows JOINTS X Y Z ARGUMENTS...: the number of joints and where the tool is, to a micrometre.
+shows() {
+  local joints=$1 x=$2 y=$3 z=$4
+  shift 4
+  succeeds robot "$@" --json
+  json "of['joints'] == len(of['links']) == $joints and all(abs(a - b) < 1e-6 for a, b in zip(of['tool_at']['position_m'], ($x, $y, $z)))"
+}
+shows 3 0.5 0 0.35 my_arm.toml
+shows 3 0.3 0.2 0.25 my_arm.toml --at 0,90,0.1
+shows 6 0.8172 0.2329 0.0628 ur5e --at 0,0,0,0,0,0
+shows 6 0.8172 0.2329 0.0628 ur5e.urdf --at 0,0,0,0,0,0
+shows 6 0.7695836 0.3112853 0.1085779 ur5e --at-rad 0.1,-0.2,0.3,0,0,0
+shows 8 0.50165 0 0.25956 fetch.urdf --at 0.1,0,0,0,90,0,0,0
+json 'of["has_spherical_wrist"] and of["at"][0] == 0.1'
+shows 6 0.929 0 0.06 fetch.urdf --base shoulder_pan_link --tip wrist_roll_link --limits soft
+shows 7 0 -0.0248501 1.187385 gen3.urdf
+
+# The arm that is written from the numbers of the screen has the same tool, to every digit that is shown. A conversion
+# leaves no digits of its own.
+unwrapped() { sed -z 's/\n  / /g' .out; }
+succeeds robot ur5e.urdf --at 10,-20,30.5,40,50,60
+where=$(unwrapped | tail -n 1)
+{
+  echo 'links = ['
+  awk '/^[1-9] / { printf "{ limits_deg = [%s, %s], a_m = %s, alpha_deg = %s, d_m = %s, offset_deg = %s },\n", $3, $4, $6, $7, $8, $9 }' .out
+  sed -n 's/^tool at (\(.*\)) m, roll pitch yaw (\(.*\)) deg$/]\ntool = { position_m = [\1], rpy_deg = [\2] }/p' <(unwrapped)
+} >written.toml
+has_no "$out" 0000000
+has_no "$out" 9999999
+succeeds robot written.toml --at 10,-20,30.5,40,50,60
+equal "tool of the written arm" "$(unwrapped | tail -n 1)" "$where"
+succeeds robot gen3.urdf --out picture
+[ -s picture/robot.gp ] && [ -s picture/robot.dat ] || fail "there is no picture"
+
+# The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm, and one
+# that was edited another.
+succeeds run my_study.toml "${small[@]}" --no-figures --out made
+equal "solves" "$(column made/store.sqlite robot damped_least_squares | counted)" "6 my_arm"
+grep -q 'id="motion-data"' made/report.html || [ ! -e /usr/share/javascript/three ] || fail "the page does not show the arm moving"
+mkdir elsewhere
+(cd elsewhere && "$program" run ../my_study.toml "${small[@]}" --no-report --out ../made >../.out 2>&1) || fail "$(<.out)"
+has "$(<.out)" "(6 were"
+cp my_arm.toml copy.toml
+succeeds run my_study.toml "${small[@]}" --set robot=copy.toml --no-report --out made
+has "$out" "(6 were"
+sed -i 's/0.30/0.31/' my_arm.toml
+succeeds run my_study.toml "${small[@]}" --no-report --out made
+has_no "$out" "(6 were"
+sed 's/robot = .*/robot = "fetch.urdf"/' my_study.toml >urdf_study.toml
+succeeds run urdf_study.toml "${small[@]}" --set urdf.tip=wrist_roll_link --no-report --out described
+equal "solves" "$(column described/store.sqlite robot damped_least_squares | counted)" "6 fetch"
+
+# A path from a program that writes poses, as a CSV.
+python3 "$root/docs/examples/rectangle.py" >rectangle.csv
+sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
+  -e 's/all_joints/pose/; s/kind = .*/kind = "csv"\nfile = "rectangle.csv"/' my_study.toml >rectangle.toml
+succeeds run rectangle.toml --no-figures --out rectangle --json
+json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
+equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
+
+# Mistakes.
+sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
+refused my_arm.toml:4:11 robot my_arm.toml
+refused my_arm.toml:4:11 run my_study.toml
+refused none.toml run my_study.toml --set robot=none.toml
+refused none.urdf robot none.urdf
+refused --at-rad robot ur5e --at 1,2,3,4,5,6 --at-rad 1,2,3,4,5,6
+refused "1 values" robot ur5e --at-rad 1
+refused '"gripper_link"' robot fetch.urdf --tip griper_link
+refused '"soft"' run urdf_study.toml --set urdf.limits=both
+refused planar_2 run urdf_study.toml --set robot=planar_2 --set urdf.tip=x
+echo '<robot name="r"><xacro:include filename="x"/></robot>' >macro.urdf
+refused macro.urdf:1 robot macro.urdf

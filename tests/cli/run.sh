@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# run and report: the numbers of a study, its files, its screen, and that nothing but the study changes a number.
+source "$(dirname "$0")/common.sh"
+
+# The tutorial's study keeps the promises of smallness.
+awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root/docs/tutorial.md" >mine.toml
+cp "$root/docs/examples/pso.py" mine.py
+succeeds run mine.toml --out mine
+quiet
+[ "$(cat .out .err | wc -l)" -le 20 ] && [ "$(cat .out .err | wc -L)" -le 100 ] || fail "not one screen: $out $err"
+equal "last line" "$(tail -n 1 .out)" "Report: mine/report.html"
+files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.md | grep -c '[[:alnum:]]')
+echo "$files files, $words words in report.md"
+[ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"
+[ "$words" -lt 1200 ] || fail "report.md has $words words"
+for file in report.html results.json solves.csv store.sqlite {tables,}; do [ -e "mine/$file" ] || fail "no $file"; done
+for table in results pairs descriptives anova; do
+  for type in csv md tex; do [ -s "mine/tables/$table.$type" ] || fail "no $table.$type"; done
+done
+if command -v gnuplot >/dev/null; then
+  for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" 6; done
+fi
+golden tutorial mine/results.json
+
+# A study of the paper.
+paper=(slim2023 --set runs=3 --set path.points=5)
+succeeds run "${paper[@]}" --no-figures --out made --json
+quiet
+golden slim2023
+json 'of["metric"] == "error" and "report.html" in of["files"] and len(of["files"]) < 40'
+equal pictures "$(find made -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ""
+succeeds report made/store.sqlite --no-figures --json --out again
+golden slim2023
+has "$("$program" export made/store.sqlite --format fingerprint)" "  90  slim2023"
+
+# Of the store alone, in another folder, at another time, by somebody who may only read it: the same bytes.
+mkdir -p "another folder" closed
+cp made/store.sqlite "another folder/theirs.sqlite"
+(
+  cd "another folder" || exit 1
+  TZ=Asia/Kolkata HOME=$PWD USER=somebody SOURCE_DATE_EPOCH=1 "$program" report theirs.sqlite --no-figures >/dev/null 2>&1
+) || fail "no report of a bare name"
+rm made/store.sqlite-* 2>/dev/null
+diff -r --exclude='*.sqlite' made "another folder" || fail "two reports of one store differ"
+cmp made/store.sqlite "another folder/theirs.sqlite" || fail "report changed the store"
+cp made/store.sqlite closed/
+chmod 444 closed/store.sqlite
+chmod 555 closed
+mkdir -m 777 open
+reader=()
+if [ "$(id -u)" = 0 ] && command -v setpriv >/dev/null; then
+  chmod 755 "$work"
+  reader=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+  "${reader[@]}" "$program" --version >/dev/null 2>&1 || reader=() # the build folder may be closed to others
+fi
+"${reader[@]}" "$program" report closed/store.sqlite --no-figures --out open/report >.out 2>.err || fail "read only: $(<.err)"
+cmp open/report/results.json made/results.json || fail "another report of a store that may only be read"
+equal "read only" "$(ls closed)" store.sqlite
+chmod 755 closed
+
+# Jobs, the file of the study and the folder change no number; a seed does.
+numbers made/store.sqlite >made.csv
+"$program" list studies slim2023 >slim.toml
+succeeds run "${paper[@]}" --no-report --jobs 3
+numbers out/slim2023/store.sqlite | cmp - made.csv || fail "three jobs: other numbers"
+succeeds run slim.toml "${paper[@]:1}" --no-report --out file
+numbers file/store.sqlite | cmp - made.csv || fail "the study from its file: other numbers"
+succeeds run "${paper[@]}" --set seed=2 --no-report --out seed-2
+! numbers seed-2/store.sqlite | cmp -s - made.csv || fail "the same numbers with another seed"
+
+# Another plan costs no solve, and is told.
+succeeds run "${paper[@]}" --no-figures --set analysis.significance=0.01 --out made --json
+json 'len(of["doubts"]) == 3 and "significance" in " ".join(of["doubts"])'
+equal "solves after another plan" "$(solves made/store.sqlite)" 90
+
+# Two studies in a store: the first, unless another is asked for. More runs: only those.
+succeeds run slim2023-context "${small[@]}" --no-report --out made
+succeeds report made/store.sqlite --study slim2023-context --no-figures --out second --json
+json '{row["solver"] for row in of["groups"]} == {"Random", "DLS"}'
+succeeds run "${paper[@]}" --set runs=4 --no-report --out made
+has "$out" "90 were"
+numbers made/store.sqlite slim2023 | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "run") run = i } NR == 1 || $run <= 3' |
+  cmp - made.csv || fail "more runs changed the others"
+
+# Targets that no configuration reaches are a doubt.
+succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-figures --out far --json
+json 'any("reach" in doubt and "3" in doubt for doubt in of["doubts"])'
+
+# Any arm and task: a stranger's URDF with a torso that slides, whole poses, eight solvers; nothing of a paper.
+cp "$root/tests/data/urdf/fetch.urdf" .
+{
+  printf 'name = "theirs"\nrobot = "fetch.urdf"\nsearch = "pose"\nstart = "middle"\nbounds = "clamp"\nruns = 4\npopulation = 10\n'
+  printf '[stop]\niterations = 200\nevaluations = 1000\ntolerance_cm = 0.1\ntolerance_deg = 0.5\n[path]\nkind = "random"\npoints = 3\n'
+  printf '[[solvers]]\nsolver = "%s"\n' ik_bat bat differential_evolution particle_swarm k_artificial_bee_colony random_search \
+    damped_least_squares newton
+} >theirs.toml
+succeeds run theirs.toml --no-figures --out theirs
+equal "solves of a stranger's arm" "$(solves theirs/store.sqlite)" 96
+! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
+json '[(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "solved"][-2:] == [("damped_least_squares", 92), ("newton", 75)]' \
+  theirs/results.json
+
+# Sweeps: every combination is an entry, the same from options, lists and a table.
+cat >sweep.toml <<'END'
+name = "sweep"
+robot = "planar_2"
+search = "all_joints"
+runs = 4
+[stop]
+iterations = 10
+[path]
+kind = "random"
+points = 3
+[[solvers]]
+label = "mine"
+solver = "ik_bat"
+population = 6
+[[solvers]]
+solver = "newton"
+END
+succeeds run sweep.toml --no-figures --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
+json 'len({row["solver"] for row in of["groups"]}) == 9'
+sed 's/^population = 6/population = [4, 8, 200]\noptions = { alpha = [0.5, 0.9] }/' sweep.toml >lists.toml
+{ head -4 sweep.toml; printf '[sweep]\npopulation = [4, 8, 200]\nmine.alpha = [0.5, 0.9]\n'; tail -n +5 sweep.toml; } >table.toml
+succeeds run lists.toml --no-report --out out/sweep
+has "$out" "(72 were" # the other solver has one entry
+succeeds run table.toml --no-report --out out/sweep
+has "$out" "(108 were"

@@ -1,0 +1,93 @@
+// The definition of a study in a store, as judging reads it.
+#include "results/definition.hpp"
+
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+
+using namespace ikbench::results;
+
+TEST_CASE("A definition is read into plain data") {
+  const Definition of = definition_of(R"({"title": "T", "published": "p", "robot": "r", "search": "pose",
+    "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993, "deadline_ms": 5.5,
+    "path": {"kind": "random", "points": 2, "targets": "drawn"},
+    "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
+    "departures": ["limits", 4], "missing_solvers": ["BA"], "out_of_reach": {"points": 3}, "arm": {"links": []}})");
+  CHECK(of.title == "T");
+  CHECK(of.published == "p");
+  CHECK(of.robot == "r");
+  CHECK(of.search == "pose");
+  CHECK(of.is_chained());
+  CHECK(of.limits == "enforced");
+  CHECK(of.runs == 3);
+  CHECK(of.points == 7);
+  CHECK(of.seed == 9007199254740993);
+  CHECK(of.deadline_ms == 5.5);
+  CHECK(of.path == "random");
+  CHECK(of.draws_targets);
+  CHECK(of.stop.iterations == 200);
+  CHECK(of.stop.tolerance_cm == 0.1);
+  CHECK(of.stop.tolerance_deg == 2);
+  CHECK(of.stop.evaluations == 4000);
+  CHECK(of.stop.seconds == 0.5);
+  CHECK(of.departures == std::vector<std::string>{"limits"});
+  CHECK(of.missing_solvers == std::vector<std::string>{"BA"});
+  CHECK(of.out_of_reach == 3);
+  CHECK(of.arm.contains("links"));
+  CHECK(of.plan == Plan());
+  CHECK(of.style == FigureStyle());
+}
+
+TEST_CASE("A member that lacks or has another type keeps its default") {
+  const Definition of =
+      definition_of(R"({"title": 4, "runs": "many", "points": -3, "path": [], "stop": {"seconds": null}})");
+  CHECK(of.title.empty());
+  CHECK(of.runs == 0);
+  CHECK(of.points == 0);
+  CHECK(of.stop.seconds == 0);
+  CHECK_FALSE(of.has_tolerance());
+  CHECK_FALSE(of.is_chained());
+  CHECK(definition_of(R"({"runs": 99999999999})").runs == 2147483647);
+  CHECK(definition_of(R"({"path": {"points": 20}})").points == 20);
+  for (const char* text : {"", "[]", "4", "{"}) CHECK_THROWS_AS(definition_of(text), std::invalid_argument);
+}
+
+TEST_CASE("A plan is read, and a value that none may have is refused") {
+  const auto plan_in = [](const std::string& analysis) {
+    return definition_of(R"({"analysis": )" + analysis + "}").plan;
+  };
+  CHECK(plan_in(R"({"test": "means", "metric": "seconds", "control": "A", "significance": 0.01,
+                    "margin_percent": 10, "margin_cm": 0.2})") == Plan{.test = Plan::Test::means,
+                                                                       .metric = "seconds",
+                                                                       .control = "A",
+                                                                       .significance = 0.01,
+                                                                       .margin = 0.1,
+                                                                       .margin_cm = 0.2});
+  CHECK(plan_in(R"({"test": 3, "metric": false, "significance": "small"})") == Plan());
+  for (const char* wrong :
+       {R"({"significance": 0})", R"({"significance": 2})", R"({"margin_percent": 100})", R"({"margin_cm": -1})"}) {
+    CHECK_THROWS_AS(plan_in(wrong), std::invalid_argument);
+  }
+}
+
+TEST_CASE("The look of figures is read, and one that no figure may have is refused") {
+  const auto style_in = [](const std::string& figures) {
+    return definition_of(R"({"figures": )" + figures + "}").style;
+  };
+  CHECK(
+      style_in(R"({"width_cm": 9, "height_cm": 6, "font": "DejaVu Sans", "text_pt": 10, "palette": ["#ff0000", "blue"],
+                     "solvers": ["B", "A"], "formats": ["png", "svg"], "colours": {"A": "red", "B": 3}})") ==
+      FigureStyle{.width_cm = 9,
+                  .height_cm = 6,
+                  .font = "DejaVu Sans",
+                  .text_pt = 10,
+                  .palette = {"#ff0000", "blue"},
+                  .solvers = {"B", "A"},
+                  .formats = {Picture::svg, Picture::png},  // in their own order
+                  .colours = {{"A", "red"}}});
+  for (const char* wrong : {R"({"font": "a'; !touch pwned"})", R"({"palette": []})", R"({"palette": ["blau"]})",
+                            R"({"colours": {"A": "'"}})", R"({"width_cm": 1})", R"({"text_pt": 1000})"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(style_in(wrong), std::invalid_argument);
+  }
+}
