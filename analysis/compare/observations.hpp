@@ -25,7 +25,7 @@ struct Group {
   std::vector<double> values = {};                // finite; where paired, in the order of the blocks
   std::vector<int> blocks = {};                   // where paired: of each value, rising
   int lost = 0;                                   // observations without a value: such a group is not compared
-  bool is_apart = false;                          // nor is one whose times were measured otherwise
+  bool is_apart = false;                          // nor is one that was timed or counted otherwise
   double at_most = 0;                             // values at or below count as this, the tolerance; 0: none
   int copies = 0;                                 // runs that all gave the one value, because the solver repeats itself
   std::optional<Summary> summary = std::nullopt;  // in place of values

@@ -358,7 +358,7 @@ Observed observe(const StudyResults& study, const Metric& metric) {
   if (metric.kind == Kind::time) observed.doubts = doubts_of_times(study);
   if (metric.column == "evaluations") observed.doubts = doubts_of_evaluations(study);
   for (const Doubt& doubt : observed.doubts) {
-    if (metric.kind != Kind::time) continue;
+    if (metric.kind != Kind::time && doubt.who.size() == groups.size()) continue;  // counted by one and the same
     for (Group& group : groups)
       group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
   }

@@ -252,6 +252,8 @@ TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is
     REQUIRE(of.doubts.size() == 1);
     CHECK(of.doubts.front().kind == DoubtKind::budgets_differ);
     CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
+    CHECK(group(of.observations, "B").is_apart);
+    CHECK_FALSE(group(of.observations, "A").is_apart);
   }
 }
 
