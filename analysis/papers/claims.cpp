@@ -18,14 +18,6 @@ namespace {
 constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part",  "fails",
                                                    "not decided", "not comparable", "not tested"};
 
-bool is_of_times(const Claim& claim) { return claim.metrics.size() == 1 && claim.metrics.front()->kind == Kind::time; }
-
-// What decides a claim on several metrics without their times.
-Claim without_times(Claim claim) {
-  std::erase_if(claim.metrics, [](const Metric* metric) { return metric->kind == Kind::time; });
-  return claim;
-}
-
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
   std::vector<JudgedClaim> group;
   std::ranges::copy_if(claims, std::back_inserter(group),
@@ -60,9 +52,7 @@ void Shares::operator+=(const Shares& more) {
 std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<SharesOfClaim>& shares) {
   const StudyResults& study = of.study.study;
   std::vector<JudgedClaim> all;
-  for (const Claim& each : of.paper.claims) {
-    if (!of.has_times && is_of_times(each)) continue;
-    const Claim claim = of.has_times ? each : without_times(each);
+  for (const Claim& claim : of.paper.claims) {
     const Rule* const rule = rule_named(claim.rule);
     Found found = rule ? rule->judge({claim, of}) : Found();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;

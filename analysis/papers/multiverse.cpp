@@ -30,8 +30,7 @@ using Names = std::vector<std::string>;
 using Explained = std::bitset<metrics_of_readings.size() * statistics.size()>;
 // By the choice of the study, by solver, by its own choice.
 using ExplainedReadings = std::vector<std::vector<std::vector<Explained>>>;
-// By metric and solver.
-using PrintedSolvers = std::array<std::vector<PrintedRow>, metrics_of_readings.size()>;
+using PrintedMetrics = std::array<PrintedRows, metrics_of_readings.size()>;
 
 std::size_t place_of(const Names& all, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
@@ -115,19 +114,15 @@ void add(Counted& into, const Options& options, const Chosen& of_study, double w
   }
 }
 
-// Every combination of the choices of these solvers: by solver, its choice.
+// One of the combinations of the choices of these solvers: by solver, its choice; none after the last.
 using OwnChoices = std::map<std::size_t, std::size_t>;
-std::vector<OwnChoices> combined(const OfStudy& study, const std::vector<std::size_t>& solvers) {
-  std::vector<OwnChoices> all(1);
+OwnChoices combination(const OfStudy& study, const std::vector<std::size_t>& solvers, std::size_t number) {
+  OwnChoices chosen;
   for (const std::size_t solver : solvers) {
-    std::vector<OwnChoices> more;
-    for (const OwnChoices& each : all) {
-      for (std::size_t choice = 0; choice < study.solvers[solver].size(); ++choice)
-        more.emplace_back(each)[solver] = choice;
-    }
-    all = std::move(more);
+    chosen[solver] = number % study.solvers[solver].size();
+    number /= study.solvers[solver].size();
   }
-  return all;
+  return number == 0 ? chosen : OwnChoices();
 }
 
 // None if a solver of the claim is missing.
@@ -158,7 +153,8 @@ std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& cl
         if (is_new) found->second = verdict_of(one.means[metric][seed], other.means[metric][seed], claim, of_pair);
         return found->second;
       };
-      for (const OwnChoices& chosen : combined(study, own)) {
+      OwnChoices chosen;
+      for (std::size_t number = 0; !(chosen = combination(study, own, number)).empty(); ++number) {
         Options options(k);
         for (std::size_t s = 0; s < k; ++s) {
           for (std::size_t c = 0; c < study.solvers[s].size(); ++c) {
@@ -237,19 +233,6 @@ show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& c
 
 // The printed numbers.
 
-PrintedSolvers printed_of(const Paper& paper, const Multiverse& multiverse) {
-  PrintedSolvers all;
-  for (std::size_t m = 0; m < all.size(); ++m) {
-    const PrintedRows rows =
-        paper.means.empty() ? PrintedRows() : printed_means(paper.name, paper.means, metrics_of_readings[m]);
-    for (const std::string& solver : multiverse.solvers) {
-      const PrintedRow* const row = row_of(rows, solver);
-      all[m].push_back(row ? *row : PrintedRow());
-    }
-  }
-  return all;
-}
-
 std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
   std::vector<double> all;
   for (const std::vector<double>& seed : own.means[metric]) all.insert(all.end(), seed.begin(), seed.end());
@@ -258,7 +241,7 @@ std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
 
 // A number is explained if it lies, but for its rounding, in the range that 95 % of studies with as many runs would
 // have.
-ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedSolvers& printed) {
+ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedMetrics& printed) {
   std::map<std::vector<double>, Ranges> known;  // many readings share a series
   ExplainedReadings explained;
   for (const OfStudy& study : multiverse.studies) {
@@ -267,12 +250,13 @@ ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedSolver
       for (const ChosenSolver& own : study.solvers[s]) {
         Explained& its = explained.back()[s].emplace_back();
         for (std::size_t m = 0; m < printed.size(); ++m) {
-          const PrintedRow& row = printed[m][s];
+          const PrintedRow* const row = row_of(printed[m], multiverse.solvers[s]);
+          if (row == nullptr) continue;
           const auto [found, is_new] = known.try_emplace(pooled(own, m));
-          if (is_new) found->second = predicted_ranges(found->first, row.numbers.n);
+          if (is_new) found->second = predicted_ranges(found->first, row->numbers.n);
           for (std::size_t i = 0; i < statistics.size(); ++i) {
             const auto& [low, high] = found->second[i];
-            its[m * statistics.size() + i] = !row.digits[i].empty() && can_be(low, high, row.digits[i]);
+            its[m * statistics.size() + i] = can_be(low, high, row->digits[i]);
           }
         }
       }
@@ -282,7 +266,7 @@ ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedSolver
 }
 
 // The first of the readings that explain most, by what it chooses otherwise than the default.
-std::string nearest_words(const Multiverse& multiverse, const ExplainedReadings& explained, int numbers) {
+std::string nearest_words(const Multiverse& multiverse, const ExplainedReadings& explained, std::size_t numbers) {
   std::size_t most = 0, by_default = 0;
   Names settings;
   for (const auto& of_solver : explained[0]) by_default += of_solver[0].count();
@@ -309,7 +293,7 @@ std::string nearest_words(const Multiverse& multiverse, const ExplainedReadings&
 }
 
 std::string unexplained_words(const Multiverse& multiverse, const ExplainedReadings& explained,
-                              const PrintedSolvers& printed) {
+                              const PrintedMetrics& printed) {
   Names none;
   for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
     Explained any;
@@ -319,10 +303,9 @@ std::string unexplained_words(const Multiverse& multiverse, const ExplainedReadi
     for (std::size_t m = 0; m < printed.size(); ++m) {
       Names names;
       for (std::size_t i = 0; i < statistics.size(); ++i) {
-        if (!any[m * statistics.size() + i] && !printed[m][s].digits[i].empty())
-          names.emplace_back(statistics[i].column);
+        if (!any[m * statistics.size() + i]) names.emplace_back(statistics[i].column);
       }
-      if (!names.empty())
+      if (!names.empty() && row_of(printed[m], multiverse.solvers[s]))
         none.push_back(fmt::format("{} of {} ({})", metric_named(metrics_of_readings[m]).name, multiverse.solvers[s],
                                    fmt::join(names, ", ")));
     }
@@ -399,12 +382,15 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
   if (multiverse.studies.empty()) throw std::invalid_argument("no reading; expected the default first");
   if (place_of(multiverse.solvers, paper.solver) == multiverse.solvers.size())
     throw std::invalid_argument(fmt::format("no reading has the solver {}", paper.solver));
-  const PrintedSolvers printed = printed_of(paper, multiverse);
-  int numbers = 0, printed_runs = 0;
-  for (const std::vector<PrintedRow>& rows : printed) {
-    for (const PrintedRow& row : rows) {
-      for (const std::string& digits : row.digits) numbers += digits.empty() ? 0 : 1;
-      printed_runs = std::max(printed_runs, row.numbers.n);
+  PrintedMetrics printed;
+  std::size_t numbers = 0;
+  int printed_runs = 0;
+  for (std::size_t m = 0; m < printed.size() && !paper.means.empty(); ++m) {
+    printed[m] = printed_means(paper.name, paper.means, metrics_of_readings[m]);
+    for (const PrintedRow& row : printed[m]) {
+      if (place_of(multiverse.solvers, row.solver) == multiverse.solvers.size()) continue;
+      numbers += statistics.size();
+      printed_runs = row.numbers.n;
     }
   }
   const std::size_t runs = multiverse.studies[0].solvers[0][0].means[0].front().size();

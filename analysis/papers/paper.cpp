@@ -30,19 +30,11 @@ using Texts = std::map<std::string, std::string>;
   throw std::invalid_argument(reader.where(reader.table().source(), "") + what);
 }
 
-// Of any length.
-void read_text(TomlReader& reader, std::string_view key, std::string& field) {
-  const toml::node* const node = reader.find(key);
-  if (node == nullptr) return;
-  if (!node->is_string()) reader.fail(key, *node, "a quoted string");
-  field = node->as_string()->get();
-}
-
 void read_texts(TomlReader& reader, std::string_view key, Texts& field) {
   const toml::table* const table = reader.subtable(key);
   if (table == nullptr) return;
   TomlReader texts = reader.nested(*table, fmt::format("{}.", key));
-  for (const auto& [name, value] : *table) read_text(texts, name.str(), field[std::string(name.str())]);
+  for (const auto& [name, value] : *table) texts.text(name.str(), field[std::string(name.str())], "");
 }
 
 Claim read_claim(TomlReader reader, const std::string& papers_own) {
@@ -139,16 +131,17 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   const toml::table table = parse_toml(toml, source);
   TomlReader reader(table, source, "");
   Paper paper{.name = std::string(name)};
-  reader.text("in_short", paper.in_short, "");
-  read_text(reader, "citation", paper.citation);
-  read_text(reader, "not_reproduced", paper.not_reproduced);
-  read_text(reader, "kind", paper.kind);
+  for (const auto& [key, field] : {std::pair("in_short", &paper.in_short),
+                                   {"citation", &paper.citation},
+                                   {"not_reproduced", &paper.not_reproduced},
+                                   {"kind", &paper.kind},
+                                   {"solver", &paper.solver},
+                                   {"means", &paper.means},
+                                   {"implementation", &paper.implementation}})
+    reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");
-  reader.text("solver", paper.solver, "");
-  reader.text("means", paper.means, "");
   reader.texts("not_on", paper.not_on, "");
-  reader.text("implementation", paper.implementation, "");
   reader.whole("near", paper.near, {0, 1000}, "");
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
@@ -175,6 +168,11 @@ bool is_of_means(const Paper& paper, const StudyResults& study) {
   return paper.means.empty() || std::ranges::any_of(metrics(), [&](const Metric& metric) {
            return !printed_rows(paper, study, metric).empty();
          });
+}
+
+bool is_reached(const results::SolveRecord& solve, const StudyResults& study) {
+  constexpr double verifier_rounding_cm = 1e-7;
+  return solve.position_error_cm <= study.definition.stop.tolerance_cm + verifier_rounding_cm;
 }
 
 std::vector<const JudgedStudy*> Repeated::all() const {

@@ -66,6 +66,8 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
 // The rows that are about such a study; none on a path that they are not about.
 PrintedRows printed_rows(const Paper& paper, const compare::StudyResults& study, const compare::Metric& metric);
 bool is_of_means(const Paper& paper, const compare::StudyResults& study);
+// Within the study's tolerance, wherever the joints are.
+bool is_reached(const results::SolveRecord& solve, const compare::StudyResults& study);
 
 // A solver's share of solved targets on an arm.
 struct Rate {
@@ -87,7 +89,6 @@ struct Repeated {
   const Paper& paper;
   const compare::JudgedStudy& study;
   std::vector<const compare::JudgedStudy*> companions = {};
-  bool has_times = true;  // else claims on times are left out
 
   std::vector<const compare::JudgedStudy*> all() const;
   // The companion NAME-part, or the study itself if it is that; null if there is none.

@@ -264,7 +264,7 @@ Found order(const Asked& asked) {
   claim.printed = holds_mostly(ordered(*printed, in_print));
   claim.number = fmt::format("{} of {} pairs", pairs.better, pairs.all());
   claim.evidence =
-      fmt::format("By our means: {}; {} pairs are shown in the reverse order.", fmt::join(ours, " < "), pairs.worse);
+      fmt::format("By our means: {}; shown in the reverse order: {}.", fmt::join(ours, " < "), pairs.worse);
   return {claim};
 }
 
@@ -376,7 +376,7 @@ JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResu
   std::size_t reached = 0, in_time = 0, both = 0;
   for (const SolveRecord& solve : solves) {
     times.push_back(1000 * solve.seconds);
-    const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm, is_fast = times.back() < limit;
+    const bool is_near = is_reached(solve, study), is_fast = times.back() < limit;
     reached += is_near;
     in_time += is_fast;
     both += is_near && is_fast;
@@ -442,31 +442,31 @@ Found ratios(const Asked& asked) {
   if (judged == nullptr) return {};
   const Claim& claim = asked.claim;
   const Paper& paper = asked.repeated.paper;
+  const std::string& base = claim.solvers.front();
   const Metric& metric = *claim.metrics.front();
   const PrintedRows printed = claim.row.empty() ? printed_rows(paper, judged->study, metric)
                                                 : printed_times(paper.name, claim.table, claim.row);
-  const Observations times = observe(judged->study, metric).observations;
-  const auto ratio = [&](const std::string& solver) -> std::string {
-    std::array<double, 2> ours{unknown, unknown}, theirs{unknown, unknown};
-    for (const auto& [i, name] : {std::pair(0U, solver), std::pair(1U, claim.solvers.front())}) {
-      const auto group = std::ranges::find(times.groups, name, &Group::name);
-      if (group != times.groups.end()) ours[i] = describe(*group).median;
-      if (const PrintedRow* const row = row_of(printed, name)) theirs[i] = row->numbers.median;
-    }
-    const double here = ours[0] / ours[1], in_print = theirs[0] / theirs[1];
-    if (!std::isfinite(here) || !std::isfinite(in_print)) return "";
-    return fmt::format("{} {} (printed {})", solver, number_text(here), number_text(in_print));
-  };
+  std::map<std::string, double> ours;  // medians
+  for (const Group& group : observe(judged->study, metric).observations.groups)
+    ours[group.name] = describe(group).median;
   Names list;
-  for (const std::string& solver : claim.against) list.push_back(ratio(solver));
-  if (std::erase(list, ""); list.empty()) return {};
+  for (const std::string& solver : claim.against) {
+    const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);
+    const double ratio = ours[solver] / ours[base];
+    if (row == nullptr || of_base == nullptr || !std::isfinite(ratio) || ratio == 0) continue;
+    list.push_back(fmt::format("{} {} (printed {})", solver, number_text(ratio),
+                               number_text(row->numbers.median / of_base->numbers.median)));
+  }
+  if (list.empty()) return {};
   JudgedClaim result = begun(claim);
-  const std::string why = why_apart(judged->study);
   result.holds = Holds::not_comparable;
-  if (why.empty()) result.number = fmt::format("{} times {}", list.front(), claim.solvers.front());
-  result.evidence = !why.empty() ? sentence(why)
-                                 : fmt::format("Median times, printed of {}, by that of {}: {}.", paper.implementation,
-                                               claim.solvers.front(), fmt::join(list, ", "));
+  if (const std::string why = why_apart(judged->study); !why.empty()) {
+    result.evidence = sentence(why);
+    return {result};
+  }
+  result.number = fmt::format("{} times {}", list.front(), base);
+  result.evidence =
+      fmt::format("Median times, printed of {}, by that of {}: {}.", paper.implementation, base, fmt::join(list, ", "));
   return {result};
 }
 
