@@ -20,8 +20,12 @@ using show::Table;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> columns{
-    {{"position_error_cm", "table-4"}, {"variation_deg", "table-5"}, {"seconds", "table-6"}}};
+struct PaperMetric {
+  std::string_view column, table, name;  // the table of its ANOVA, and what the paper calls it
+};
+constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "table-4", "position error"},
+                                                    {"variation_deg", "table-5", "angles variation"},
+                                                    {"seconds", "table-6", "computing time"}}};
 
 const Judged* judged_of(const JudgedStudy& study, const Metric& metric) {
   const auto found = std::ranges::find(
@@ -50,7 +54,7 @@ bool is_about(const StudyResults& study, const PrintedRows& rows) {
 std::optional<Repeated> all_joints(const Repeated& of) {
   const JudgedStudy* const companion = of.part("all-joints");
   if (companion == nullptr || companion == &of.study) return {};
-  return Repeated{.paper = of.paper, .study = *companion, .has_times = false};
+  return Repeated{.paper = of.paper, .study = *companion};
 }
 
 }  // namespace
@@ -60,14 +64,13 @@ Table table_3(const Repeated& of) {
               .caption = "Table 3: position error, angles variation and computing time",
               .columns = {{"solver"}, {"metric"}, {"unit"}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}},
               .notes = {"Printed times are of another machine and language: they are not compared."}};
-  for (const auto& [column, anova] : columns) {
+  for (const auto& [column, anova, name] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = judged_of(of.study, metric);
     const PrintedRows printed = printed_rows(of.paper, of.study.study, metric);
     for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
       const std::string& solver = judged->observations.groups[i].name;
-      auto& row =
-          table.rows.emplace_back(std::vector<Cell>{solver, std::string(metric.name), std::string(metric.unit)});
+      auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::string(name), std::string(metric.unit)});
       for (std::size_t s = 0; s < statistics.size(); ++s)
         row.push_back(beside(judged->described[i].*statistics[s].of, row_of(printed, solver), s));
     }
@@ -77,16 +80,15 @@ Table table_3(const Repeated& of) {
 
 std::vector<Table> anova_tables(const Repeated& of) {
   std::vector<Table> tables;
-  for (const auto& [column, name] : columns) {
+  for (const auto& [column, number, name] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = judged_of(of.study, metric);
     const PrintedRows rows = printed_rows(of.paper, of.study.study, metric);
     if (judged == nullptr || !judged->anova || rows.empty()) continue;
-    Table& table =
-        tables.emplace_back(Table{.name = std::string(name),
-                                  .caption = fmt::format("Table {}: ANOVA of the {}", name.back(), metric.name),
-                                  .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
-    const results::CsvTable printed = printed_table(of.paper.name, name);
+    Table& table = tables.emplace_back(Table{.name = std::string(number),
+                                             .caption = fmt::format("Table {}: ANOVA of the {}", number.back(), name),
+                                             .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
+    const results::CsvTable printed = printed_table(of.paper.name, number);
     const auto ours = rows_of(*judged->anova);
     for (std::size_t r = 0; r < ours.size(); ++r) {
       auto& row = table.rows.emplace_back(std::vector<Cell>{printed.rows[r][0]});
@@ -116,7 +118,7 @@ std::optional<Table> table_7(const Repeated& of) {
     Group times, iterations;
     std::int64_t reached = 0, in_time = 0;
     for (const SolveRecord& solve : study.of(solver)) {
-      const bool is_near = solve.status == results::Status::ok;
+      const bool is_near = is_reached(solve, study);
       times.values.push_back(1000 * solve.seconds);
       iterations.values.push_back(static_cast<double>(solve.iterations));
       reached += is_near;
@@ -150,9 +152,10 @@ std::optional<Table> table_8(const Repeated& of) {
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
     for (std::size_t c = 1; c <= angles + 1; ++c) {
       const bool is_angle = c <= angles;
-      const double ours = !is_angle                      ? solve.position_error_cm
-                          : c <= solve.answer_rad.size() ? solve.answer_rad[c - 1] / numerics::degree
-                                                         : unknown;
+      const std::size_t joint = c == 4 ? 0 : c - 1;  // theta4 is theta1
+      const double ours = !is_angle                         ? solve.position_error_cm
+                          : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / numerics::degree
+                                                            : unknown;
       row.push_back(same == printed.rows.end() ? Cell(ours) : Cell(show::Printed{ours, (*same)[c]}));
       if (!is_angle || same == printed.rows.end()) continue;
       ++compared;
@@ -160,8 +163,8 @@ std::optional<Table> table_8(const Repeated& of) {
     }
   }
   table.notes = {
-      fmt::format("{} of {} printed angles are ours to the printed digit. The arm's lengths are not printed: they "
-                  "were fitted to these angles.",
+      fmt::format("{} of {} printed angles are ours to the printed digit; theta 4 is set as theta 1. The arm's lengths "
+                  "are not printed: they were fitted to these angles.",
                   agreeing, compared)};
   return table;
 }
@@ -175,26 +178,29 @@ std::vector<Table> reading_tables(const Repeated& wrist, const Repeated& all_joi
       .caption = "The claims by both readings",
       .columns = {{"claim"}, {"printed"}, {"wrist"}, {"number by wrist"}, {"all joints"}, {"number by all joints"}}};
   for (const std::string& solver : wrist.study.study.solvers) means.rows.push_back({solver});
-  for (const auto& column : {columns[0].first, columns[1].first}) {
+  for (const auto& [column, number, name] : {paper_metrics[0], paper_metrics[1]}) {
     const Metric& metric = metric_named(column);
     const PrintedRows printed = printed_rows(wrist.paper, wrist.study.study, metric);
-    for (const auto& [of, name] : {std::pair(&wrist, "wrist"), std::pair(&all_joints, "all joints")}) {
-      means.columns.push_back({fmt::format("{}, {}", metric.name, name), std::string(metric.unit)});
+    means.columns.push_back({fmt::format("{}, printed", name)});
+    for (auto& row : means.rows) {
+      const PrintedRow* const its = row_of(printed, std::get<std::string>(row[0]));
+      row.push_back(text(its ? its->digits[0] : ""));
+    }
+    for (const auto& [of, reading] : {std::pair(&wrist, "wrist"), std::pair(&all_joints, "all joints")}) {
+      means.columns.push_back({fmt::format("{}, {}", name, reading), std::string(metric.unit)});
       const Judged* const judged = judged_of(of->study, metric);
       for (auto& row : means.rows) {
-        const std::string solver = std::get<std::string>(row[0]);
-        double mean = unknown;
+        Cell& mean = row.emplace_back();
         for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
-          if (judged->observations.groups[i].name == solver) mean = judged->described[i].mean;
+          if (judged->observations.groups[i].name == std::get<std::string>(row[0])) mean = judged->described[i].mean;
         }
-        row.push_back(beside(mean, row_of(printed, solver)));
       }
     }
   }
   const std::vector<JudgedClaim> by_other = judged_claims(all_joints);
-  for (const JudgedClaim& claim : judged_claims({.paper = wrist.paper, .study = wrist.study, .has_times = false})) {
+  for (const JudgedClaim& claim : judged_claims({.paper = wrist.paper, .study = wrist.study})) {
     const JudgedClaim* const other = claim_named(by_other, claim.id);
-    if (other == nullptr || claim.holds == Holds::not_tested) continue;
+    if (other == nullptr || claim.holds >= Holds::not_comparable) continue;
     claims.rows.push_back({claim.sentence, text(claim.printed ? std::string(name_of(*claim.printed)) : ""),
                            std::string(name_of(claim.holds)), text(claim.number), std::string(name_of(other->holds)),
                            text(other->number)});

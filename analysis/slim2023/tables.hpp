@@ -19,7 +19,7 @@ std::optional<show::Table> table_7(const papers::Repeated& of);
 std::optional<show::Table> table_8(const papers::Repeated& of);
 
 // Means and claims by both readings: the joints before the wrist are searched (Sec. 4.3), or all seven (Sec. 5.1).
-// Times and claims on other studies are left out.
+// Claims on times, and on other studies, are left out.
 std::vector<show::Table> reading_tables(const papers::Repeated& wrist, const papers::Repeated& all_joints);
 
 // Is IK-BA the most accurate? By which reading? What beats it? At most three, of which each has its numbers.
