@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/slim2023/tables.hpp"
 #include "results/published.hpp"
 
 namespace ikbench::slim2023 {
@@ -20,13 +21,6 @@ namespace {
 
 constexpr std::string_view own_solver = "IK-BA", error = "position_error_cm", motion = "variation_deg",
                            time = "seconds";
-
-struct PaperMetric {
-  std::string_view column, name;
-  int curves, boxes;  // numbers of its figures
-};
-constexpr PaperMetric paper_metrics[]{
-    {error, "position error", 6, 10}, {motion, "angles variation", 7, 11}, {time, "computing time", 8, 12}};
 
 About numbered(int number, const std::string& caption) {
   return {.name = fmt::format("figure-{}", number), .caption = fmt::format("Figure {}. {}", number, caption)};

@@ -20,13 +20,6 @@ using show::Table;
 
 namespace {
 
-struct PaperMetric {
-  std::string_view column, table, name;  // the table of its ANOVA, and what the paper calls it
-};
-constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "table-4", "position error"},
-                                                    {"variation_deg", "table-5", "angles variation"},
-                                                    {"seconds", "table-6", "computing time"}}};
-
 const Judged* judged_of(const JudgedStudy& study, const Metric& metric) {
   const auto found = std::ranges::find(
       study.metrics, metric.slug, [](const Judged& judged) { return std::string_view(judged.observations.metric); });
@@ -64,7 +57,7 @@ Table table_3(const Repeated& of) {
               .caption = "Table 3: position error, angles variation and computing time",
               .columns = {{"solver"}, {"metric"}, {"unit"}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}},
               .notes = {"Printed times are of another machine and language: they are not compared."}};
-  for (const auto& [column, anova, name] : paper_metrics) {
+  for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = judged_of(of.study, metric);
     const PrintedRows printed = printed_rows(of.paper, of.study.study, metric);
@@ -80,13 +73,14 @@ Table table_3(const Repeated& of) {
 
 std::vector<Table> anova_tables(const Repeated& of) {
   std::vector<Table> tables;
-  for (const auto& [column, number, name] : paper_metrics) {
+  for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
+    const std::string number = fmt::format("table-{}", anova);
     const Metric& metric = metric_named(column);
     const Judged* const judged = judged_of(of.study, metric);
     const PrintedRows rows = printed_rows(of.paper, of.study.study, metric);
     if (judged == nullptr || !judged->anova || rows.empty()) continue;
-    Table& table = tables.emplace_back(Table{.name = std::string(number),
-                                             .caption = fmt::format("Table {}: ANOVA of the {}", number.back(), name),
+    Table& table = tables.emplace_back(Table{.name = number,
+                                             .caption = fmt::format("Table {}: ANOVA of the {}", anova, name),
                                              .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const results::CsvTable printed = printed_table(of.paper.name, number);
     const auto ours = rows_of(*judged->anova);
@@ -178,7 +172,7 @@ std::vector<Table> reading_tables(const Repeated& wrist, const Repeated& all_joi
       .caption = "The claims by both readings",
       .columns = {{"claim"}, {"printed"}, {"wrist"}, {"number by wrist"}, {"all joints"}, {"number by all joints"}}};
   for (const std::string& solver : wrist.study.study.solvers) means.rows.push_back({solver});
-  for (const auto& [column, number, name] : {paper_metrics[0], paper_metrics[1]}) {
+  for (const auto& [column, name, anova, curves, boxes] : {paper_metrics[0], paper_metrics[1]}) {
     const Metric& metric = metric_named(column);
     const PrintedRows printed = printed_rows(wrist.paper, wrist.study.study, metric);
     means.columns.push_back({fmt::format("{}, printed", name)});

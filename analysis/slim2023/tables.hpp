@@ -2,14 +2,25 @@
 // and the answer in some sentences.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
 #include "analysis/papers/claims.hpp"
 
 namespace ikbench::slim2023 {
+
+// What the paper measures: its name there, and the numbers of its ANOVA, its curves and its box plot.
+struct PaperMetric {
+  std::string_view column, name;
+  int anova, curves, boxes;
+};
+constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "position error", 4, 6, 10},
+                                                    {"variation_deg", "angles variation", 5, 7, 11},
+                                                    {"seconds", "computing time", 6, 8, 12}}};
 
 show::Table table_3(const papers::Repeated& of);
 // Tables 4 to 6: of error, variation and time.
