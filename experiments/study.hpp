@@ -104,8 +104,7 @@ struct Study {
   int population = 50;
   solvers::StopRule stop;
   int runs = 20;
-  double deadline = 0;  // [s] by which a solve's time is judged; 0: none. It ends no solve
-  int repeats = 5;      // timed solves per problem; decides only times (runner.hpp)
+  int repeats = 5;  // timed solves per problem; decides only times (runner.hpp)
   std::uint64_t seed = 1;
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;

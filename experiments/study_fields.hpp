@@ -110,9 +110,6 @@ inline void list_fields(Fields& io, Study& study) {
       "repeats", study.repeats, {1, 1000},
       "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
       InKey::no);
-  io.number("deadline_ms", study.deadline, 1e-3, {0, 1e6},
-            "report the share of solves that take longer than this; it stops none (stop.seconds does); 0: no deadline",
-            InKey::no);
   io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
   io.choice("trace", study.trace,
             Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},

@@ -221,8 +221,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/repeats" || pointer == "/deadline_ms" || pointer.starts_with("/analysis/") ||
-                         pointer.starts_with("/figures/");
+                         pointer == "/repeats" || pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);
     std::replace(key.begin(), key.end(), '/', '.');

@@ -99,7 +99,6 @@ Definition definition_of(std::string_view json) {
   read_at("/path/points", of.points);
   read_at("/points", of.points);
   read_at("/seed", of.seed);
-  read_at("/deadline_ms", of.deadline_ms);
   read_at("/stop/tolerance_cm", of.stop.tolerance_cm);
   read_at("/stop/tolerance_deg", of.stop.tolerance_deg);
   read_at("/stop/seconds", of.stop.seconds);

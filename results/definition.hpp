@@ -20,7 +20,6 @@ struct Definition {
   std::string title, published, robot, search, start, path, limits;
   int runs = 0, points = 0;
   std::int64_t seed = 0;
-  double deadline_ms = 0;
   bool draws_targets = false;  // for every run anew
   Stop stop;
   std::vector<std::string> departures;       // settings that differ from the published study

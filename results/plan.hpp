@@ -18,7 +18,7 @@ struct Plan {
   bool operator==(const Plan&) const = default;
 };
 
-constexpr std::pair<double, double> significances{0.0001, 0.2}, margins_percent{0, 99}, margins_cm{0, 1000};
+constexpr std::pair<double, double> margins_percent{0, 99};
 
 // The fields, listed once for study files, the store's JSON and the command line: name, member, range and meaning.
 template <class Io>
@@ -27,13 +27,16 @@ void list_fields(Io& io, Plan& plan) {
   io.choice("test", plan.test,
             std::vector<std::pair<std::string, Plan::Test>>{{"ranks", Plan::Test::ranks}, {"means", Plan::Test::means}},
             "what decides: ranks, or means as papers compare them");
-  io.text("metric", plan.metric,
-          "what decides who is best, a metric of ikbench list metrics; \"\": solved where there is a tolerance, else the error");
+  io.text(
+      "metric", plan.metric,
+      "what decides who is best, a metric of ikbench list metrics; \"\": solved where there is a tolerance, else the error");
   io.text("control", plan.control, "label to compare the others with; \"\": compare every pair");
-  io.number("significance", plan.significance, 1, significances, "significance level of the tests of a metric together");
+  io.number("significance", plan.significance, 1, {0.0001, 0.2},
+            "significance level of the tests of a metric together");
   io.number("margin_percent", plan.margin, percent, margins_percent,
             "smallest relative difference that matters (of shares in points); within it two solvers count as the same");
-  io.number("margin_cm", plan.margin_cm, 1, margins_cm, "the same of errors in cm; a difference within either does not matter");
+  io.number("margin_cm", plan.margin_cm, 1, {0, 1000},
+            "the same of errors in cm; a difference within either does not matter");
 }
 
 }  // namespace ikbench::results

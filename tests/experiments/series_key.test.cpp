@@ -125,7 +125,7 @@ TEST_CASE("each field of a study decides the series, unless the list of fields s
     if (changer.in_key == InKey::no) without_numbers.insert(changer.changed);
   }
   CHECK(fields >= 18);
-  CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "runs", "repeats", "deadline_ms"});
+  CHECK(without_numbers == std::set<std::string>{"name", "title", "published", "runs", "repeats"});
 }
 
 TEST_CASE("each field of each kind of path decides the series", "[series][path]") {

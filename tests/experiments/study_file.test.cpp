@@ -121,7 +121,6 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
   study.limits = Limits::enforced;
   study.start = Start::initial;
   study.near = 0.25;
-  study.deadline = 0.015;
   study.initial = Eigen::Vector3d(10, -20.5, 1.0 / 3) * (std::numbers::pi / 180);
   study.population = 7;
   study.stop = {.iterations = 13, .tolerance = 0.001, .evaluations = 9'000'000'000'000, .seconds = 0.25};

@@ -9,7 +9,7 @@ using namespace ikbench::results;
 
 TEST_CASE("A definition is read into plain data") {
   const Definition of = definition_of(R"({"title": "T", "published": "p", "robot": "r", "search": "pose",
-    "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993, "deadline_ms": 5.5,
+    "start": "previous", "limits": "enforced", "runs": 3, "points": 7, "seed": 9007199254740993,
     "path": {"kind": "random", "points": 2, "targets": "drawn"},
     "stop": {"iterations": 200, "tolerance_cm": 0.1, "tolerance_deg": 2, "evaluations": 4000, "seconds": 0.5},
     "departures": ["limits", 4], "missing_solvers": ["BA"], "out_of_reach": {"points": 3}, "arm": {"links": []}})");
@@ -22,7 +22,6 @@ TEST_CASE("A definition is read into plain data") {
   CHECK(of.runs == 3);
   CHECK(of.points == 7);
   CHECK(of.seed == 9007199254740993);
-  CHECK(of.deadline_ms == 5.5);
   CHECK(of.path == "random");
   CHECK(of.draws_targets);
   CHECK(of.stop.iterations == 200);
