@@ -1,7 +1,9 @@
 // A user's own solver beside a built-in one, with the installed libraries: docs/library.md.
 #include <cstdio>
 
-#include "analysis/report/report.hpp"
+#include "analysis/compare/judge.hpp"
+#include "analysis/show/report.hpp"
+#include "analysis/show/words.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 
@@ -52,7 +54,8 @@ solvers = [{ label = "random", solver = "random_search" }]
   study.solvers.push_back({.label = "mine", .solver = climb.name, .own = std::make_shared<solvers::SolverInfo>(climb)});
   results::Store store("made/store.sqlite", results::Store::Mode::write);
   experiments::run(study, store, {});
-  const auto report = report::write_report(store, {.study = "mine", .folder = "made", .figures = {.render = false}});
-  std::puts(report::to_markdown(report.results).c_str());
-  for (const std::string& sentence : report.summary) std::puts(sentence.c_str());
+  const auto reported = show::reported(compare::judge(compare::read_study(store, store.study("mine"))), {});
+  show::publish(reported, "made", {.render = false});
+  std::puts(show::headline(reported.shown).c_str());
+  std::puts(show::to_markdown(show::results_table(reported.shown)).c_str());
 }
