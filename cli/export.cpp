@@ -6,14 +6,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"

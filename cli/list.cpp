@@ -8,15 +8,14 @@
 #include <cctype>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "analysis/compare/metrics.hpp"
 #include "analysis/show/block.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/robot.hpp"
 #include "cli/options.hpp"
+#include "cli/robot.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/instruction_set.hpp"
@@ -109,7 +108,8 @@ Listed robot_details(const std::string& name) {
 }
 
 show::Table study_list(const std::vector<Study>& studies) {
-  show::Table table{.name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
+  show::Table table{
+      .name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
   for (const Study& study : studies) {
     table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
                           std::int64_t{study.path->points()}, study.title});

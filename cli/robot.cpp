@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -18,7 +17,6 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/environment.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/number.hpp"
@@ -158,8 +156,7 @@ Figure picture(const Robot& arm, const Configuration& q, const std::string& capt
 }
 
 void draw_arm(const Figure& figure, const std::filesystem::path& folder, bool is_quiet) {
-  for (const FigureOutcome& outcome :
-       write_figures({figure}, folder, {.jobs = 1, .program = experiments::program_name()})) {
+  for (const FigureOutcome& outcome : write_figures({figure}, folder, {.jobs = 1})) {
     if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
   }
   if (!is_quiet) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
@@ -179,7 +176,8 @@ std::string robot_text(const Robot& arm) {
 }
 
 numerics::OrderedJson robot_json(const Robot& arm) {
-  numerics::OrderedJson json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
+  numerics::OrderedJson json{
+      {"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
   const numerics::OrderedJson definition = parsed_ordered_json(experiments::to_json(arm));
   for (const auto& [key, value] : definition.items()) json[key] = value;
   const double reach = arm.chain.reach().radius;

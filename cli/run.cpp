@@ -1,6 +1,5 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -63,8 +62,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
-    const Study study =
-        load_study(arguments->study, arguments->overrides);
+    const Study study = load_study(arguments->study, arguments->overrides);
     check_plan(study);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();

@@ -8,11 +8,8 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <cmath>
 #include <fstream>
-#include <limits>
 #include <string_view>
-#include <system_error>
 #include <thread>
 
 #include "build_info.hpp"

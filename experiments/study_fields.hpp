@@ -5,9 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "experiments/fields.hpp"
 #include "experiments/study.hpp"

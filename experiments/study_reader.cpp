@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "experiments/entries_reader.hpp"
 #include "experiments/study_checks.hpp"

@@ -1,7 +1,6 @@
 // Reads a study from TOML. Every mistake is one sentence with file, line, column, value and what was expected.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>

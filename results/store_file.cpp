@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <thread>
 

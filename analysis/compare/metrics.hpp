@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "analysis/compare/observations.hpp"
 #include "results/record.hpp"

@@ -1,7 +1,6 @@
 #include "analysis/figures/arm.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace ikbench::figures {
 

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "numerics/number.hpp"
+#include "numerics/utf8.hpp"
 
 namespace ikbench::figures {
 

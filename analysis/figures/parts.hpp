@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "analysis/figures/figure.hpp"
-#include "numerics/utf8.hpp"
 
 namespace ikbench::figures {
 

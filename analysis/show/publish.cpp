@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "analysis/show/report.hpp"
-#include "analysis/show/words.hpp"
 #include "numerics/json.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"

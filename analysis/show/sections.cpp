@@ -6,7 +6,6 @@
 
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
-#include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 
 namespace ikbench::show {

@@ -1,7 +1,6 @@
 #include "experiments/foreign/protocol.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

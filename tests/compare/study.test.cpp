@@ -1,7 +1,5 @@
 #include "analysis/compare/study.hpp"
 
-#include <stdexcept>
-
 #include "tests/catch.hpp"
 #include "tests/compare/studies.hpp"
 #include "tests/scratch_folder.hpp"

@@ -1,6 +1,5 @@
 // Files as users break them: whatever is in one, it is judged or refused in one sentence.
 #include <cmath>
-#include <random>
 
 #include "analysis/compare/judge.hpp"
 #include "analysis/csv/user_csv.hpp"

@@ -1,6 +1,4 @@
 // Each solve is timed several times, and the answer is the same every time.
-#include <algorithm>
-#include <limits>
 
 #include "experiments/environment.hpp"
 #include "experiments/solve_runner.hpp"

@@ -1,7 +1,5 @@
 // Study files: written files are read again, and mistakes are reported with their places.
 
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
@@ -9,7 +7,6 @@
 #include "experiments/orientation.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
-#include "numerics/names.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"

@@ -1,5 +1,4 @@
 // Sweeps: lists of values in an entry, in [sweep], and by --sweep.
-#include <set>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include "analysis/figures/arm.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "tests/catch.hpp"

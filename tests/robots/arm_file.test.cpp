@@ -1,8 +1,6 @@
 // Arm files: the arm is as the file says, and mistakes are reported with their places.
-#include <filesystem>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>

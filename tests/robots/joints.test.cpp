@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/instruction_set.hpp"
 #include "robots/robot.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "tests/catch.hpp"

@@ -3,13 +3,10 @@
 #include "robots/kernels.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>

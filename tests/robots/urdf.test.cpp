@@ -2,7 +2,6 @@
 #include "robots/urdf.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <stdexcept>

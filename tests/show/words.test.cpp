@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "analysis/show/text.hpp"
 #include "tests/catch.hpp"
 #include "tests/show/judged.hpp"
 
@@ -38,8 +37,8 @@ std::string table_of_verdicts(const Shown& shown) {
   std::string text;
   for (const compare::Judged& judged : shown.metrics) {
     for (const compare::Finding& finding : judged.findings)
-      text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second,
-                          verdict_words(finding, judged), amount_words(finding, judged));
+      text += fmt::format("  {} vs {}: {}; {}\n", finding.first, finding.second, verdict_words(finding, judged),
+                          amount_words(finding, judged));
   }
   return text;
 }

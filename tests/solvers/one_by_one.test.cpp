@@ -2,7 +2,6 @@
 // decide one candidate after another.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
