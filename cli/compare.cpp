@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "analysis/show/report.hpp"
 #include "analysis/show/screen.hpp"
 #include "analysis/show/text.hpp"
-#include "analysis/show/words.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
@@ -129,8 +127,9 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
 std::string markdown_of(const std::vector<Compared>& all) {
   std::string text;
   for (const Compared& one : all) {
-    text += fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(one)), sight_of(one.gate),
-                        show::to_markdown(show::results_table(one.shown)), show::to_markdown(show::pairs_table(one.shown)));
+    text +=
+        fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(one)), sight_of(one.gate),
+                    show::to_markdown(show::results_table(one.shown)), show::to_markdown(show::pairs_table(one.shown)));
   }
   return text;
 }
@@ -139,7 +138,8 @@ std::string markdown_of(const std::vector<Compared>& all) {
 
 void add_compare(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command = app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
+  CLI::App* command =
+      app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
   command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
   command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
   command->add_option("--store", arguments->store, "store in which A and B are labels");
@@ -148,7 +148,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->add_option("--label", arguments->labels,
                    "with two stores: compare only this label; repeat for more; default: all that both stores have")
       ->allow_extra_args(false);
-  command->add_option("--margin", arguments->margin, "relative difference that matters, such as 10%; default: the plan's");
+  command->add_option("--margin", arguments->margin,
+                      "relative difference that matters, such as 10%; default: the plan's");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
   command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file");
   add_json_option(*command, arguments->is_json);

@@ -303,17 +303,6 @@ void ProgressBar::show(const Progress& progress) {
   if (const std::string text = text_.at(ProgressText::Clock::now(), progress); !text.empty()) write_error(text);
 }
 
-WorkingLine::WorkingLine(std::string_view words) : on_terminal_(isatty(STDERR_FILENO) != 0) {
-  if (on_terminal_) write_error(printable(words));
-}
-
-void WorkingLine::end() {
-  if (on_terminal_) write_error("\r\x1b[K");
-  on_terminal_ = false;
-}
-
-WorkingLine::~WorkingLine() { end(); }
-
 std::filesystem::path default_folder(std::string_view study) {
   constexpr std::size_t longest = 100;
   std::string name(study.substr(0, longest));

@@ -111,19 +111,6 @@ class ProgressBar {
   ProgressText text_;
 };
 
-// Shows on a terminal a line about the present work; wiped at the end.
-class WorkingLine {
- public:
-  explicit WorkingLine(std::string_view words);
-  ~WorkingLine();
-  WorkingLine(const WorkingLine&) = delete;
-  WorkingLine& operator=(const WorkingLine&) = delete;
-  void end();
-
- private:
-  bool on_terminal_;
-};
-
 // out/<name>, where '_' replaces all but letters, digits, '-', '_' and '.' in the name. A hash then tells names apart
 // that become equal.
 std::filesystem::path default_folder(std::string_view study);

@@ -4,11 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <iterator>
-#include <memory>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -53,6 +50,16 @@ void tell_of_log(const std::vector<std::filesystem::path>& files) {
       "another program has {0} open, so part of the data is still in {1}; copy both files together, or close "
       "that program and run this command again to merge them",
       files[0].string(), files[1].string()));
+}
+
+void warn_of_unreachable(const Study& study) {
+  const std::vector<Unreachable> found = unreachable(study);
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+    warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
+                     found[i].point, found[i].distance * 100, found[i].reach * 100));
+  }
+  if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
 }
 
 }  // namespace
@@ -116,12 +123,12 @@ show::Reported report_of(const compare::JudgedStudy& judged, const FigureStyle& 
 void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   ProgressBar bar("drawing", "figures");
-  show::Published published = show::publish(
-      reported, folder,
-      {.render = !arguments.without_figures,
-       .progress = [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); },
-       .style = style,
-       .program = program_name()});
+  show::Published published =
+      show::publish(reported, folder,
+                    {.render = !arguments.without_figures,
+                     .progress = [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); },
+                     .style = style,
+                     .program = program_name()});
   for (const std::string& warning : published.warnings) warn(warning);
   if (arguments.is_json) {
     numerics::OrderedJson json = show::to_json(reported.shown);
@@ -156,16 +163,6 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
   std::vector<StudyEntry> studies = store.studies();
   if (studies.empty()) throw std::invalid_argument("the store contains no study");
   return std::move(studies.front());
-}
-
-void warn_of_unreachable(const Study& study) {
-  const std::vector<Unreachable> found = unreachable(study);
-  constexpr std::size_t most = 10;
-  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
-    warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
-                     found[i].point, found[i].distance * 100, found[i].reach * 100));
-  }
-  if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
 }
 
 std::string Solved::words(const std::filesystem::path& store) const {

@@ -4,10 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "analysis/show/report.hpp"
 #include "experiments/runner.hpp"
@@ -54,9 +51,6 @@ struct RunArguments {
 };
 
 void add_run_options(CLI::App& command, RunArguments& arguments);
-
-// Warns on standard error of unreachable targets, if there are any.
-void warn_of_unreachable(const experiments::Study& study);
 
 enum class Ended { complete, stopped };
 
