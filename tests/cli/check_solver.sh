@@ -1,7 +1,7 @@
-# check-solver passes a good program, and finds each of the faults that are planted in it, one at a time: by its own line, and
-# by no other.
+#!/usr/bin/env bash
+# check-solver passes a good program, and finds each of the faults that are planted in it, one at a time: by its own check,
+# and by no other.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-command -v python3 >/dev/null || { echo "SKIPPED: no python3"; exit 77; }
 
 cat >planted.py <<'EOF'
 import json, math, os, random, signal, sys, time
@@ -65,43 +65,39 @@ if "stays" == FAULT:
     time.sleep(1000)
 EOF
 
-# finds LIST COMMAND...: for each line of the list, with that fault alone ($FAULT), checks how many checks fail and how
-# each of them begins. A budget of 1 ms says nothing on a busy machine, except with the fault "late".
-finds() {
-  local list=$1 fault number words
-  shift
-  while read -r fault number words; do
-    export FAULT=$fault
-    run_it check-solver --patience 10 "$@"
-    sed ':a;N;$!ba;s/\n  / /g' .out | grep '^FAILED' | grep -v "$([ "$fault" = late ] && echo '^$' || echo 'a budget of 1 ms')" >found
-    [ "$(wc -l <found)" = "$number" ] || fail "$fault: expected $number failed checks: $(<found) $err"
-    [ "$number" = 0 ] || [ "$code" = 1 ] || fail "$fault: exit code $code: $out"
-    ! grep -v "$words" found || fail "$fault: expected '$words' alone: $out"
-  done <<<"$list"
-}
-
-finds 'good 0
-silent 1 says a proper hello: it ends before its hello (exit code 3)
-option 1 says a proper hello: its option w has no default between low and high
-long 1 an arm of 64 joints, or declines: crashed
-outside 1 inside the joint limits: 0.858 rad outside
-remembers 1 the same seed gives the same answer in the same process
-of-process 1 the same seed gives the same answer in a fresh process
-one-seed 0
-endless 1 an arm whose joints turn without end, or declines: crashed
-lies 2 or declines: it says\|the error that it claims is true: it says
-hangs 1 a target that nothing reaches ends too: timed_out
-empty-budget 1 a budget of 0 iterations: crashed
-late 1 it keeps a budget of 1 ms within ten times: 
-nan 1 its answer is finite
-slides 1 an arm with a joint that slides, or declines: it says
-pretends 1 it does not say that it is deterministic: another seed changes its answer
-id 3 joints*, or declines: broke_protocol: its solved does not have the id
-deaf 1 it ends when it is told bye: it still runs
-stays 1 it ends with its standard input: it had to be ended: signal 9
-noise 1 it writes nothing but messages: .* the first: solving' -- python3 planted.py
-refused "COMMAND" check-solver
-FAULT=one-seed succeeds check-solver -- python3 planted.py
-has "$out" "here another seed changed nothing; if none ever does, say deterministic"
-
-echo "check-solver: all right"
+# A fault, and words of each check that fails with it. A budget of 1 ms says nothing on a busy machine, except with the
+# fault "late".
+while IFS='|' read -r fault checks; do
+  export FAULT=$fault
+  run_it check-solver --json --patience 10 -- python3 planted.py
+  python3 - "$fault" "$checks" <<'PYTHON' || fail "$fault, exit code $code: $(<.out)"
+import json, sys
+fault, expected = sys.argv[1], [words for words in sys.argv[2].split("; ") if words]
+failed = [row["check"] for row in json.load(open(".out")) if not row["passed"] and (fault == "late" or "1 ms" not in row["check"])]
+sys.exit(not (len(failed) == len(expected) and all(words in check for words, check in zip(expected, failed))))
+PYTHON
+  [ -z "$checks" ] || equal "exit code with $fault" "$code" 1
+done <<'END'
+good|
+one-seed|
+silent|hello
+option|hello
+long|64 joints
+outside|inside the joint limits
+remembers|same process
+of-process|fresh process
+endless|turn without end
+lies|declines; claims
+hangs|nothing reaches
+empty-budget|0 iterations
+late|1 ms
+nan|finite
+slides|slides
+pretends|deterministic
+id|declines; declines; declines
+deaf|bye
+stays|standard input
+noise|nothing but messages
+END
+FAULT=good succeeds check-solver -- python3 planted.py
+equal checks "$(FAULT=good "$program" check-solver --json -- python3 planted.py | grep -c '"check"')" 19
