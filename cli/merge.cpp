@@ -11,8 +11,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
-#include "cli/reporting.hpp"
 #include "cli/options.hpp"
+#include "cli/reporting.hpp"
 #include "experiments/shard.hpp"
 #include "results/files.hpp"
 

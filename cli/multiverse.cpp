@@ -92,9 +92,8 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   for (const Dimension& each : all) {
     for (const Alternative& one : each.alternatives) {
       const auto place = std::ranges::find(varied, each.name, &Dimension::name);
-      const bool is_varied =
-          place != varied.end() &&
-          std::ranges::find(place->alternatives, one.set, &Alternative::set) != place->alternatives.end();
+      const bool is_varied = place != varied.end() && std::ranges::find(place->alternatives, one.set,
+                                                                        &Alternative::set) != place->alternatives.end();
       const bool is_default = &one == &each.alternatives.front();
       rows.push_back({one.set, each.section, is_default ? "default" : is_varied ? "yes" : "no", one.where});
     }
@@ -126,9 +125,8 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
   CancelOnSignal signals;
-  const auto multiverse =
-      solved_multiverse(study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
-                        {"multiverse", folder, arguments.jobs, &signals.requested()});
+  const auto multiverse = solved_multiverse(study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
+                                            {"multiverse", folder, arguments.jobs, &signals.requested()});
   if (signals.end() || !multiverse) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
@@ -156,7 +154,8 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("multiverse", "Judge the claims of a paper in every reading of what it leaves open");
   add_paper_option(*command, arguments->paper);
   command->add_flag("--list", arguments->list, "list the open questions and the size, without solving");
-  CLI::Option* small = command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
+  CLI::Option* small =
+      command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
   command
       ->add_option("--dimensions", arguments->dimensions,
                    "vary these, with all their alternatives, instead of the default ones: bounds,population")

@@ -23,8 +23,8 @@ struct SeriesArguments {
 
 // Shows progress. Returns nothing if it was cancelled: shares need all universes.
 std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
-                                                  const std::vector<results::Dimension>& varied,
-                                                  experiments::MultiverseRequest request,
-                                                  const SeriesArguments& arguments);
+                                                    const std::vector<results::Dimension>& varied,
+                                                    experiments::MultiverseRequest request,
+                                                    const SeriesArguments& arguments);
 
 }  // namespace ikbench::cli

@@ -71,13 +71,15 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
 // A paper's studies that the store has, judged; the first is its own.
 std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper& paper) {
   std::vector<compare::JudgedStudy> all;
-  for (const std::string& name : paper.studies) all.push_back(compare::judge(compare::read_study(store, store.study(name))));
+  for (const std::string& name : paper.studies)
+    all.push_back(compare::judge(compare::read_study(store, store.study(name))));
   return all;
 }
 
 void report(const Store& store, const Paper& paper, const Arguments& arguments, const std::filesystem::path& folder,
             const papers::JudgedMultiverse& readings) {
-  const FigureStyle style = styled(definition_of(store.study(paper.studies.front()).definition).style, arguments.report);
+  const FigureStyle style =
+      styled(definition_of(store.study(paper.studies.front()).definition).style, arguments.report);
   std::vector<compare::JudgedStudy> all = judged_studies(store, paper);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
@@ -95,6 +97,7 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
     reported.first = slim2023::first(repeated, claims);
     reported.additions = slim2023::sections(repeated, claims, of_circle);
+    reported.has_own_numbers = true;
     sentences = slim2023::sentences(repeated, claims);
   } else {
     reported.first = {means};

@@ -134,8 +134,7 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
                                    {"not_reproduced", &paper.not_reproduced},
                                    {"kind", &paper.kind},
                                    {"solver", &paper.solver},
-                                   {"means", &paper.means},
-                                   {"implementation", &paper.implementation}})
+                                   {"means", &paper.means}})
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");

@@ -51,7 +51,6 @@ struct Paper {
   std::string solver = {};                // that it proposes
   std::string means = {};                 // its table of means; empty: none is printed
   std::vector<std::string> not_on = {};   // kinds of path that this table is not about
-  std::string implementation = {};        // of its times: "another machine"
   int near = 0;                           // a reading is near the print if it explains so many printed numbers
   Rates rates = {};
   std::vector<Claim> claims = {};

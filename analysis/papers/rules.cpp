@@ -128,15 +128,18 @@ Tally tally_of(const Judged& judged, const Names& own, const Names& rivals) {
   return tally;
 }
 
-// "IK-BA 0.00168 cm (better: K-ABC 0.208, DE 0.253; not decided: MO-PSO 0.73)"
+// "IK-BA 0.00168 cm (not decided: MO-PSO 0.73)": those than which it is not better.
 std::string relations(const Judged& judged, const std::string& solver, const Names& rivals) {
   std::map<Verdict, Names> by_verdict;
   for (const std::string& rival : rivals)
     by_verdict[verdict_between(judged, solver, rival)].push_back(
         fmt::format("{} {}", rival, with_unit(mean_of(judged, rival), judged.observations, false)));
   Names parts;
-  for (const auto& [verdict, list] : by_verdict)
-    parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
+  for (const auto& [verdict, list] : by_verdict) {
+    if (verdict != Verdict::better)
+      parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
+  }
+  if (parts.empty()) parts.emplace_back("better");
   return fmt::format("{} {} ({})", solver, with_unit(mean_of(judged, solver), judged.observations),
                      fmt::join(parts, "; "));
 }
@@ -465,8 +468,7 @@ Found ratios(const Asked& asked) {
     return {result};
   }
   result.number = fmt::format("{} times {}", list.front(), base);
-  result.evidence =
-      fmt::format("Median times, printed of {}, by that of {}: {}.", paper.implementation, base, fmt::join(list, ", "));
+  if (list.size() > 1) result.evidence = fmt::format("Median times by that of {}: {}.", base, fmt::join(list, ", "));
   return {result};
 }
 

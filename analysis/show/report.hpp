@@ -16,10 +16,10 @@ struct Reported {
   compare::StudyResults study;  // a user's file: its name alone
   Shown shown;
   std::vector<figures::Figure> figures;
-  std::vector<Reported> companions = {};  // of a paper: studies beside this one
   // Of a paper: instead of the sentence and the table of results; and sections of its own, each with its heading.
   Blocks first = {};
   std::vector<Blocks> additions = {};
+  bool has_own_numbers = false;  // the additions have the descriptions and the ANOVA
 };
 Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 

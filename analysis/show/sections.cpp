@@ -49,19 +49,11 @@ Blocks table_if_any(std::string heading, Table table) {
 }
 
 Blocks pairs(const Reported& of) { return table_if_any("Who is better?", pairs_table(of.shown)); }
-Blocks descriptives(const Reported& of) { return table_if_any("All numbers", descriptives_table(of.shown)); }
-Blocks anova(const Reported& of) { return table_if_any("All solvers at once", anova_table(of.shown)); }
-
-Blocks companions(const Reported& of) {
-  Blocks blocks;
-  for (const Reported& companion : of.companions) {
-    Table table = with_notes(results_table(companion.shown), companion.shown.notes);
-    table.name += '-' + companion.study.entry.name;
-    table.caption = companion.study.entry.name;
-    blocks.emplace_back(Text{headline(companion.shown)});
-    blocks.emplace_back(std::move(table));
-  }
-  return with_heading("Other studies", std::move(blocks));
+Blocks descriptives(const Reported& of) {
+  return of.has_own_numbers ? Blocks() : table_if_any("All numbers", descriptives_table(of.shown));
+}
+Blocks anova(const Reported& of) {
+  return of.has_own_numbers ? Blocks() : table_if_any("All solvers at once", anova_table(of.shown));
 }
 
 Blocks warnings(const Reported& of) {
