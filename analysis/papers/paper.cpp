@@ -130,9 +130,6 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   TomlReader reader(table, source, "");
   Paper paper{.name = std::string(name)};
   for (const auto& [key, field] : {std::pair("in_short", &paper.in_short),
-                                   {"citation", &paper.citation},
-                                   {"not_reproduced", &paper.not_reproduced},
-                                   {"kind", &paper.kind},
                                    {"solver", &paper.solver},
                                    {"means", &paper.means}})
     reader.text(key, *field, "");

@@ -45,7 +45,7 @@ struct Rates {
 
 struct Paper {
   std::string name;  // in a study's `published` and in results/published
-  std::string in_short = {}, citation = {}, kind = {}, not_reproduced = {};
+  std::string in_short = {};
   std::vector<std::string> studies = {};  // the first is its own, "first-part" its companion
   std::vector<std::string> runs = {};     // those that take --runs
   std::string solver = {};                // that it proposes
