@@ -167,7 +167,11 @@ std::string sentence(const Shown& shown) {
   if (!head.best.empty()) return fmt::format("{} is best: {}", label(head.best), numbers_of(shown, false));
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
-  if (judged.findings.empty()) return numbers_of(shown, true);
+  if (judged.findings.empty()) {
+    std::string text = numbers_of(shown, true);
+    if (judged.observations.metric != "solved") text.front() = 'T';  // "The error of ..."; a solver's name stays
+    return text;
+  }
   if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
   if (!shown.plan.control.empty() && groups > 2) return against_control(shown);
   if (all_are(judged, Verdict::same))
@@ -177,11 +181,7 @@ std::string sentence(const Shown& shown) {
 
 }  // namespace
 
-std::string headline(const Shown& shown) {
-  std::string text = sentence(shown) + '.';
-  if (text.starts_with("the ")) text[0] = 'T';
-  return text;
-}
+std::string headline(const Shown& shown) { return sentence(shown) + '.'; }
 
 std::string margin_words(const Judged& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.plan.absolute_margin);
