@@ -30,11 +30,11 @@ if unshare --map-root-user --mount true 2>/dev/null; then
 fi
 installed() { "${away[@]}" "$work/prefix/bin/ikbench" "$@" >.out 2>.err || fail "ikbench $*: $(<.err)"; }
 installed run slim2023 "${small[@]}" --out made
-for file in store.sqlite report.md report.html tables/table-3.csv tables/table-3.md figures/style.gp; do
+for file in store.sqlite report.md report.html tables/results.csv tables/results.md figures/style.gp; do
   [ -s "made/$file" ] || fail "no $file"
 done
 if command -v gnuplot >/dev/null; then
-  [ -s made/figures/figure-10.svg ] || fail "no figure 10"
+  [ -s made/figures/error-boxes.svg ] || fail "no figure"
 fi
 installed list studies slim2023-dobot
 
