@@ -54,10 +54,15 @@ json() {
     fail "not $1: $(head -c 600 "${2:-$work/.out}")"
 }
 
+# kept NAME: the input is tests/cli/golden/NAME. IKBENCH_GOLDEN=write writes that instead.
+kept() {
+  if [ "${IKBENCH_GOLDEN:-}" = write ]; then cat >"$scripts/golden/$1"; return; fi
+  diff "$scripts/golden/$1" - || fail "other numbers than in golden/$1"
+}
+
 # golden NAME [FILE]: what a verdict says as JSON, a line each group, pair and doubt, without times, which no machine
-# repeats, is tests/cli/golden/NAME. IKBENCH_GOLDEN=write writes that instead.
+# repeats, is kept.
 golden() {
-  local file=$scripts/golden/$1
   python3 - "${2:-$work/.out}" >"$work/.rows" <<'PYTHON' || fail "$1: no verdict: $(head -c 1000 "$work/.out")"
 import json, sys
 of = json.load(open(sys.argv[1]))
@@ -71,8 +76,7 @@ for part in of.get("solvers", [of]):
     for kind in ("worse", "undecided"):
         if kind in part: print(kind, *map(text, part[kind]))
 PYTHON
-  if [ "${IKBENCH_GOLDEN:-}" = write ]; then cp "$work/.rows" "$file"; fi
-  diff "$file" "$work/.rows" || fail "other numbers than in $file"
+  kept "$1" <"$work/.rows"
 }
 
 # A study that takes little, of the paper's six solvers.

@@ -1,58 +1,75 @@
 #!/usr/bin/env bash
-# Every study of the paper: one command, one store, one report.
+# The papers' studies give the reference numbers, bit by bit, with every instruction set of this machine and other numbers
+# of threads; their claims have their verdicts; and all readings of a paper can be stopped and continued.
 source "$(dirname "$0")/common.sh"
+references=$root/results/reference.inc
+studies=(slim2023 slim2023-context slim2023-all-joints slim2023-limits slim2023-bounds slim2023-elongation slim2023-time slim2023-dobot)
+fingerprint() { "$program" export "$1" --study "$2" --format fingerprint | cut -d' ' -f1; }
+reference() { grep "\"$1\"" "$references" | cut -d'"' -f4; }
 
-succeeds reproduce --runs 2 --jobs 2 --readings 1 --no-figures --out paper
+# verdicts FOLDER: the verdicts of its claims and questions, which are not of times where two jobs worked.
+verdicts() {
+  python3 - "$1" <<'PYTHON'
+import csv, sys
+for name in ("claims", "questions"):
+    for row in csv.DictReader(open(f"{sys.argv[1]}/tables/{name}.csv")):
+        print(row["verdict"], row["claim"], row["number"], sep=" | ")
+PYTHON
+}
+
+succeeds reproduce --jobs 2 --readings 1 --no-figures --out whole
 quiet
-has "$out" "slim2023: 240 solves"        # 6 solvers x 2 runs x 20 points
-has "$out" "slim2023-context: 80 solves" # 2 solvers
-has "$out" "slim2023-all-joints: 240 solves"
-has "$out" "slim2023-limits: 240 solves"
-has "$out" "slim2023-bounds: 240 solves"
-has "$out" "slim2023-elongation: 80 solves" # without Eq. 13, and without the pull of Eq. 14
-has "$out" "slim2023-time: 80 solves"    # 4 sizes of the population x 20 targets
-has "$out" "slim2023-dobot: 20 solves"
-# Each estimand has its own winner, in the first words of the summary.
-for words in "Smallest mean error (large errors dominate): no solver is tested: IK-BA" "Smallest typical error (geometric mean): no solver is tested: PSO" "Most often within 0.01 cm: IK-BA"; do
-  has "$(grep -A 2 '>Summary<' paper/report.html)" "$words"
+sed -n '/./,$p' .out >screen
+[ "$(wc -l <screen)" -le 50 ] && [ "$(wc -L <screen)" -le 200 ] || fail "not one screen: $(<screen)"
+equal "last line" "$(tail -n 1 screen)" "Report: whole/report.html"
+words=$(tr -s '[:space:]' '\n' <whole/report.md | grep -c '[[:alnum:]]')
+echo "$(wc -l <screen) lines of $(wc -L <screen) columns; $words words in report.md, $(find whole -type f | wc -l) files"
+[ "$words" -le 4500 ] || fail "report.md has $words words"
+for study in "${studies[@]}"; do
+  equal "fingerprint of $study" "$(fingerprint whole/store.sqlite "$study")" "$(reference "$study")"
+  numbers whole/store.sqlite "$study" |
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "run") run = i } NR == 1 || $run <= 2' >"whole-$study.csv"
+  [ "$(wc -l <"whole-$study.csv")" -gt 1 ] || fail "no first runs of $study"
 done
-for table in table-3 table-3-readings claims-readings table-4 table-5 table-6 table-7 table-8 limits multiverse baselines; do
-  [ -s "paper/tables/$table.md" ] || fail "there is no table $table"
-  has "$(<paper/report.html)" "id=\"$table\""
-done
-# The last screen: the verdict, a line a claim with its verdict here and as printed and our number, the fingerprints and,
-# as the last line, the report.
-sed -n '/^Of 18 claims, /,$p' .out >screen
-[ "$(wc -l <screen)" -le 30 ] && [ "$(wc -L <screen)" -le 100 ] || fail "not one screen: $(<screen)"
-[ "$(grep -c '^Of \|^here ' screen)" = 2 ] || fail "no verdict and no head: $(<screen)"
-grep -qE '^(holds|in part|undecided|fails|depends) +holds +[^ ].* +IK-BA is more accurate than BA$' screen || fail "no line for a claim: $(<screen)"
-grep -q '^Fingerprints: ' screen || fail "no fingerprints: $(<screen)"
-[ "$(tail -n 1 .out)" = "Report: paper/report.html" ] || fail "the last line is: $(tail -n 1 .out)"
-# All claims of the paper and our own questions have a verdict; Eq. 13 changes no bit.
-has "$(<paper/report.md)" "Of 18 claims, "
-has "$(<paper/report.md)" "Without Eq. 13 (f_max = 0) all 40 answers are the same to the last bit"
-has "$(<paper/report.md)" "## Our own questions"
-has "$(<paper/report.md)" "If all solvers are clamped, IK-BA is the most accurate"
-# The printed digits stand beside ours, and the tables are told before the rest is solved.
-has "$(<paper/tables/table-3.md)" "(printed 1.7824e-4"
-[[ ${out%%slim2023-context: *} == *"Table 3: "* ]] || fail "Table 3 is not told as soon as it is there"
-has_no "$out" "Table 7: "
-for label in IK-BA BA DE PSO K-ABC MO-PSO; do
-  has "$(<paper/tables/table-3.md)" "$label"
-done
-# A report from the store alone has no interpretations, so it does not replace theirs.
-cp paper/report.md before.md
-refused "choose another folder (--out), or run ikbench reproduce again" report paper/store.sqlite --no-figures
-refused "choose another folder (--out), or run ikbench reproduce again" run slim2023 --no-figures --out paper
-cmp paper/report.md before.md || fail "a report that is refused changed the one that is there"
-succeeds report paper/store.sqlite --study slim2023-context --no-figures --out context
-has "$(<context/tables/results.md)" "DLS"
+golden reproduce whole/results.json
+verdicts whole | kept claims
+for table in 3 4 5 7 8; do [ -s "whole/tables/table-$table.csv" ] || fail "there is no Table $table"; done
+for figure in 5 6 7 8 9 10 11 12 14 15 16 17 18; do [ -s "whole/figures/figure-$figure.gp" ] || fail "there is no Figure $figure"; done
+cut -d, -f1-4 whole/tables/multiverse.csv | sed -E 's/(\.[0-9]{3})[0-9]*/\1/g' | kept multiverse
 
-# It is the built-in study, and goes on from what is there.
-succeeds run slim2023 --set runs=2 --no-report --out paper
-has "$out" "(240 were already stored)"
+# Every instruction set, and other numbers of threads.
+mapfile -t sets < <("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1)
+for i in "${!sets[@]}"; do
+  export IKBENCH_INSTRUCTION_SET=${sets[i]}
+  succeeds list instruction-sets
+  grep -q "^${sets[i]} *yes" .out || fail "not in use: ${sets[i]}"
+  succeeds reproduce --runs 2 --jobs $((${#sets[@]} - i)) --readings 0 --no-figures --out "${sets[i]}"
+  for study in "${studies[@]}"; do
+    numbers "${sets[i]}/store.sqlite" "$study" | cmp - "whole-$study.csv" || fail "$study with ${sets[i]}: other numbers"
+  done
+done
+unset IKBENCH_INSTRUCTION_SET
 
-# --quick: no interpretations, and the same numbers of the paper's studies.
-succeeds reproduce --runs 2 --jobs 2 --quick --no-figures --out quick
-[ ! -e quick/tables/multiverse.md ] || fail "--quick solved more than the studies"
-[ "$(numbers quick/store.sqlite)" = "$(numbers paper/store.sqlite)" ] || fail "--quick gives other numbers"
+# Whole poses of another paper, too; a name of a study is no paper.
+succeeds reproduce beeson2015 --jobs 2 --no-figures --out poses
+equal "fingerprint of beeson2015" "$(fingerprint poses/store.sqlite beeson2015)" "$(reference beeson2015)"
+golden beeson2015 poses/results.json
+refused '"slim2023"' reproduce slim2024
+for bad in "--runs 0" "--runs 99999999999999999999999" "--seed -1" "--seed 010"; do refused "${bad% *}" reproduce $bad; done
+
+# All readings: the same with any number of jobs, and after a cut.
+few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of --no-figures)
+succeeds "${few[@]}" --jobs 2 --out folder --json
+json '[row["claim"] for row in of] and all(row["holds"] + row["fails"] + row["not_decided"] == 100 for row in of)'
+succeeds "${few[@]}" --out again
+cmp folder/series.csv again/series.csv || fail "other series with one job"
+head -c 1500 folder/series.csv >again/series.csv
+succeeds "${few[@]}" --out again
+diff -r folder again || fail "other readings after a cut"
+sed -i '2s/,.*,/,-1,/' again/series.csv
+refused series.csv:2 "${few[@]}" --out again
+echo "edited" >folder/series.csv
+refused series.csv:1 "${few[@]}" --out folder
+for bad in "bound bound" "twice bounds,bounds"; do refused "${bad% *}" multiverse slim2023 --dimensions "${bad#* }"; done
+refused --seeds multiverse slim2023 --seeds 0
+refused population multiverse slim2023 --dimensions population --set population=20
