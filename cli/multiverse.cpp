@@ -14,7 +14,6 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/files.hpp"
 
@@ -109,7 +108,7 @@ void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arg
           const std::filesystem::path& folder) {
   write_file(folder / "multiverse.csv", show::to_csv(judged.table));
   write_file(folder / "multiverse.md", show::to_markdown(judged.table));
-  const figures::RenderOptions options{.render = !arguments.without_figures, .program = program_name()};
+  const figures::RenderOptions options{.render = !arguments.without_figures};
   for (const figures::FigureOutcome& outcome : figures::write_figures({judged.figure}, folder / "figures", options)) {
     if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
   }

@@ -127,8 +127,8 @@ void announce(const show::Reported& reported, const std::filesystem::path& folde
       show::publish(reported, folder,
                     {.render = !arguments.without_figures,
                      .progress = [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); },
-                     .style = style,
-                     .program = program_name()});
+                     .style = style},
+                    program_name());
   for (const std::string& warning : published.warnings) warn(warning);
   if (arguments.is_json) {
     numerics::OrderedJson json = show::to_json(reported.shown);

@@ -62,8 +62,7 @@ void stats(const StatsArguments& arguments) {
   const EndOnSignal at_once("Stopped. No report was written.");
   const show::Reported reported = judged(arguments);
   show::Published published;
-  if (!arguments.out.empty())
-    published = show::publish(reported, arguments.out, {.program = experiments::program_name()});
+  if (!arguments.out.empty()) published = show::publish(reported, arguments.out, {}, experiments::program_name());
   if (arguments.is_json) {
     numerics::OrderedJson json = show::to_json(reported.shown);
     json["notes"] = reported.shown.notes;

@@ -41,7 +41,6 @@ struct RenderOptions {
   int jobs = 2;                     // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
-  std::string program = {};  // what writes the report, with its version; pictures do not say it
 };
 
 struct FigureOutcome {

@@ -65,7 +65,8 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 
 }  // namespace
 
-Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options) {
+Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
+                  const std::string& program) {
   const std::vector<std::string> earlier = files_of_earlier(folder);
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);
@@ -87,7 +88,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
     for (const Block& block : blocks) {
       const auto* table = std::get_if<Table>(&block);
       if (!table || table->name.empty()) continue;
-      write_table(*table, folder / "tables", options.program);
+      write_table(*table, folder / "tables", program);
       for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
     }
   }
@@ -102,7 +103,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   results::write_file(folder / "report.md", to_markdown(sections, pictures));
   const std::string& title = of.study.definition.title;
   results::write_file(published.page,
-                      to_page(title.empty() ? of.study.entry.name : title, sections, pictures, options.program));
+                      to_page(title.empty() ? of.study.entry.name : title, sections, pictures, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);
