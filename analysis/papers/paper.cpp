@@ -129,9 +129,8 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   const toml::table table = parse_toml(toml, source);
   TomlReader reader(table, source, "");
   Paper paper{.name = std::string(name)};
-  for (const auto& [key, field] : {std::pair("in_short", &paper.in_short),
-                                   {"solver", &paper.solver},
-                                   {"means", &paper.means}})
+  for (const auto& [key, field] :
+       {std::pair("in_short", &paper.in_short), {"solver", &paper.solver}, {"means", &paper.means}})
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");
