@@ -58,7 +58,7 @@ probe() {
     sed '/^<\/body>/,$d' "$folder/report.html"
     while [ $# -gt 0 ] && [ "$1" != -- ]; do
       printf "<script>{ const meta = document.createElement('meta'); meta.name = 'found-%s';\nmeta.content = String((() => {\n%s\n})()); document.head.append(meta); }</script>\n" \
-        "$1" "$(<"$1.js")"
+        "$1" "$(sed "s/@MARK@/$mark/" "$scripts/page/$1.js")"
       shift
     done
     printf '</body>\n</html>\n'
@@ -73,13 +73,6 @@ found() { sed -n "s/.*<meta name=\"found-$1\" content=\"\([^\"]*\)\".*/\1/p" "$w
 expect() { equal "$1" "$(found "$1")" "$2"; }
 
 # Names are text: cells, and no element of their making; an image runs nothing, nor does a figure that is opened.
-cat >names.js <<E2
-const cells = new Set([...document.querySelectorAll('#table-results td')].map(cell => cell.textContent));
-const mark = "$mark";
-const names = ['</text></svg><script>' + mark + '<\\/script>', '" onload="' + mark, '"><img src=x onerror=' + mark + '>', '{{{title}}} &amp; "'];
-return [names.filter(name => cells.has(name)).length,
-  document.querySelectorAll('img:not([src^="data:image/svg+xml"]), [onload], [onerror], h1 *, p b, td *').length].join(' ');
-E2
 probe hostile names
 expect names "4 0" # names in the table, strange elements
 has_no "$out" ' marked='
@@ -103,68 +96,13 @@ echo "$mark" >plain/other.js
 browse plain/other.html --dump-dom
 has "$err" CONSOLE
 has_no "$out" ' marked='
-cat >network.js <<'E2'
-return performance.getEntriesByType('resource').filter(entry => !/^(data|blob):/.test(entry.name)).length;
-E2
 
 # The first screen: one sentence, the table and the moving arm. A study of three solvers has at most 900 words.
-cat >first.js <<'E2'
-const bottom = selector => document.querySelector(selector).getBoundingClientRect().bottom;
-const stage = document.getElementById('stage');
-return [document.querySelectorAll('h1').length, bottom('h1') < 200, bottom('#table-results table') < 900,
-  !stage || stage.hidden || bottom('#stage .controls') < 900,
-  document.querySelectorAll('#table-results tbody tr').length].join(' ');
-E2
-cat >words.js <<'E2'
-return document.body.innerText.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length;
-E2
 
 # Ids are there once, links inside lead somewhere, pictures are there and have words; the keyboard comes to everything and
 # shows where it is; nothing but what scrolls is wider than the window.
-cat >fits.js <<'E2'
-const ids = [...document.querySelectorAll('[id]')].map(element => element.id);
-const links = [...document.querySelectorAll('a[href^="#"]')].filter(link => !document.getElementById(decodeURIComponent(link.hash.slice(1))));
-const broken = [...document.images].filter(image => !image.complete || image.naturalWidth === 0 || image.alt.length < 10);
-for (const details of document.querySelectorAll('details')) details.open = true;
-const wanted = [...document.querySelectorAll('a, button, input, select, summary, .scroll[tabindex]')].filter(element => element.checkVisibility());
-const missed = wanted.filter(element => {
-  element.focus();
-  return document.activeElement !== element || getComputedStyle(element).outlineStyle === 'none';
-});
-for (const details of document.querySelectorAll('details')) details.open = false;
-const root = document.documentElement;
-return [ids.filter((id, i) => ids.indexOf(id) !== i).length, links.length, broken.length, wanted.length > 20, missed.length,
-  root.scrollWidth <= root.clientWidth].join(' ');
-E2
 
 # Every text can be read on its ground, in light and in dark (WCAG 2.1: 4.5; large and quiet parts 3).
-cat >contrast.js <<'E2'
-const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-const rgba = colour => {
-  canvas.clearRect(0, 0, 1, 1);
-  canvas.fillStyle = colour;
-  canvas.fillRect(0, 0, 1, 1);
-  return [...canvas.getImageData(0, 0, 1, 1).data];
-};
-const linear = c => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
-const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
-const groundOf = element => {
-  for (let at = element; at; at = at.parentElement) {
-    const colour = rgba(getComputedStyle(at).backgroundColor);
-    if (colour[3] === 255) return luminance(colour);
-  }
-  return 1;
-};
-let least = 21;
-for (const details of document.querySelectorAll('details')) details.open = true;
-const texts = [...document.querySelectorAll('body *')].filter(element =>
-  [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim() !== '') && element.checkVisibility());
-for (const element of texts) {
-  const a = luminance(rgba(getComputedStyle(element).color)), b = groundOf(element);
-  least = Math.min(least, (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05));
-}
-return [least > 4.5, texts.length > 100, luminance(rgba(getComputedStyle(document.body).backgroundColor)) > 0.5].join(' ');
-E2
 for folder in plain own theirs; do
   solvers=$(sed -n '2,$p' $folder/tables/results.csv | wc -l)
   probe $folder words network first fits contrast -- --blink-settings=preferredColorScheme=1 --window-size=1400,900
@@ -188,22 +126,6 @@ has "$out" '<title>wide false</title>'
 # The arm moves: to another target, by another solver. It shows the joint limits violated at the targets where the store
 # has them so, and nowhere else.
 if grep -q 'id="motion-data"' plain/report.html; then
-  cat >motion.js <<'E2'
-const place = document.getElementById('place'), play = document.getElementById('play'), select = document.querySelector('.view select');
-const told = () => document.querySelector('.view p').textContent;
-const words = [document.querySelectorAll('#stage canvas').length, document.getElementById('stage').hidden];
-const to = point => { place.value = point; place.dispatchEvent(new Event('input')); };
-for (const point of [1, 2]) { to(point); words.push(told().startsWith(`Target ${point}:`)); }
-words.push(play.textContent);
-play.click();
-words.push(play.textContent);
-for (const option of select.options) {
-  select.value = option.value;
-  select.dispatchEvent(new Event('change'));
-  for (let point = 1; point <= Number(place.max); ++point) { to(point); words.push(told().includes('Outside its limits') ? 1 : 0); }
-}
-return words.join(' ');
-E2
   outside=$("$program" export plain/store.sqlite | awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next } { printf " %d", ($column["limit_violation_deg"] > 0) }')
   has "$outside" 1

@@ -63,19 +63,7 @@ kept() {
 # golden NAME [FILE]: what a verdict says as JSON, a line each group, pair and doubt, without times, which no machine
 # repeats, is kept.
 golden() {
-  python3 - "${2:-$work/.out}" >"$work/.rows" <<'PYTHON' || fail "$1: no verdict: $(head -c 1000 "$work/.out")"
-import json, sys
-of = json.load(open(sys.argv[1]))
-text = lambda x: "-" if x is None or x == "" else f"{x:.4g}" if isinstance(x, float) else str(x).replace(" ", "_")
-for part in of.get("solvers", [of]):
-    keys = {"groups": "metric solver n mean median smallest largest", "tests": "metric test statistic p",
-            "findings": "metric first second estimate low high p test verdict"}
-    for kind, names in keys.items():
-        for row in part[kind]:
-            if row["metric"] != "time": print(kind[:-1], *(text(row.get(name)) for name in names.split()))
-    for kind in ("worse", "undecided"):
-        if kind in part: print(kind, *map(text, part[kind]))
-PYTHON
+  python3 "$scripts/rows.py" "${2:-$work/.out}" >"$work/.rows" || fail "$1: no verdict: $(head -c 1000 "$work/.out")"
   kept "$1" <"$work/.rows"
 }
 

@@ -3,13 +3,11 @@
 # machine gives. It waits for Slurm most of a minute. Skipped where Slurm is not installed (./setup --with-slurm) or this is
 # not root.
 source "$(dirname "$0")/common.sh"
-for program_needed in munged slurmctld slurmd sbatch; do
-  command -v $program_needed >/dev/null || { echo "skipped: no $program_needed (./setup --with-slurm)"; exit 77; }
+for daemon in munged slurmctld slurmd sbatch; do
+  command -v $daemon >/dev/null || { echo "skipped: no $daemon (./setup --with-slurm)"; exit 77; }
 done
 [ $EUID = 0 ] || { echo "skipped: only root starts slurmd with jobs of its own"; exit 77; }
-
-host=$(hostname -s)
-run=$work/slurm
+host=$(hostname -s) run=$work/slurm
 mkdir -p "$run"/{state,spool,log,munge}
 
 # The test ends all that it started; the process numbers are in the files of $run.
@@ -27,14 +25,9 @@ stop() {
 trap stop EXIT
 trap 'exit 1' INT TERM HUP
 
-# A free port, and the next.
-free_port() {
-  local port
-  for port in $(shuf -i 20000-30000 -n 50); do
-    (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null || (exec 3<>"/dev/tcp/127.0.0.1/$((port + 1))") 2>/dev/null || { echo "$port"; return; }
-  done
-}
-port=$(free_port)
+for port in $(shuf -i 20000-30000 -n 50); do # a free one, and the next
+  (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null || (exec 3<>"/dev/tcp/127.0.0.1/$((port + 1))") 2>/dev/null || break
+done
 head -c 1024 /dev/urandom >"$run/munge/munge.key"
 chmod 700 "$run/munge"
 chmod 400 "$run/munge/munge.key"
@@ -71,11 +64,8 @@ PartitionName=test Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
 export SLURM_CONF=$run/slurm.conf
 slurmctld -f "$SLURM_CONF" && slurmd -f "$SLURM_CONF" || fail "no slurm: $(tail -n 5 "$run"/log/*.log)"
-for _ in $(seq 100); do
-  [ "$(sinfo --noheader --format=%T 2>/dev/null)" = idle ] && break
-  sleep 0.2
-done
-[ "$(sinfo --noheader --format=%T)" = idle ] || fail "no idle node: $(sinfo) $(tail -n 5 "$run"/log/*.log)"
+for _ in $(seq 100); do [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ] || break; sleep 0.2; done
+equal "state of the node" "$(sinfo --noheader --format=%T)" idle
 
 # The study: enough that a task can be met while it runs.
 study=(slim2023 --set runs=24 --set path.points=6 --set stop.iterations=1000 --set population=20)
@@ -84,12 +74,9 @@ ln -s "$program" bin/ikbench
 export PATH=$work/bin:$PATH
 submit() {
   local array
-  array=$(sbatch --parsable "$scripts/../../docs/examples/slurm.sbatch" "two words" "${study[@]}") || fail "no array"
-  sbatch --parsable --dependency="afterany:$array" --job-name=merge --output=merge.txt \
-    --wrap "ikbench merge 'two words' 'two words/shards' && ikbench report 'two words/store.sqlite'" >merge.id || fail "no merge"
-}
-states() {
-  squeue --noheader --array --format="%K %T"
+  array=$(sbatch --parsable "$root/docs/examples/slurm.sbatch" "two words" "${study[@]}") || fail "no array"
+  sbatch --parsable --dependency="afterany:$array" --job-name=merge --output=merge.txt --wrap \
+    "ikbench merge 'two words' 'two words/shards'; echo code \$?; ikbench report 'two words/store.sqlite' --no-figures" >merge.id || fail "no merge"
 }
 # Waits until all jobs have ended; a task that was requeued waits for a moment that Slurm chooses, so it is let go.
 wait_for_all() {
@@ -104,34 +91,30 @@ wait_for_all() {
   fail "jobs do not end: $(squeue) $(tail -n 20 "$run"/log/*.log)"
 }
 
-submit
 # Two running tasks are cancelled, two are killed; the killed ones are queued again.
+submit
 cancelled=0 killed=0
 while [ $cancelled -lt 2 ] || [ $killed -lt 2 ]; do
   [ -n "$(squeue --noheader --name=slurm.sbatch)" ] || fail "the tasks ended before they could be met: $(cat slurm-*.txt)"
-  task=$(states | awk '$2 == "RUNNING" && $1 ~ /^[0-9]+$/ { print $1; exit }')
+  read -r task job < <(squeue --noheader --array --states=RUNNING --name=slurm.sbatch --format="%K %i" | head -n 1)
   if [ -n "$task" ] && [ $killed -le $cancelled ]; then
     pid=$(pgrep -f -- "--shard $task/12 --out two words" | head -n 1)
-    [ -z "$pid" ] || { kill -9 "$pid" && killed=$((killed + 1)) && echo "killed task $task"; }
+    [ -z "$pid" ] || ! kill -9 "$pid" || killed=$((killed + 1))
   elif [ -n "$task" ]; then
-    job=$(squeue --noheader --array --states=RUNNING --name=slurm.sbatch --format=%i | head -n 1)
-    scancel "$job" 2>/dev/null  # which may have ended meanwhile
+    scancel "$job" 2>/dev/null # which may have ended meanwhile
     for _ in $(seq 20); do [ -n "$(squeue --noheader --array --jobs="$job" --states=RUNNING,COMPLETING 2>/dev/null)" ] || break; sleep 0.2; done
-    scontrol --oneliner show job "$job" 2>/dev/null | grep -q "JobState=CANCELLED" &&
-      cancelled=$((cancelled + 1)) && echo "cancelled task $job"
+    ! scontrol --oneliner show job "$job" 2>/dev/null | grep -q "JobState=CANCELLED" || cancelled=$((cancelled + 1))
   fi
   sleep 0.3
 done
 wait_for_all
 grep -q "Killed" slurm-*.txt || fail "no task was killed: $(cat slurm-*.txt)"
-grep -q "lacks" merge.txt || fail "merge does not say what is missing: $(<merge.txt)"
-[ ! -e "two words/report.md" ] || fail "a report of an incomplete study"
+has "$(<merge.txt)" "code 5" # some are missing
 
 # Cancelled tasks are submitted again.
 submit
 wait_for_all
-has "$(<merge.txt)" "Report: "
+has "$(<merge.txt)" "code 0"
 succeeds run "${study[@]}" --out one --no-report
-[ "$("$program" export "two words/store.sqlite" --format fingerprint)" = "$("$program" export one/store.sqlite --format fingerprint)" ] || fail "another fingerprint than one machine"
-[ "$(solves "two words/store.sqlite")" = 864 ] || fail "864 solves expected" # 6 solvers x 24 runs x 6 points
-exit 0
+same_fingerprint "two words/store.sqlite" one/store.sqlite
+equal solves "$(solves "two words/store.sqlite")" 864 # 6 solvers x 24 runs x 6 points

@@ -1,0 +1,1 @@
+return performance.getEntriesByType('resource').filter(entry => !/^(data|blob):/.test(entry.name)).length;

@@ -1,0 +1,1 @@
+return document.body.innerText.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length;

@@ -1,0 +1,65 @@
+"""A solver with own kinematics: of one joint after the other. Its fault and the number of the solve decide what it does."""
+import json, math, os, sys, time
+
+FAULT = sys.argv[1] if len(sys.argv) > 1 else ""
+
+def say(**message):
+    print(json.dumps(message), flush=True)
+
+def matrix(joint, q):
+    t, ca, sa = joint["theta"] + q, math.cos(joint["alpha"]), math.sin(joint["alpha"])
+    c, s = math.cos(t), math.sin(t)
+    return [[c, -s * ca, s * sa, joint["a"] * c], [s, c * ca, -c * sa, joint["a"] * s], [0, sa, ca, joint["d"]],
+            [0, 0, 0, 1]]
+
+def times(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(4)) for j in range(4)] for i in range(4)]
+
+def tool(q):
+    square = lambda m: [m[0:4], m[4:8], m[8:12], m[12:16]]
+    pose = square(robot["base"])
+    for joint, x in zip(robot["joints"], q):
+        pose = times(pose, matrix(joint, x))
+    pose = times(pose, square(robot["tool"]))
+    return [pose[i][3] for i in range(3)]
+
+def solve(problem):
+    q, target = list(problem["start"]), problem["target"]["position"]
+    error, step = math.dist(tool(q), target), 0.3
+    for i in range(problem["budget"]["iterations"]):
+        for j in range(len(q)):
+            for way in (step, -step):
+                other = list(q)
+                other[j] += way
+                if math.dist(tool(other), target) < error:
+                    q, error = other, math.dist(tool(other), target)
+        step *= 0.8
+    if FAULT == "late": time.sleep(0.6)
+    counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}}.get(FAULT, {})
+    say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
+
+say(ikbench=1, message="hello", name="faulty", version="1", modes=["solve"], deterministic=True, options=[
+    {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
+solves = 0
+for line in sys.stdin:
+    told = json.loads(line)
+    if told["message"] == "robot":
+        robot = told
+        if FAULT == "declines": say(message="declined", why="not today")
+        else: say(message="ready")
+    elif told["message"] == "solve":
+        solves += 1
+        if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):
+            open("hung", "w").close()
+            time.sleep(1000)
+        if FAULT == "dies" and solves == 11 and not os.path.exists("died"):
+            open("died", "w").close()
+            print("no more", file=sys.stderr)
+            os._exit(3)
+        if FAULT == "deep" and solves == 5: print('{"message":"solved","id":%d,"q":%s}' % (told["id"], "[" * 400000 + "]" * 400000), flush=True)
+        if FAULT == "early": print("".join('{"message":"solved","id":%d,"q":[]}\n' % (told["id"] + i) for i in range(1, 1001)), flush=True)
+        if FAULT == "noise": print("Iteration 1 of 200\nnull\n{\"message\": 7}\n[1e999]", flush=True)
+        if FAULT == "nonsense" and solves == 5: print('{"message":"solved","id":%d,"q":"none"}' % told["id"], flush=True)
+        else: solve(told)
+    elif told["message"] == "bye":
+        break

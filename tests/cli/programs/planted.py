@@ -1,0 +1,60 @@
+"""A solver with one planted fault."""
+import json, math, os, random, signal, sys, time
+
+FAULT = os.environ["FAULT"]
+
+def say(**message):
+    print(json.dumps(message), flush=True)
+
+def position(q):  # from the tip to the base
+    x = y = z = 0
+    for (theta, c_alpha, s_alpha, a, d), turned in zip(reversed(links), reversed(q)):
+        c, s = math.cos(theta + turned), math.sin(theta + turned)
+        y, z = c_alpha * y - s_alpha * z, s_alpha * y + c_alpha * z + d
+        x, y = c * (x + a) - s * y, s * (x + a) + c * y
+    return x, y, z
+
+def answer(problem):
+    global solves
+    solves += 1
+    target, draw, began = problem["target"]["position"], random.Random(problem["seed"]), time.monotonic()
+    timed = problem["budget"]["seconds"] > 0
+    if "one-seed" == FAULT: draw = random.Random(1)
+    if "hangs" == FAULT and target[0] > 5 and not timed: time.sleep(1000)
+    if "empty-budget" == FAULT and problem["budget"]["iterations"] == 0: os._exit(4)
+    if "late" == FAULT and timed: time.sleep(0.1)
+    if "noise" == FAULT: print("solving", flush=True)
+    best = list(problem["start"])
+    if "remembers" == FAULT: best[0] += 1e-6 * solves
+    if "of-process" == FAULT: best[0] += 1e-9 * os.getpid()
+    error = math.dist(position(best), target)
+    for i in range(min(problem["budget"]["iterations"], 5 if len(best) > 7 else 10**9)):
+        if 0 < problem["budget"]["seconds"] < time.monotonic() - began: break
+        q = [min(max(x + draw.gauss(0, 0.1), -3), 3) for x in best]
+        if math.dist(position(q), target) < error: best, error = q, math.dist(position(q), target)
+    if "outside" == FAULT: best = [4.0] + best[1:]
+    if "nan" == FAULT: best = [math.nan] + best[1:]
+    claim = math.dist(position(best), target) if "nan" != FAULT else None
+    if "lies" == FAULT: claim += 0.001
+    return {"q": [None if x != x else x for x in best], "error": claim}
+
+solves = 0
+if "silent" == FAULT: sys.exit(3)
+say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], deterministic="pretends" == FAULT, options=[
+    {"name": "w", "type": "number", "default": 3 if "option" == FAULT else 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
+for line in sys.stdin:
+    told = json.loads(line)
+    if told["message"] == "robot":
+        robot = told
+        links = [(j["theta"], math.cos(j["alpha"]), math.sin(j["alpha"]), j["a"], j["d"]) for j in told["joints"]]
+        if any(joint["type"] != "revolute" for joint in told["joints"]) and "slides" != FAULT:
+            say(message="declined", why="it slides")
+            continue
+        if "long" == FAULT and len(robot["joints"]) > 7: os._exit(1)
+        if "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
+        say(message="ready")
+    elif told["message"] == "solve": say(message="solved", id=told["id"] + ("id" == FAULT), **answer(told))
+    elif told["message"] == "bye" and "deaf" != FAULT: sys.exit()
+if "stays" == FAULT:
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    time.sleep(1000)

@@ -1,0 +1,12 @@
+# rows.py JSON: a line each group, test and pair, without times, which no machine repeats.
+import json, sys
+of = json.load(open(sys.argv[1]))
+text = lambda x: "-" if x is None or x == "" else f"{x:.4g}" if isinstance(x, float) else str(x).replace(" ", "_")
+for part in of.get("solvers", [of]):
+    keys = {"groups": "metric solver n mean median smallest largest", "tests": "metric test statistic p",
+            "findings": "metric first second estimate low high p test verdict"}
+    for kind, names in keys.items():
+        for row in part[kind]:
+            if row["metric"] != "time": print(kind[:-1], *(text(row.get(name)) for name in names.split()))
+    for kind in ("worse", "undecided"):
+        if kind in part: print(kind, *map(text, part[kind]))
