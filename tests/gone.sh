@@ -16,6 +16,9 @@ names=(
   '--sequential' '--perturb' '--repetitions' '--one-at-a-time' '--max-runs' '--alone' '--dark'
   perturbed 'last-bits' 'round_trips' 'transport_seconds' 'waited_seconds' 'not_verified' manipulability
   'group.sequential' 'shapiro' 'critical.difference' 'performance profile' 'critical-difference' 'cluster bootstrap'
+  '--(verbose|unit|quartiles|force|metric|margin-cm|estimand|other-study|quick)\b' 'METRICS=' 'verdict\.json' 'statistics\.json'
+  'statistics-' 'analysis-plan' '\bestimand' 'by_design' 'tamhane' 'games-howell' 'bartlett' 'within_cm' 'analysis\.unit'
+  'tables/status' 'table-3-statistics' 'kruskal_wallis'
   'runs to decide' 'expected running time' 'runs_to_decide' 'memory forecast' 'writer mark' 'instructions counted'
 )
 pages=(README.md CONTRIBUTING.md)
