@@ -4,13 +4,13 @@
 #
 #   tests/kills.sh PROGRAM                  one of each, as ./check does
 #   tests/kills.sh PROGRAM 100              a hundred of each
-#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run program merge report files disk locked
+#   tests/kills.sh PROGRAM 100 run merge    of these parts alone: run merge report files disk locked
 #
 # IKBENCH_KILLS_SEED=N repeats the moments of another time.
 source "$(dirname "$0")/cli/common.sh"
 rounds=${2:-1}
 parts=("${@:3}")
-[ ${#parts[@]} -gt 0 ] || parts=(run program merge report files disk locked)
+[ ${#parts[@]} -gt 0 ] || parts=(run merge report files disk locked)
 seed=${IKBENCH_KILLS_SEED:-$((10#$(date +%N)))}
 RANDOM=$seed
 echo "kills.sh: $rounds of each, IKBENCH_KILLS_SEED=$seed"
@@ -103,14 +103,6 @@ kill_run() {
   done
 }
 
-kill_program() { # a solver that is a program
-  cp "$root/docs/examples/pso.py" .
-  printf 'name = "program"\nruns = 6\nrepeats = 1\npopulation = 10\n[path]\npoints = 4\n[stop]\niterations = 10\n[[solvers]]\nlabel = "mine"\nprocess = ["python3", "pso.py"]\n' >process.toml
-  lasts run process.toml --no-report --out whole-process
-  until_done program KILL run process.toml --out program --no-report
-  same_fingerprint program/store.sqlite whole-process/store.sqlite
-}
-
 kill_merge() { # all or nothing, into a new store and into one that is there
   local k kind signal found begun
   look() { echo 0; }
@@ -188,10 +180,6 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
     done
     rm -rf small/filler small/report
   done
-  mount -o remount,ro small
-  refused small/run/store.sqlite "${study[@]}" --set runs=13 --out small/run
-  refused small/other merge small/other shards
-  mount -o remount,rw small
 }
 
 kill_locked() { # by another program: some seconds of waiting, and later all goes on

@@ -108,7 +108,6 @@ mistake() {
 }
 command_is() { printf '[[solvers]]\nprocess = [%s]\n%s' "$1" "${2:-}"; }
 mistake "option w" "$(entry mine fine 'options = { w = 2 }')"
-mistake '"v"' "$(entry mine fine 'options = { v = 2 }')"
 mistake '"ask"' "$(entry mine fine 'mode = "ask"')"
 mistake missing.py "$(entry mine fine 'files = ["missing.py"]')"
 mistake no_such_program "$(command_is '"no_such_program"')"
@@ -117,8 +116,6 @@ mistake patience_s "$(command_is '"sleep", "1000"' 'patience_s = 0.5')"
 mistake million "$(command_is '"cat", "/dev/zero"')"
 sed 's/"name": "w"/"name": "mode"/' faulty.py >clash.py
 mistake "option mode" "$(command_is '"python3", "clash.py"')"
-sed 's/name="faulty"/name="f\\u009baulty"/' faulty.py >control.py
-mistake "control characters" "$(command_is '"python3", "control.py"')"
 
 # Any end of ikbench ends its programs, and what these have started in their own session.
 printf 'setsid sleep 31415.$PPID </dev/null >/dev/null 2>&1 &\nexec python3 faulty.py "$@"\n' >leaver.sh

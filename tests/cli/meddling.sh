@@ -22,13 +22,10 @@ ended() {
   equal "standard output" "$(<.first-out)" ""
 }
 
-# The store is removed, with its folder or alone, moved away, or replaced.
+# The store is removed with its folder, moved away, or replaced.
 begin removed
 rm -r removed
 ended 2 removed/store.sqlite
-begin alone
-rm alone/store.sqlite
-ended 2 alone/store.sqlite
 begin moved
 mv moved elsewhere
 ended 2 moved/store.sqlite

@@ -82,18 +82,7 @@ SQL
 ends 5 merge rest broken --json
 counts 64 0 26 2
 
-# Two merges into one new folder, of which one is refused: the good one stays, whoever is first.
 mkdir bad && echo text >bad/store.sqlite
-for _ in 1 2 3; do
-  rm -rf both
-  "$program" merge both bad >.bad 2>&1 &
-  refused_one=$!
-  "$program" merge both drawn/7/shards >.good 2>&1 || fail "a good merge beside a refused one: $(<.good)"
-  wait $refused_one && fail "what is no store was merged: $(<.bad)"
-  same_fingerprint both/store.sqlite drawn/one/store.sqlite
-  equal "files of two merges" "$(ls -A both)" store.sqlite
-done
-
 # Other bits, another study, no store: refused, and nothing is merged.
 cp -r drawn/7/shards/2-of-7 edited
 sqlite3 edited/store.sqlite "UPDATE solves SET evaluations = evaluations + 1 WHERE solver = 'bat'"
@@ -106,9 +95,6 @@ refused seed merge drawn/7 other
 sed 's/solver = "bat"/solver = "bat", options = { alpha = 0.7 }/' drawn.toml >optioned.toml
 succeeds run optioned.toml --out optioned --no-report
 refused options merge drawn/7 optioned
-ln -sf store.sqlite edited/store.sqlite
-refused edited merge new edited
-refused nowhere merge drawn/7 nowhere
 refused bad merge drawn/7 bad
 for shard in 0/3 4/3 3 3/ /3 a/b 1/100001 -1/3 1/3/5 ""; do refused I/N run drawn.toml --shard "$shard" --out none; done
 refused 9/9 run "${chained[@]}" --shard 9/9 --out none

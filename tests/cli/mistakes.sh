@@ -3,7 +3,6 @@
 source "$(dirname "$0")/common.sh"
 study hand 'options = { damping = "0.1" }'
 printf 'name = "x"\nruns = = 3\n' >broken.toml
-printf 'name = "x"\nruns = 0\n[[solvers]]\nsolver = "bat"\n' >wrong.toml
 printf 'name = "x"\n\n[[solvers]]\n  solver = "abt"\n' >misspelt.toml
 printf '\376\355\372\316\000\001binary\377' >garbage.toml
 : >empty.toml
@@ -24,62 +23,41 @@ done <<'END'
 '"run"'|rnu
 '"frobnicate"'|frobnicate
 '"slim2023"'|run slim2032
-'"slim2023"'|run slim2032.toml
 '"ik_bat"'|list solvers ik_bta
-'"franka_panda"'|robot panda
-'"helix"'|list paths helx
 '"solvers"'|list solver
 'KIND'|list
 '--bogus'|run slim2023 --bogus
-'--label'|compare --labels solved a b
 '--study'|report made/store.sqlite --studi=x
-'extra'|run slim2023 extra
 'STUDY'|run
 '--jobs'|run slim2023 --jobs 0
-'--jobs'|run slim2023 --jobs 0x2
 '--format'|export made/store.sqlite --format xml
 '--snap-deg'|robot ur5e --snap-deg nan
-'--base'|robot ur5e --base x
 '--margin'|compare made/store.sqlite made/store.sqlite --margin 5
-'--margin'|compare made/store.sqlite made/store.sqlite --margin nan
 '"IK-BA"'|compare IKBA BA --store made/store.sqlite
-'"IK-BA"'|compare made/store.sqlite made/store.sqlite --label IKBA
 'same'|compare BA BA --store made/store.sqlite
-'runs'|run slim2023 --set runs=0
 '"runs"'|run slim2023 --set runz=3
 'key=value'|run slim2023 --set runs
 'alpha'|run slim2023 --set IK-BA.alpha=7
-'"IK-BA"'|run slim2023 --set IKBA.alpha=0.5
 'name'|run slim2023 --set $'name=a\nb'
-'path.radius_cm'|run slim2023-dobot --set path.radius_cm=nan
 '"12 bats"'|run slim2023-time --set '12bats.population=16'
 'limits'|run slim2023-limits --set bounds=initial
-'wrist'|run slim2023-dobot --set search=wrist
 'analysis.significance'|run slim2023 --set analysis.significance=0.75
 '"IK-BA"'|run slim2023 --set analysis.control=IKBA
 'metric'|run slim2023 --set analysis.metric=speed
-'"analysis"'|run slim2023 --set anlysis.test=ranks
-'setting=values'|run slim2023 --sweep population
-'100000'|run slim2023 --sweep population=4,0
 '"alpha"'|run slim2023 --sweep alhpa=0.5
 'style.toml'|run slim2023 --style style.toml
-'"hand.toml"'|run hnd.toml
 'folder'|run .
 'hand.toml:13:23'|run hand.toml
-'quotes'|run slim2023 --set 'runs="2"'
 'broken.toml:2:8'|run broken.toml
-'wrong.toml:2:8'|run wrong.toml
 'misspelt.toml:4:12'|run misspelt.toml
 'garbage.toml:1:'|run garbage.toml
 'empty.toml:1:1'|run empty.toml
 'COMMAND'|check-solver
 'file'|run slim2023 --set runs=1 --out file
-'file/below'|run slim2023 --set runs=1 --out file/below
 'file'|report made/store.sqlite --out file
 'store.sqlite/solves.csv'|export made/store.sqlite -o made/store.sqlite/solves.csv
 'taken/store.sqlite'|run slim2023 --set runs=1 --out taken
 '\x1b[31m'|list solvers $'\e[31mred'
-'\x1b[31m'|report $'\e[31mred'
 '\x1b[31m'|run slim2023 --set $'\e[31m=1'
 END
 for command in report export "compare made/store.sqlite"; do

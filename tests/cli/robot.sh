@@ -84,11 +84,8 @@ equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 # Mistakes.
 sed -i 's/d_m = 0.40/d_m = 400/' my_arm.toml
 refused my_arm.toml:4:11 robot my_arm.toml
-refused my_arm.toml:4:11 run my_study.toml
 refused none.toml run my_study.toml --set robot=none.toml
-refused none.urdf robot none.urdf
 refused --at-rad robot ur5e --at 1,2,3,4,5,6 --at-rad 1,2,3,4,5,6
-refused "1 values" robot ur5e --at-rad 1
 refused '"gripper_link"' robot fetch.urdf --tip griper_link
 refused '"soft"' run urdf_study.toml --set urdf.limits=both
 refused planar_2 run urdf_study.toml --set robot=planar_2 --set urdf.tip=x

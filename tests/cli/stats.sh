@@ -53,11 +53,9 @@ succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
 judged export solves.csv --value position_error_cm --value evaluations --run run
 refused "--run" stats solves.csv --value position_error_cm
 refused "busy" stats solves.csv --value seconds --run run
-refused "several" stats solves.csv --value position_error_cm --block point
 
 # Mistakes.
 refused "none.csv" stats none.csv
-refused "mine" stats mine
 refused "5%" stats "$data/drift.csv" --margin 5%
 refused "--where" stats "$data/mixed-metrics.csv" --value value --run seed
 refused '"wert"' stats comma.csv --value wrt
