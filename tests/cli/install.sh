@@ -15,7 +15,7 @@ done
 # No path of the source is in it, but for the lines that a debugger or a sanitizer tells.
 if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
   strip -o stripped prefix/bin/ikbench
-  ! grep -qF "$tree" stripped || fail "the program holds the path of its source: $(strings stripped | grep -F "$tree" | head)"
+  ! grep -aoE "(^|[^.[:alnum:]])$tree/.{9}" stripped || fail "the program holds the path of its source"
 fi
 
 # It runs where the source and the build are not to be seen.
@@ -32,6 +32,6 @@ cp -r "$tree/tests/install" project
 "$cmake" -S project -B built -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$work/prefix" >.log 2>&1 &&
   "$cmake" --build built >.log 2>&1 || fail "cannot build a project with the package: $(<.log)"
 built/mine >.out 2>.err || fail "the project's program: $(<.err)"
-[ "$(column made/store.sqlite status mine | wc -l)" = 0 ] && grep -q mine .out && grep -q random .out || fail "no verdict: $(<.out)"
+grep -q mine .out && grep -q random .out || fail "no verdict: $(<.out)"
 [ "$("$program" export made/store.sqlite --study mine | grep -c ',mine,')" -ge 12 ] || fail "not all solves of the project's solver"
 built/first >.out 2>.err && grep -q "^ok, " .out || fail "the first program: $(<.out) $(<.err)"
