@@ -86,7 +86,8 @@ solves() { "$program" export "$1" | tail -n +2 | wc -l; }
 same_fingerprint() {
   local first second
   first=$("$program" export "$1" --format fingerprint) && second=$("$program" export "$2" --format fingerprint) || fail "no fingerprint of $1 or $2"
-  [ -n "$first" ] && equal "fingerprint of $1" "$first" "$second"
+  [ -n "$first" ] || fail "no fingerprint of $1"
+  equal "fingerprint of $1" "$first" "$second"
 }
 
 # quiet: what went to no terminal has no control characters (colours, cursor moves, carriage returns).

@@ -32,10 +32,10 @@ for study in "${studies[@]}"; do
   [ "$(wc -l <"whole-$study.csv")" -gt 1 ] || fail "no first runs of $study"
 done
 golden reproduce whole/results.json
-verdicts whole | kept claims
+kept claims < <(verdicts whole)
 for table in 3 4 5 7 8; do [ -s "whole/tables/table-$table.csv" ] || fail "there is no Table $table"; done
 for figure in 5 6 7 8 9 10 11 12 14 15 16 17 18; do [ -s "whole/figures/figure-$figure.gp" ] || fail "there is no Figure $figure"; done
-cut -d, -f1-4 whole/tables/multiverse.csv | sed -E 's/(\.[0-9]{3})[0-9]*/\1/g' | kept multiverse
+kept multiverse < <(cut -d, -f1-4 whole/tables/multiverse.csv | sed -E 's/(\.[0-9]{3})[0-9]*/\1/g')
 
 # Every instruction set, and other numbers of threads.
 mapfile -t sets < <("$program" list instruction-sets | tail -n +2 | cut -d' ' -f1)
