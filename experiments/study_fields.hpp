@@ -43,7 +43,7 @@ inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};
 
 inline void list_fields(Fields& io, Study& study) {
-  io.text("name", study.name, "results go to out/<name>/", InKey::no);
+  io.text("name", study.name, "results go to out/<name>/; default: the name of the file", InKey::no);
   io.text("title", study.title, "", InKey::no);
   io.text("published", study.published, "compare the results with the printed tables of this paper; \"\": none",
           InKey::no);

@@ -197,7 +197,9 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides) {
   std::error_code error;
   const std::filesystem::path file = name_or_file;
   if (!std::filesystem::is_regular_file(file, error)) throw std::invalid_argument(no_study(file));
-  return parse_study(text_of_file(file), name_or_file, overrides);
+  Study study = parse_study(text_of_file(file), name_or_file, overrides);
+  if (study.name == Study().name) study.name = file.stem().string();  // so that two files are two studies
+  return study;
 }
 
 }  // namespace ikbench::experiments

@@ -196,6 +196,15 @@ TEST_CASE("the study of Table 7: 12 to 30 bats to 0.1 cm at 20 random targets, e
   CHECK(study.search == Search::wrist);
 }
 
+TEST_CASE("a study without a name has that of its file", "[study]") {
+  const ScratchFolder folder;
+  const std::string file = (folder.path / "second.toml").string();
+  std::ofstream(file) << solver_entry;
+  CHECK(load_study(file).name == "second");
+  std::ofstream(file) << "name = \"mine\"\n" + solver_entry;
+  CHECK(load_study(file).name == "mine");
+}
+
 TEST_CASE("poses come back bit for bit, also minus zero and what no number of centimetres gives", "[study]") {
   std::mt19937_64 random(27);
   std::uniform_real_distribution<double> angle(-3.2, 3.2), metre(-2, 2);
