@@ -50,17 +50,17 @@ Figure specifications(const About& about, const Specifications& rows) {
     }
   }
   figure.height_cm = 1.6 + row_cm * (curve_rows - place);
-  add_legend_of(figure, {label_of(rows.below), label_of(rows.above), "undecided"});
+  add_legend_of(figure, {label_of(rows.below), label_of(rows.above), "not decided"});
   add_margins(figure);
   figure.settings += fmt::format(
       "set lmargin at screen margin({})\nset rmargin at screen 0.98\nset xrange [0:100]\n"
-      "set yrange [{}:{}]\nset xlabel 'interpretations, sorted [%]'\nset ytics noenhanced ({})\nset grid noytics noxtics\n"
+      "set yrange [{}:{}]\nset xlabel 'readings, sorted [%]'\nset ytics noenhanced ({})\nset grid noytics noxtics\n"
       "set label {} at graph 0.99, first 1.6 right noenhanced\nset arrow from graph 0, first {} to graph 1, first {} nohead back ls 1001 lw 0.8\n",
       text_of(widest_cm + 0.4), text_of(place - 0.6), text_of(curve_rows + 0.6), fmt::join(ticks, ", "),
       gnuplot_text(about.quantity), text_of(row_of(1)), text_of(row_of(1)));
   figure.data =
-      "# share of interpretations before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n";
-  std::string choices = "\n\n# share of interpretations before it [%], row of a choice, side of its interval\n";
+      "# share of readings before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n";
+  std::string choices = "\n\n# share of readings before it [%], row of a choice, side of its interval\n";
   for (std::size_t i = 0; i < rows.all.size(); ++i) {
     const Specification& each = rows.all[i];
     const double x = 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(rows.all.size());
@@ -78,7 +78,7 @@ Figure specifications(const About& about, const Specifications& rows) {
   };
   std::vector<std::string> clauses;
   for (const auto& [side, colour, meaning] :
-       {Side{-1, "word(colours, 1)", rows.below}, {1, "word(colours, 2)", rows.above}, {0, "'#999999'", "undecided"}}) {
+       {Side{-1, "word(colours, 1)", rows.below}, {1, "word(colours, 2)", rows.above}, {0, "'#999999'", "not decided"}}) {
     clauses.push_back(fmt::format(
         "data index 0 using 1:($8 == {} ? $6 : NaN):(0):($7 - $6) with vectors nohead lw 0.5 lc rgb {}", side, colour));
     clauses.push_back(

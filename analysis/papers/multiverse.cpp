@@ -326,10 +326,12 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
     if (!dimension.solver.empty() && dimension.solver != solver) continue;
     groups.emplace(d, groups.size());
     rows.groups.emplace_back();
-    for (const auto& alternative : dimension.alternatives) rows.groups.back().push_back(alternative.where);
+    for (const auto& alternative : dimension.alternatives) rows.groups.back().push_back(alternative.set);
   }
   rows.groups.emplace_back();
-  for (const std::string& name : multiverse.solvers) rows.groups.back().push_back("best rival: " + name);
+  for (const std::string& name : multiverse.solvers) {
+    if (name != solver) rows.groups.back().push_back("best rival: " + name);
+  }
   std::mt19937_64 engine(1);
   double before = 0;
   auto study = multiverse.studies.begin();
@@ -338,7 +340,7 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
       before += (study++)->weight;
     std::vector<Summary> means;
     std::vector<std::size_t> choices(groups.size() + 1);
-    std::size_t& rival = choices.back() = own == 0 ? 1 : 0;
+    std::size_t rival = own == 0 ? 1 : 0;
     Chosen chosen = study->chosen;
     for (const std::vector<ChosenSolver>& of_solver : study->solvers) {
       const ChosenSolver& each = of_solver[engine() % of_solver.size()];
@@ -348,6 +350,7 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
     for (std::size_t s = 0; s < means.size(); ++s) {
       if (s != own && means[s].mean < means[rival].mean) rival = s;
     }
+    choices.back() = rival < own ? rival : rival - 1;
     for (const auto& [dimension, alternative] : chosen) choices[groups.at(dimension)] = alternative;
     const auto error = [](const Summary& of) { return of.sd / std::sqrt(of.n) / of.mean; };
     const double ratio = means[own].mean / means[rival].mean;

@@ -92,11 +92,14 @@ struct PageWriter {
     const std::string caption = html_text(figure.caption);
     const bool is_drawn = !pictures.not_drawn.contains(figure.name);
     std::string picture;
-    if (const auto svg = results::read_file(pictures.folder / "figures" / (figure.name + ".svg")); is_drawn && svg) {
-      picture = svg->size() <= largest
-                    ? fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></div>\n",
-                                  caption, base64(*svg))
-                    : fmt::format("<p><a href=\"figures/{0}.svg\">{0}.svg</a></p>\n", html_text(figure.name));
+    for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
+      const std::string file = fmt::format("{}.{}", figure.name, type);
+      const auto drawn = results::read_file(pictures.folder / "figures" / file);
+      if (!is_drawn || !drawn || !picture.empty()) continue;
+      picture = drawn->size() <= largest
+                    ? fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n",
+                                  caption, media, base64(*drawn))
+                    : fmt::format("<p><a href=\"figures/{0}\">{0}</a></p>\n", html_text(file));
     }
     std::vector<std::pair<std::string, std::string>> files;
     for (const std::string& type : pictures.types) {

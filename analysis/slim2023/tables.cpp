@@ -208,12 +208,12 @@ std::vector<std::string> sentences(const Repeated& of, const std::vector<JudgedC
   };
   const JudgedClaim* const most = claim_named(claims, "most_accurate");
   if (most == nullptr || most->number.empty()) return {};
-  std::string first = fmt::format("That {} {}", most->sentence, words(*most));
+  std::string first = fmt::format("\"{}\" {}", most->sentence, words(*most));
   if (const auto other = all_joints(of)) {
     const std::vector<JudgedClaim> by_other = judged_claims(*other);
     const JudgedClaim* const same = claim_named(by_other, most->id);
     if (same && !same->number.empty())
-      first += fmt::format("; where all seven joints are searched it {}", words(*same));
+      first += fmt::format(" if the joints before the wrist are searched, and {} if all seven are", words(*same));
   }
   std::vector<std::string> all{first + '.'};
   if (const std::string shares = shares_words(*most); !shares.empty())
