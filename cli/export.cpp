@@ -29,14 +29,6 @@ namespace {
 // One hash of a study's results, to check that two stores agree bit for bit.
 constexpr std::string_view fingerprint_format = "fingerprint";
 
-void refuse_store(const std::string& file, const std::string& store) {
-  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(file, store + part, error)) continue;
-    throw std::invalid_argument(fmt::format("-o {} is the store itself or part of it; choose another file", file));
-  }
-}
-
 }  // namespace
 
 void add_export(CLI::App& app, Invocation&) {

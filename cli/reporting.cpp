@@ -224,6 +224,14 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
   return Ended::complete;
 }
 
+void refuse_store(const std::string& file, const std::string& store) {
+  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(file, store + part, error)) continue;
+    throw std::invalid_argument(fmt::format("-o {} is the store itself or part of it; choose another file", file));
+  }
+}
+
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }
 
 }  // namespace ikbench::cli

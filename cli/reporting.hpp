@@ -67,6 +67,8 @@ struct Solved {
 // says after Ctrl-C how to continue.
 Ended run_study(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request,
                 Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
+// Throws std::invalid_argument if an output would replace a store or a part of it.
+void refuse_store(const std::string& file, const std::string& store);
 std::filesystem::path store_in(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

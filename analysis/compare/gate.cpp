@@ -109,7 +109,7 @@ bool is_lost_for_sure(const Judged& judged, const Plan& plan) {
 // Takes solved targets from the baseline, until the test of this size shows it.
 std::optional<double> visible_loss(const Judged& judged, const Plan& plan) {
   Observations of = judged.observations;
-  of.groups.front().values = of.groups.back().values;
+  of.groups.front() = of.groups.back();
   std::vector<double>& values = of.groups.front().values;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] == 0) continue;

@@ -77,8 +77,9 @@ Figure specifications(const About& about, const Specifications& rows) {
     std::string meaning;
   };
   std::vector<std::string> clauses;
-  for (const auto& [side, colour, meaning] :
-       {Side{-1, "word(colours, 1)", rows.below}, {1, "word(colours, 2)", rows.above}, {0, "'#999999'", "not decided"}}) {
+  for (const auto& [side, colour, meaning] : {Side{-1, "word(colours, 1)", rows.below},
+                                              {1, "word(colours, 2)", rows.above},
+                                              {0, "'#999999'", "not decided"}}) {
     clauses.push_back(fmt::format(
         "data index 0 using 1:($8 == {} ? $6 : NaN):(0):($7 - $6) with vectors nohead lw 0.5 lc rgb {}", side, colour));
     clauses.push_back(

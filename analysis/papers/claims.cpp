@@ -90,7 +90,8 @@ std::string shares_words(const JudgedClaim& claim) {
     return fmt::format("holds in {}, fails in {}", percent(of.holds / of.all()), percent(of.fails / of.all()));
   };
   const Shares& near = claim.shares->near;
-  return words(claim.shares->all) + (near.all() > 0 ? fmt::format(" (of those that fit the print: {})", words(near)) : "");
+  return words(claim.shares->all) +
+         (near.all() > 0 ? fmt::format(" (of those that fit the print: {})", words(near)) : "");
 }
 
 show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {

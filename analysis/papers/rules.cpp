@@ -110,6 +110,13 @@ double mean_of(const Judged& judged, std::string_view solver) {
       .mean;
 }
 
+// "at most 1e-06 cm" where the study ends its solves there.
+std::string mean_words(const Judged& judged, std::string_view solver, bool has_unit = true) {
+  const auto& groups = judged.observations.groups;
+  const double mean = mean_of(judged, solver), bound = std::ranges::find(groups, solver, &Group::name)->at_most;
+  return (bound > 0 && mean <= bound ? "at most " : "") + with_unit(mean, judged.observations, has_unit);
+}
+
 // The others by their means, the smallest first.
 Names rivals_of(const Judged& judged, const Names& own) {
   Names rivals;
@@ -133,15 +140,14 @@ std::string relations(const Judged& judged, const std::string& solver, const Nam
   std::map<Verdict, Names> by_verdict;
   for (const std::string& rival : rivals)
     by_verdict[verdict_between(judged, solver, rival)].push_back(
-        fmt::format("{} {}", rival, with_unit(mean_of(judged, rival), judged.observations, false)));
+        fmt::format("{} {}", rival, mean_words(judged, rival, false)));
   Names parts;
   for (const auto& [verdict, list] : by_verdict) {
     if (verdict != Verdict::better)
       parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
   }
   if (parts.empty()) parts.emplace_back("better");
-  return fmt::format("{} {} ({})", solver, with_unit(mean_of(judged, solver), judged.observations),
-                     fmt::join(parts, "; "));
+  return fmt::format("{} {} ({})", solver, mean_words(judged, solver), fmt::join(parts, "; "));
 }
 
 // Solvers of the companion that give the claim's solver's answers to the last bit.
@@ -225,14 +231,13 @@ Found better(const Asked& asked) {
     if (printed) in_print.push_back(holds_of(tally_of(*printed, own, rivals_of(*printed, own))));
     for (const std::string& solver : own) {
       words.push_back(relations(*found, solver, rivals));
-      means.push_back(with_unit(mean_of(*found, solver), found->observations));
+      means.push_back(mean_words(*found, solver));
     }
     lists.push_back(fmt::format("{} of {}", metric->name, show::listed(words)));
     if (!claim.number.empty()) continue;
     claim.number = fmt::format("{} {}", is_spread ? "sd" : "mean", show::listed(means));
     if (rivals.empty()) continue;
-    claim.number +=
-        fmt::format(", {} {}", rivals[0], with_unit(mean_of(*found, rivals[0]), found->observations, false));
+    claim.number += fmt::format(", {} {}", rivals[0], mean_words(*found, rivals[0], false));
   }
   claim.holds = holds_of(here);
   if (!in_print.empty()) claim.printed = holds_of(in_print);

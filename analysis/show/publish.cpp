@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
 
-// What the report of a folder says that it has written: files of ours in that folder, whatever it says.
+// What the report of a folder says that it has written: files as ours in its two folders, whatever it says.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   const auto text = results::read_file(folder / own_files[2]);
   const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
@@ -27,9 +27,11 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   for (const Json& each : json["files"]) {
     if (!each.is_string()) continue;
     const fs::path file(each.get<std::string>());
-    const fs::path top = file.empty() ? file : *file.begin();
-    if (file == file.lexically_normal() && file.has_filename() && (top == "tables" || top == "figures"))
-      files.push_back(file);
+    const fs::path top = file.parent_path();
+    constexpr std::array<std::string_view, 8> types{".csv", ".md", ".tex", ".gp", ".dat", ".svg", ".pdf", ".png"};
+    const bool is_own = (top == "tables" || top == "figures") && !fs::is_symlink(folder / top) &&
+                        std::ranges::find(types, file.extension().string()) != types.end();
+    if (is_own) files.push_back(file);
   }
   return files;
 }

@@ -165,8 +165,8 @@ Table descriptives_table(const Shown& shown) {
       for (const double value : {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest})
         row.push_back(is_count ? Cell() : value_cell(group, value));
       Cell interval;
-      if (is_share(judged) && its.n > 0) {
-        const Interval share = wilson(its.mean / 100, its.n * of.trials, shown.plan.significance);
+      if (is_count && its.n > 0) {
+        const Interval share = wilson(its.mean / 100, its.n, shown.plan.significance);
         interval = Interval{100 * share.low, 100 * share.high};
       }
       row.push_back(interval);

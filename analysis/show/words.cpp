@@ -26,14 +26,16 @@ std::string label(std::string_view name) { return shortened(name, 40); }
 std::string label_of(const Judged& judged, std::size_t group) { return label(judged.observations.groups[group].name); }
 
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
-std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, bool is_first) {
+std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, std::size_t first) {
+  const bool is_first = group == first;
+  const int n_of_first = judged.described[first].n;
   const Description& its = judged.described[group];
   const double value = told(judged, group, shown.plan);
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
     if (is_first) return fmt::format("{} of {} {}", count, its.n, shown.noun);
-    return its.n == judged.described.front().n ? count : fmt::format("{} of {}", count, its.n);
+    return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
   const Observations& of = judged.observations;
   const bool is_bound = value == of.groups[group].at_most && value > 0;
@@ -47,7 +49,7 @@ std::string numbers_of(const Shown& shown, bool is_named) {
   const Observations& of = judged.observations;
   const std::vector<std::size_t> order = best_first(judged, shown.plan);
   const std::string first = label_of(judged, order[0]);
-  const std::string number = number_of(shown, judged, order[0], true);
+  const std::string number = number_of(shown, judged, order[0], order[0]);
   const bool is_mean = is_share(judged) || shown.plan.test == results::Plan::Test::means;
   const std::string quantity = fmt::format("{}{}", is_mean ? is_share(judged) ? "" : "mean " : "median ", of.quantity);
   std::string text = of.metric == "solved" ? fmt::format("{} solved {}", is_named ? first : "it", number)
@@ -55,7 +57,7 @@ std::string numbers_of(const Shown& shown, bool is_named) {
                                            : fmt::format("its {} is {}", quantity, number);
   std::vector<std::string> others;
   for (std::size_t i = 1; i < std::min(order.size(), most_named); ++i)
-    others.push_back(fmt::format("{} {}", label_of(judged, order[i]), number_of(shown, judged, order[i], false)));
+    others.push_back(fmt::format("{} {}", label_of(judged, order[i]), number_of(shown, judged, order[i], order[0])));
   if (order.size() > most_named) others.push_back(fmt::format("{} more", order.size() - most_named));
   return text + (others.empty() ? "" : "; ") + listed(others, order.size() > most_named ? " and " : ", ");
 }

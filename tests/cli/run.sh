@@ -70,7 +70,7 @@ succeeds run "${paper[@]}" --set seed=2 --no-report --out seed-2
 
 # Another plan costs no solve, and is told.
 succeeds run "${paper[@]}" --no-figures --set analysis.significance=0.01 --out made --json
-json 'len(of["doubts"]) == 3 and "significance" in " ".join(of["doubts"])'
+json '"significance" in " ".join(of["doubts"])'
 equal "solves after another plan" "$(solves made/store.sqlite)" 90
 
 # Two studies in a store: the first, unless another is asked for. More runs: only those.

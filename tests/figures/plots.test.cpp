@@ -132,12 +132,11 @@ TEST_CASE("the specification curve has the side of each interval and the row of 
   const Figure figure = specifications(
       error_in("s"), {{{"a", "b"}, {"c"}}, {{0.1, 0.01, 0.5, {1, 0}}, {10, 0.5, 100, {0, 0}}}, "below", "above"});
   // log10 from -2 to 2 on rows 1 to 13; the groups' rows are -1.45, -2.45 and -3.9.
-  CHECK(
-      figure.data ==
-      "# share of readings before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n"
-      "25 0.1 0.01 0.5 4 1 6.096910013008056 -1\n75 10 0.5 100 10 6.096910013008056 13 0\n\n\n"
-      "# share of readings before it [%], row of a choice, side of its interval\n"
-      "25 -2.45 -1\n25 -3.9000000000000004 -1\n75 -1.45 0\n75 -3.9000000000000004 0\n");
+  CHECK(figure.data ==
+        "# share of readings before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n"
+        "25 0.1 0.01 0.5 4 1 6.096910013008056 -1\n75 10 0.5 100 10 6.096910013008056 13 0\n\n\n"
+        "# share of readings before it [%], row of a choice, side of its interval\n"
+        "25 -2.45 -1\n25 -3.9000000000000004 -1\n75 -1.45 0\n75 -3.9000000000000004 0\n");
 }
 
 TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at its edge", "[plots]") {

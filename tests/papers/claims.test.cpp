@@ -193,7 +193,7 @@ TEST_CASE("claims are told by verdict, with their shares of readings", "[papers]
       .id = "most_accurate", .all = {.holds = 2, .fails = 7.98, .undecided = 0.02}, .near = {.holds = 1}};
   const std::vector<JudgedClaim> claims = judged_claims(repeated(study), {shares});
   CHECK(shares_words(*claim_named(claims, "most_accurate")) ==
-        "holds in 20 %, fails in 80 % (near the print: holds in 100 %, fails in 0 %)");
+        "holds in 20 %, fails in 80 % (of those that fit the print: holds in 100 %, fails in 0 %)");
   CHECK(percent(0.001) == "< 1 %");
   CHECK(percent(0.999) == "> 99 %");
   const show::Blocks blocks = claims_section(claims);

@@ -88,7 +88,7 @@ TEST_CASE("the first sentences say by which reading IK-BA is the most accurate, 
   const std::vector<std::string> sentences = slim2023::sentences(of, claims);
   REQUIRE(sentences.size() == 3);
   CHECK(contains(sentences[0], "holds (mean 0.00194 cm, K-ABC"));
-  CHECK(contains(sentences[0], "it fails (mean 0.00194 cm, DE 0.000105)"));
+  CHECK(contains(sentences[0], "fails (mean 0.00194 cm, DE 0.000105)"));
   CHECK(contains(sentences[1], "holds in 25 %, fails in 25 %"));
   CHECK(contains(sentences[2], "damped least squares (mean 0.00194 cm, DLS 1.05e-05)"));
   const std::vector<show::Blocks> sections = slim2023::sections(of, claims);
