@@ -37,14 +37,13 @@ struct Compared {
   show::Shown shown;
 };
 
-// "5%" or "0.05".
+// "5%".
 double margin_from(const std::string& text) {
-  const bool is_percent = text.ends_with('%');
-  const auto value = numerics::number_from(is_percent ? text.substr(0, text.size() - 1) : text);
-  const double share = value ? *value / (is_percent ? 100 : 1) : -1;
+  const auto value = text.ends_with('%') ? numerics::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
+  const double share = value ? *value / 100 : -1;
   if (!(share >= 0 && share <= results::margins_percent.second / 100))
-    throw std::invalid_argument(fmt::format("--margin {}; expected a share from 0 % to {} %, such as 5% or 0.05", text,
-                                            results::margins_percent.second));
+    throw std::invalid_argument(
+        fmt::format("--margin {}; expected a share from 0% to {}%, such as 5%", text, results::margins_percent.second));
   return share;
 }
 

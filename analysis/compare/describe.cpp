@@ -62,7 +62,10 @@ std::optional<TestOfAll> anova(const Observations& of) {
     test.ss_between += group.n * (group.mean - sum / n) * (group.mean - sum / n);
     test.ss_within += (group.n - 1) * group.sd * group.sd;
   }
-  if (test.df_within < 1 || test.ss_within == 0) return {};
+  // Squares of the largest numbers have no place in a double.
+  if (test.df_within < 1 || test.ss_within == 0 ||
+      !(test.ss_between + test.ss_within < std::numeric_limits<double>::infinity()))
+    return {};
   test.statistic = test.ss_between / test.df / (test.ss_within / test.df_within);
   const boost::math::fisher_f f(test.df, test.df_within);
   test.p = boost::math::cdf(boost::math::complement(f, test.statistic));

@@ -48,8 +48,15 @@ StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> solves, 
   study.runs = study.definition.runs;
   study.points = study.definition.points;
   std::set<std::int64_t> used;
-  for (const Series& series : entry.series) study.solvers.push_back(series.label);
+  for (const Series& series : entry.series) {
+    if (series.label.empty())
+      throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
+    study.solvers.push_back(series.label);
+  }
   for (const SolveRecord& solve : study.solves) {
+    if (solve.run < 1 || solve.point < 1)
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
+                                              entry.name, solve.solver, solve.run, solve.point));
     if (study.solvers.empty() || place_of(study.solvers, solve.solver) == std::ssize(study.solvers))
       study.solvers.push_back(solve.solver);
     study.runs = std::max(study.runs, solve.run);

@@ -33,7 +33,7 @@ equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)"
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --json
 golden compare-labels
-ends 3 compare IK-BA BA --store $base --margin 0.1
+ends 3 compare IK-BA BA --store $base --margin 10%
 cmp $base before.sqlite || fail "compare changed the store"
 
 # Targets drawn at random: as pairs with one seed, unpaired with two. Other tasks are refused.
