@@ -108,10 +108,7 @@ void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arg
           const std::filesystem::path& folder) {
   write_file(folder / "multiverse.csv", show::to_csv(judged.table));
   write_file(folder / "multiverse.md", show::to_markdown(judged.table));
-  const figures::RenderOptions options{.render = !arguments.without_figures};
-  for (const figures::FigureOutcome& outcome : figures::write_figures({judged.figure}, folder / "figures", options)) {
-    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
-  }
+  draw(judged.figure, folder / "figures", {.render = !arguments.without_figures});
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));
   for (const std::string& sentence : judged.sentences) fmt::print("{}\n", wrapped(sentence));

@@ -116,10 +116,6 @@ void check_plan(const Study& study) {
   if (!study.analysis.metric.empty()) static_cast<void>(compare::metric_named(study.analysis.metric));
 }
 
-show::Reported report_of(const compare::JudgedStudy& judged, const FigureStyle& style) {
-  return show::reported(judged, figures::of_study(judged, figures::look_of(judged.study.entry.series, style)));
-}
-
 void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   ProgressBar bar("drawing", "figures");
@@ -143,7 +139,9 @@ void announce(const show::Reported& reported, const std::filesystem::path& folde
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   const FigureStyle style = styled(definition_of(store.study(study).definition).style, arguments);
-  announce(report_of(compare::judge(compare::read_study(store, store.study(study))), style), folder, arguments, style);
+  compare::JudgedStudy judged = compare::judge(compare::read_study(store, store.study(study)));
+  std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
+  announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
 Store checked_store(const std::filesystem::path& file) {
@@ -166,8 +164,8 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
 }
 
 std::string Solved::words(const std::filesystem::path& store) const {
-  return fmt::format("{}: {} solves in {}{}", studies == 1 ? study : fmt::format("{} studies", studies), solves,
-                     store.string(), reused == 0 ? "" : fmt::format(" ({} were already stored)", reused));
+  return fmt::format("{}: {} solves in {}{}", study, solves, store.string(),
+                     reused == 0 ? "" : fmt::format(" ({} were already stored)", reused));
 }
 
 Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequest request, Solved& solved,
@@ -218,10 +216,15 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
     return Ended::stopped;
   }
   solved.study = study.name + (request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()));
-  ++solved.studies;
-  solved.solves += progress.total;
-  solved.reused += progress.reused;
+  solved.solves = progress.total;
+  solved.reused = progress.reused;
   return Ended::complete;
+}
+
+void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
+  for (const figures::FigureOutcome& outcome : figures::write_figures({figure}, folder, options)) {
+    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
+  }
 }
 
 void refuse_store(const std::string& file, const std::string& store) {

@@ -28,7 +28,6 @@ results::FigureStyle styled(results::FigureStyle style, const ReportArguments& a
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
 
-show::Reported report_of(const compare::JudgedStudy& judged, const results::FigureStyle& style);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});
@@ -56,8 +55,7 @@ enum class Ended { complete, stopped };
 
 // Counts what was solved into a store, to be told after the verdict of its report.
 struct Solved {
-  std::string study;  // the last one
-  int studies = 0;
+  std::string study;
   std::int64_t solves = 0, reused = 0;
 
   std::string words(const std::filesystem::path& store) const;  // "six: 288 solves in out/six/store.sqlite"
@@ -67,6 +65,8 @@ struct Solved {
 // says after Ctrl-C how to continue.
 Ended run_study(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request,
                 Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
+// Writes and draws a figure, and warns if it was not drawn.
+void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
 // Throws std::invalid_argument if an output would replace a store or a part of it.
 void refuse_store(const std::string& file, const std::string& store);
 std::filesystem::path store_in(const std::filesystem::path& folder);

@@ -87,18 +87,19 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
   show::Table means = papers::means_table(repeated);
   if (means.rows.empty()) means = papers::rates_table(repeated);
 
-  show::Reported reported = report_of(all.front(), style);
+  const figures::Look look = figures::look_of(all.front().study.entry.series, style);
+  const bool is_slim2023 = paper.name == "slim2023";
+  show::Reported reported = show::reported(
+      all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;
-  if (paper.name == "slim2023") {
-    const figures::Look look = figures::look_of(all.front().study.entry.series, style);
-    reported.figures = slim2023::figures_of(all.front(), look);
+  if (is_slim2023) {
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
-    reported.first = slim2023::first(repeated, claims);
+    sentences = slim2023::sentences(repeated, claims);
+    reported.first = slim2023::first(repeated, sentences);
     reported.additions = slim2023::sections(repeated, claims, of_circle);
     reported.has_own_numbers = true;
-    sentences = slim2023::sentences(repeated, claims);
   } else {
     reported.first = {means};
     reported.additions = {papers::claims_section(claims)};

@@ -156,9 +156,7 @@ Figure picture(const Robot& arm, const Configuration& q, const std::string& capt
 }
 
 void draw_arm(const Figure& figure, const std::filesystem::path& folder, bool is_quiet) {
-  for (const FigureOutcome& outcome : write_figures({figure}, folder, {.jobs = 1})) {
-    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
-  }
+  draw(figure, folder, {.jobs = 1});
   if (!is_quiet) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
 }
 

@@ -102,7 +102,7 @@ void add_stats(CLI::App& app, Invocation&) {
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
-  command->add_flag("--json", arguments->is_json, "print the answer as JSON");
+  add_json_option(*command, arguments->is_json);
   add("--out", arguments->out, "folder for a report");
   command->footer(
       "Examples:\n"

@@ -15,10 +15,6 @@ namespace {
 using namespace results;
 using Solves = std::span<const SolveRecord>;
 
-bool gave_answer(const SolveRecord& solve) {
-  return !is_without_answer(solve.status) && solve.status != Status::not_finite;
-}
-
 void refuse_other_task(const Side& one, const Side& other) {
   const Definition &a = one.study.definition, &b = other.study.definition;
   const Solves of_a = one.study.of(one.solver), of_b = other.study.of(other.solver);
@@ -36,13 +32,6 @@ void refuse_other_task(const Side& one, const Side& other) {
     if (is_one_place && of_a[i].target_position_m != of_b[i].target_position_m) differ = "targets";
   }
   if (differ) throw std::invalid_argument(fmt::format("{} and {} had different {}", one.solver, other.solver, differ));
-}
-
-Plan plan_for(const StudyResults& study, const Observations& of) {
-  const results::Plan& plan = study.definition.plan;
-  return {.significance = plan.significance,
-          .margin = plan.margin,
-          .absolute_margin = of.unit == "cm" ? plan.margin_cm : 0};
 }
 
 // Of both sides, as solvers of one study.
@@ -91,30 +80,30 @@ Judged judged_answers(const StudyResults& study) {
     Group& group = observed.observations.groups.emplace_back(Group{.name = solver});
     for (const SolveRecord& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
   }
-  return judge(observed, plan_for(study, observed.observations));
+  return judge(observed, plan_for(study, metric_named("solved")));
 }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
 // none.
-bool is_lost_for_sure(const Judged& judged, const Plan& plan) {
+bool is_lost_for_sure(const Judged& judged) {
   const Observations& of = judged.observations;
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
   if (of.metric == "answers") return baseline.mean == 1 && candidate.mean < 1;
   if (judged.findings.front().why != Why::fact) return false;
   const double loss = (candidate.mean - baseline.mean) * (of.better == Better::smaller ? 1 : -1);
   const double share = of.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
-  return loss > std::max(plan.absolute_margin, plan.margin * share) + of.rounding;
+  return loss > std::max(judged.plan.absolute_margin, judged.plan.margin * share) + of.rounding;
 }
 
 // Takes solved targets from the baseline, until the test of this size shows it.
-std::optional<double> visible_loss(const Judged& judged, const Plan& plan) {
+std::optional<double> visible_loss(const Judged& judged) {
   Observations of = judged.observations;
   of.groups.front() = of.groups.back();
   std::vector<double>& values = of.groups.front().values;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] == 0) continue;
     values[i] = 0;
-    const Finding finding = compare(of, plan).front();
+    const Finding finding = compare(of, judged.plan).front();
     if (finding.verdict == Verdict::worse) return -*finding.estimate;
   }
   return std::nullopt;
@@ -133,12 +122,11 @@ Gate gate(const Side& baseline, const Side& candidate) {
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
     const Finding& finding = judged.findings.front();
-    const Plan plan = plan_for(gate.judged.study, of);
     const bool is_time = of.metric == metric_named("seconds").slug;
-    if (of.metric == "solved") gate.visible_loss = visible_loss(judged, plan);
+    if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
     if (is_time && gate.are_times_apart) continue;
     const bool is_equal = finding.are_all_equal && (of.is_paired || of.metric == "answers");
-    if (is_lost_for_sure(judged, plan) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
+    if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
     else if (!is_time && !is_equal && finding.why != Why::fact && finding.verdict >= Verdict::undecided)
       gate.open.push_back(of.quantity);

@@ -315,10 +315,13 @@ std::string words_of(const Doubt& doubt) {
   return {};
 }
 
+bool gave_answer(const SolveRecord& solve) {
+  return !is_without_answer(solve.status) && solve.status != Status::not_finite;
+}
+
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   std::vector<Doubt> doubts = doubts_of_runs(study);
-  add(doubts, study, {.kind = DoubtKind::without_answer},
-      [](const SolveRecord& solve) { return is_without_answer(solve.status) || solve.status == Status::not_finite; });
+  add(doubts, study, {.kind = DoubtKind::without_answer}, [](const SolveRecord& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
       [](const SolveRecord& solve) { return solve.status == Status::claimed_but_wrong; });
   add(doubts, study, {.kind = DoubtKind::outside_limits},

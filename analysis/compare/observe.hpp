@@ -34,6 +34,8 @@ struct Doubt {
 // A line: "times of mine are not compared: the machine was busy in 100 of 100 solves".
 std::string words_of(const Doubt& doubt);
 
+bool gave_answer(const results::SolveRecord& solve);
+
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);
 

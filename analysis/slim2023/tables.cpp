@@ -20,12 +20,6 @@ using show::Table;
 
 namespace {
 
-const Judged* judged_of(const JudgedStudy& study, const Metric& metric) {
-  const auto found = std::ranges::find(
-      study.metrics, metric.slug, [](const Judged& judged) { return std::string_view(judged.observations.metric); });
-  return found == study.metrics.end() ? nullptr : &*found;
-}
-
 Cell text(std::string of) { return of.empty() ? Cell() : Cell(std::move(of)); }
 
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
@@ -59,7 +53,7 @@ Table table_3(const Repeated& of) {
               .notes = {"Printed times are of another machine and language: they are not compared."}};
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
-    const Judged* const judged = judged_of(of.study, metric);
+    const Judged* const judged = figures::judged_of(of.study, column);
     const PrintedRows printed = printed_rows(of.paper, of.study.study, metric);
     for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
       const std::string& solver = judged->observations.groups[i].name;
@@ -76,7 +70,7 @@ std::vector<Table> anova_tables(const Repeated& of) {
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const std::string number = fmt::format("table-{}", anova);
     const Metric& metric = metric_named(column);
-    const Judged* const judged = judged_of(of.study, metric);
+    const Judged* const judged = figures::judged_of(of.study, column);
     const PrintedRows rows = printed_rows(of.paper, of.study.study, metric);
     if (judged == nullptr || !judged->anova || rows.empty()) continue;
     Table& table = tables.emplace_back(Table{.name = number,
@@ -182,7 +176,7 @@ std::vector<Table> reading_tables(const Repeated& wrist, const Repeated& all_joi
     }
     for (const auto& [of, reading] : {std::pair(&wrist, "wrist"), std::pair(&all_joints, "all joints")}) {
       means.columns.push_back({fmt::format("{}, {}", name, reading), std::string(metric.unit)});
-      const Judged* const judged = judged_of(of->study, metric);
+      const Judged* const judged = figures::judged_of(of->study, column);
       for (auto& row : means.rows) {
         Cell& mean = row.emplace_back();
         for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
@@ -229,9 +223,9 @@ std::vector<std::string> sentences(const Repeated& of, const std::vector<JudgedC
   return all;
 }
 
-show::Blocks first(const Repeated& of, const std::vector<JudgedClaim>& claims) {
+show::Blocks first(const Repeated& of, const std::vector<std::string>& sentences) {
   show::Blocks blocks;
-  for (const std::string& sentence : sentences(of, claims)) {
+  for (const std::string& sentence : sentences) {
     if (blocks.empty())
       blocks.emplace_back(show::Heading{sentence});
     else

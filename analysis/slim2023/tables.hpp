@@ -37,7 +37,7 @@ std::vector<show::Table> reading_tables(const papers::Repeated& wrist, const pap
 std::vector<std::string> sentences(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims);
 
 // The beginning of the report, and its further sections; `figures_of_circle` stand by Table 8.
-show::Blocks first(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims);
+show::Blocks first(const papers::Repeated& of, const std::vector<std::string>& sentences);
 std::vector<show::Blocks> sections(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 
