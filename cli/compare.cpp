@@ -48,8 +48,8 @@ double margin_from(const std::string& text) {
 }
 
 StudyResults study_in(const std::string& file, const std::string& name) {
-  const results::Store store = checked_store(file);
-  return read_study(store, chosen_study(store, name));
+  const results::Store store(file, results::Store::Mode::read);
+  return checked_study(store, chosen_study(store, name));
 }
 
 void expect_label(const StudyResults& study, const std::string& label) {

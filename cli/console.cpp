@@ -31,7 +31,7 @@ std::atomic<bool> cancel_requested{false}, may_cancel{false}, is_over{false};
 std::atomic<int> last_signal{0};
 std::mutex words_mutex;
 constexpr std::string_view usual_words = "Stopped. What is stored is kept.";
-std::string last_words(usual_words), first_words;
+std::string last_words(usual_words);
 
 sigset_t watched_signals() {
   sigset_t set;
@@ -51,7 +51,7 @@ void watch(const sigset_t& set) {
     const std::scoped_lock lock(words_mutex);
     last_signal = number;
     if (may_cancel && !cancel_requested.exchange(true)) {
-      write_at_once('\n' + first_words + " Once more: at once.\n");
+      write_at_once("\nStopping after the current solve. Once more: at once.\n");
       continue;
     }
     write_at_once('\n' + last_words + '\n');
@@ -248,9 +248,7 @@ SignalWatch::~SignalWatch() {
   thread_.join();
 }
 
-CancelOnSignal::CancelOnSignal(std::string_view words) {
-  const std::scoped_lock lock(words_mutex);
-  first_words = words;
+CancelOnSignal::CancelOnSignal() {
   cancel_requested = false;
   may_cancel = true;
 }

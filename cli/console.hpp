@@ -55,10 +55,10 @@ class SignalWatch {
   std::thread thread_;
 };
 
-// While it lives, a first signal sets a flag and prints these words; a second one ends the program.
+// While it lives, a first signal sets a flag and says so; a second one ends the program.
 class CancelOnSignal {
  public:
-  explicit CancelOnSignal(std::string_view words = "Stopping after the current solve.");
+  CancelOnSignal();
   ~CancelOnSignal();
   CancelOnSignal(const CancelOnSignal&) = delete;
   CancelOnSignal& operator=(const CancelOnSignal&) = delete;

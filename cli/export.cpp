@@ -77,7 +77,7 @@ void add_export(CLI::App& app, Invocation&) {
     store.at_one_moment([&] {
       const std::vector<Session> sessions = store.sessions();
       const bool has_bar = arguments->file != "-" || isatty(STDOUT_FILENO) == 0;  // else it would be among the solves
-      const std::int64_t all = store.solves_of(study.series);
+      const std::int64_t all = store.number_of_solves(study);
       const Exported exported{.study = study, .sessions = sessions, .each_solve = [&](const auto& take) {
                                 std::optional<ProgressBar> bar;
                                 if (has_bar) bar.emplace("writing " + study.name);

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
@@ -42,36 +42,6 @@ std::vector<fs::path> stores_in(const fs::path& place) {
   return stores;
 }
 
-// The stores without `out` itself, each once.
-std::vector<fs::path> stores_to_merge(const fs::path& out, const std::vector<std::string>& places) {
-  std::vector<fs::path> stores;
-  const auto is_one_of_them = [&](const fs::path& file) {
-    std::error_code error;
-    return fs::equivalent(file, out, error) ||
-           std::ranges::any_of(stores, [&](const fs::path& known) { return fs::equivalent(file, known, error); });
-  };
-  for (const std::string& place : places)
-    for (const fs::path& file : stores_in(place))
-      if (!is_one_of_them(file)) stores.push_back(file);
-  return stores;
-}
-
-// Nothing if a signal stopped it.
-std::optional<Merged> merged_or_stopped(const fs::path& out, const std::vector<fs::path>& stores) {
-  const EndOnSignal at_once("Stopped. All was merged, or nothing; give the same command again.");
-  CancelOnSignal signals("Stopping the merge.");
-  try {
-    ProgressBar bar("merging", "stores");
-    Merged merged = merge(out, stores, &signals.requested(),
-                          [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
-    if (!signals.end()) return merged;
-    say("Stopped. All was merged; give the same command again to see what is missing.");
-  } catch (const MergeCancelled&) {
-    say("Stopped. Nothing was merged; give the same command again.");
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 void add_merge(CLI::App& app, Invocation& invocation) {
@@ -95,33 +65,28 @@ void add_merge(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench merge out/slim2023 out/slim2023/shards\n"
       "  ikbench merge out/both laptop/store.sqlite desktop/store.sqlite\n\n"
-      "A solve that two stores have must have the same bits in both. A store that a kill left half-written is left\n"
-      "out, and named.\n"
-      "What is missing is counted; the exit code is then 5. A\n"
-      "merge that was killed has added nothing, or all: give the same command again.");
+      "A solve that two stores have must have the same bits in both. What is missing is counted; the exit code is\n"
+      "then 5. A merge that was killed has added nothing, or all: give the same command again.");
   command->callback([arguments, &invocation] {
     const fs::path out = store_in(arguments->out);
-    const std::vector<fs::path> stores = stores_to_merge(out, arguments->places);
+    std::vector<fs::path> stores;
+    for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
     remove_litter(arguments->out);
-    const std::optional<Merged> done = merged_or_stopped(out, stores);
-    if (!done) {
-      invocation.exit_code = cancelled_exit_code();
-      return;
-    }
-    const Merged& merged = *done;
-    const EndOnSignal signals("Stopped. All was merged; give the same command again to see what is missing.");
-    const std::size_t taken = stores.size() - merged.half_written.size();
+    const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
+    const Merged merged = [&] {
+      ProgressBar bar("merging", "stores");
+      return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
+    }();
     if (!arguments->is_json) {
       fmt::print("{}\n", wrapped(fmt::format("{}: {} solve{} added from {} store{}, {} were there with the same bits",
-                                             out.string(), merged.added, merged.added == 1 ? "" : "s", taken,
-                                             taken == 1 ? "" : "s", merged.known)));
+                                             out.string(), merged.added, merged.added == 1 ? "" : "s", stores.size(),
+                                             stores.size() == 1 ? "" : "s", merged.known)));
     }
-    for (const std::string& sentence : merged.half_written) warn("left out: " + sentence);
     const Store store(out, Store::Mode::read);
     numerics::OrderedJson missing = numerics::OrderedJson::object();
     for (const StudyEntry& study : store.studies()) {
       const std::int64_t all = experiments::solves_of({}, experiments::size_of(study));
-      const std::int64_t lacks = all - experiments::solves_within(study, store);
+      const std::int64_t lacks = all - store.number_of_solves(study);
       if (lacks == 0) continue;
       say(fmt::format("{} lacks {} of {} solves; solve its missing shards, then merge again", study.name, lacks, all));
       invocation.exit_code = 5;
@@ -129,10 +94,9 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     }
     if (!arguments->is_json) return;
     show_json({{"store", out.string()},
-               {"stores", taken},
+               {"stores", stores.size()},
                {"added", merged.added},
                {"known", merged.known},
-               {"half_written", merged.half_written},
                {"missing", std::move(missing)}});
   });
 }

@@ -34,7 +34,7 @@ void add_report(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
                                                                 : std::filesystem::path(arguments->out);
-    const Store store = checked_store(arguments->store);
+    const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     write_and_announce(store, study.name, folder.empty() ? "." : folder, arguments->report);
   });

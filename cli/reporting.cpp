@@ -139,21 +139,19 @@ void announce(const show::Reported& reported, const std::filesystem::path& folde
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   const FigureStyle style = styled(definition_of(store.study(study).definition).style, arguments);
-  compare::JudgedStudy judged = compare::judge(compare::read_study(store, store.study(study)));
+  compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(study)));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
-Store checked_store(const std::filesystem::path& file) {
-  Store store(file, Store::Mode::read);
-  store.check_solves([](const StudyEntry& study) {
-    SolveCheck check = recheck_of(study);
-    if (!check)
-      warn(fmt::format("the arm of study {} cannot be read from the store, so its errors are not computed again",
-                       printable(study.name)));
-    return check;
-  });
-  return store;
+compare::StudyResults checked_study(const Store& store, const StudyEntry& entry) {
+  compare::StudyResults study = compare::read_study(store, entry);
+  if (const SolveCheck check = recheck_of(entry))
+    std::ranges::for_each(study.solves, check);
+  else
+    warn(fmt::format("the arm of study {} cannot be read from the store, so its errors are not computed again",
+                     printable(entry.name)));
+  return study;
 }
 
 StudyEntry chosen_study(const Store& store, const std::string& name) {

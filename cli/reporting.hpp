@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "analysis/compare/study.hpp"
 #include "analysis/show/report.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
@@ -35,8 +36,8 @@ void announce(const show::Reported& reported, const std::filesystem::path& folde
 void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments);
 
-// Opens a store for reading, and checks the errors of all solves that are read (experiments/recheck.hpp).
-results::Store checked_store(const std::filesystem::path& file);
+// Reads a study, and computes the errors of all its solves again (experiments/recheck.hpp).
+compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);

@@ -71,8 +71,7 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
 // A paper's studies that the store has, judged; the first is its own.
 std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper& paper) {
   std::vector<compare::JudgedStudy> all;
-  for (const std::string& name : paper.studies)
-    all.push_back(compare::judge(compare::read_study(store, store.study(name))));
+  for (const std::string& name : paper.studies) all.push_back(compare::judge(checked_study(store, store.study(name))));
   return all;
 }
 
@@ -160,7 +159,7 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       return stop("Stopped before the report. The solves are kept; run the same command again to continue.");
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    report(checked_store(store_in(folder)), paper, *arguments, folder, *readings);
+    report(Store(store_in(folder), Store::Mode::read), paper, *arguments, folder, *readings);
   });
 }
 

@@ -85,7 +85,7 @@ void add_run(CLI::App& app, Invocation& invocation) {
       if (!arguments->report.is_json) fmt::print("{}\n", wrapped(words));
       return;
     }
-    const Store store = checked_store(store_in(folder));
+    const Store store(store_in(folder), Store::Mode::read);
     check_is_stored(study, store);
     write_and_announce(store, study.name, folder, arguments->report);
   });

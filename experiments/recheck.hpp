@@ -1,6 +1,8 @@
 // Computes the errors of stored solves again.
 #pragma once
 
+#include <functional>
+
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
@@ -8,6 +10,7 @@ namespace ikbench::experiments {
 // A check that computes the errors of a study's solves again, from arm, target and answer of each. It throws
 // std::invalid_argument, with the solve's place, where they differ. None for an arm that no arm file
 // can be: some from a URDF file.
-results::SolveCheck recheck_of(const results::StudyEntry& study);
+using SolveCheck = std::function<void(const results::SolveRecord&)>;
+SolveCheck recheck_of(const results::StudyEntry& study);
 
 }  // namespace ikbench::experiments

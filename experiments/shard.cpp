@@ -74,15 +74,4 @@ std::int64_t solves_of(Shard shard, const StudySize& size) {
   return mine * (size.is_chained ? size.points : 1) * size.solvers;
 }
 
-std::int64_t solves_within(const StudyEntry& study, const Store& store) {
-  const StudySize size = size_of(study);
-  std::int64_t stored = 0;
-  for (const Series& series : study.series) {
-    store.each_place(series.key, [&](int run, int point) {
-      if (run >= 1 && run <= size.runs && point >= 1 && point <= size.points) ++stored;
-    });
-  }
-  return stored;
-}
-
 }  // namespace ikbench::experiments

@@ -37,7 +37,5 @@ bool contains(Shard shard, const StudySize& size, int run, int point);
 bool has_any(Shard shard, const StudySize& size, int run);  // true if the shard has a point of the run
 std::int64_t parts_of(const StudySize& size);
 std::int64_t solves_of(Shard shard, const StudySize& size);  // by all solvers
-// The number of stored solves within the study's runs and points.
-std::int64_t solves_within(const results::StudyEntry& study, const results::Store& store);
 
 }  // namespace ikbench::experiments

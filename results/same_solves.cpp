@@ -11,6 +11,9 @@ namespace ikbench::results {
 
 namespace {
 
+// Parts of a definition that may differ: how it is judged and drawn, which targets are out of reach, and how often.
+const std::set<std::string> decide_no_solve{"analysis", "figures", "out_of_reach", "repeats", "runs"};
+
 std::vector<std::string> keys_of(const StudyEntry& study) {
   std::vector<std::string> keys;
   for (const Series& series : study.series) keys.push_back(series.key);
@@ -39,7 +42,7 @@ std::string difference_in_solves(const std::string& definition, const std::strin
   for (const auto* json : {&left, &right})
     for (const auto& [key, value] : json->items()) keys.insert(key);
   for (const std::string& key : keys) {
-    if (key == "runs" || std::ranges::find(decide_no_solve, key) != decide_no_solve.end()) continue;
+    if (decide_no_solve.contains(key)) continue;
     if (left.contains(key) && right.contains(key) && left[key] == right[key]) continue;
     const std::string one = text_of(left, key), two = text_of(right, key);
     return one == two ? fmt::format("{} is another", key) : fmt::format("{} is {} and {}", key, one, two);

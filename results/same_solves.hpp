@@ -1,16 +1,11 @@
 // Compares two studies of one name: do they ask for the same solves, and what is in both?
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 
 #include "results/store.hpp"
 
 namespace ikbench::results {
-
-// Parts of a definition that decide no solve: how it is judged and drawn, and which targets are out of reach.
-constexpr std::array<std::string_view, 4> decide_no_solve{"analysis", "figures", "out_of_reach", "repeats"};
 
 // The first field in which two definitions (JSON, as the store has them) ask for different solves, with both values:
 // "seed is 1 and 2"; empty if there is none. The number of runs may differ.

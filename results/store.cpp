@@ -1,80 +1,289 @@
-// Reads and writes the studies, sessions and solves of a store.
 #include "results/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
 
-#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "numerics/json.hpp"
 #include "results/store_codec.hpp"
-#include "results/store_file.hpp"
-#include "results/store_tables.hpp"
 
 namespace ikbench::results {
 namespace {
 
-// Refuses more solves than anybody can make.
-void refuse_too_many(const StudyEntry& study) {
-  constexpr double most = 1e8;
-  const Last last = last_of(study);
-  const std::int64_t points = last.point == no_end ? 1 : last.point;
-  const double solves =
-      static_cast<double>(last.run) * static_cast<double>(points) * static_cast<double>(study.series.size());
-  if (solves > most)
-    throw std::invalid_argument(
-        fmt::format("study {} asks for {:.0f} solves ({} runs, {} points, {} series); expected at most {:.0f}",
-                    excerpt(study.name), solves, last.run, points, study.series.size(), most));
+namespace fs = std::filesystem;
+
+constexpr std::int64_t application_id = 0x494B424E;  // "IKBN" in the header of the file
+constexpr int patience_ms = 10'000;                  // with another process that has the file locked
+constexpr int folding_patience_ms = 5'000;           // with readers, until the log is folded in
+
+std::string create_tables() {
+  return fmt::format(
+      "PRAGMA application_id = {}; PRAGMA user_version = {};\n"
+      "CREATE TABLE studies (position INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, definition TEXT NOT NULL, "
+      "saved TEXT NOT NULL) STRICT;\n"
+      "CREATE TABLE series (study TEXT NOT NULL, position INTEGER NOT NULL, key TEXT NOT NULL, label TEXT NOT NULL, "
+      "algorithm TEXT NOT NULL, options TEXT NOT NULL, PRIMARY KEY (study, position), UNIQUE (study, key), "
+      "UNIQUE (study, label)) STRICT;\n"
+      "CREATE TABLE sessions (id INTEGER PRIMARY KEY, began TEXT NOT NULL) STRICT;\n"
+      "CREATE TABLE environment (session INTEGER NOT NULL, key TEXT NOT NULL, value TEXT NOT NULL, "
+      "PRIMARY KEY (session, key)) STRICT;\n"
+      "CREATE TABLE solves ({}, PRIMARY KEY (series, run, point)) STRICT;\n",
+      application_id, store_version, solve_declarations());
 }
+
+// For whoever asks the file without us.
+std::string create_views() {
+  std::string columns = solve_columns();
+  columns.replace(columns.find("study, robot, solver,"), std::string_view("study, robot, solver,").size(),
+                  "studies.name AS study, robot, label AS solver,");
+  return fmt::format(
+      "CREATE VIEW IF NOT EXISTS current_solves AS SELECT {} FROM studies JOIN series ON series.study = studies.name "
+      "JOIN solves ON solves.series = series.key "
+      "WHERE run <= json_extract(definition, '$.runs') AND point <= json_extract(definition, '$.points');\n"
+      "CREATE VIEW IF NOT EXISTS run_means AS SELECT study, solver, run, count(*) AS solves, "
+      "avg(status = 'ok') AS solved, avg(position_error_cm) AS position_error_cm, "
+      "avg(orientation_error) AS orientation_error, avg(variation_deg) AS variation_deg, avg(seconds) AS seconds, "
+      "avg(iif(counted_by = 'nobody', NULL, evaluations)) AS evaluations "
+      "FROM current_solves GROUP BY study, solver, run;\n",
+      columns);
+}
+
+// The path for SQLite, absolute so that it has no special meaning (":memory:").
+std::string checked_path(const fs::path& file, Store::Mode mode) {
+  std::error_code error;
+  const fs::path path = fs::absolute(file, error);
+  const fs::file_status status = fs::status(path, error);
+  if (file.empty() || fs::is_directory(status))
+    throw std::invalid_argument(
+        fmt::format("'{}' is a folder; expected a store, as '{}'", file.string(), (file / "store.sqlite").string()));
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store", file.string()));
+  if (mode == Store::Mode::read && status.type() == fs::file_type::not_found)
+    throw std::invalid_argument(
+        fmt::format("'{}' does not exist; expected a store, which `ikbench run` writes", file.string()));
+  if (mode != Store::Mode::read) fs::create_directories(path.parent_path(), error);
+  if (mode != Store::Mode::read && error)
+    throw std::invalid_argument(fmt::format("cannot write '{}': its folder cannot be created ({}); choose another path",
+                                            file.string(), error.message()));
+  return path.string();
+}
+
+[[noreturn]] void refuse(const std::string& file, const Damage& damage) {
+  throw std::invalid_argument(
+      fmt::format("'{}' is damaged ({}); restore a copy, or run its studies into a new store", file, damage.what()));
+}
+
+[[noreturn]] void refuse_taken_away(const std::string& file) {
+  throw std::runtime_error(
+      fmt::format("'{}' was removed, moved or replaced while ikbench wrote to it, so it lacks the new solves; if you "
+                  "moved it, move it back; then run again",
+                  file));
+}
+
+// Throws `error` as a sentence about the file (store.hpp says which exception).
+[[noreturn]] void refuse(const std::string& file, const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      throw std::invalid_argument(fmt::format(
+          "'{}' is not an ikbench store: it is not an SQLite file; expected a file written by ikbench", file));
+    case SQLITE_CONSTRAINT:
+      if (error.getExtendedErrorCode() == SQLITE_CONSTRAINT_PRIMARYKEY)
+        throw std::invalid_argument(fmt::format(
+            "another ikbench is running the same study into '{}'; wait until it has ended, then run again", file));
+      [[fallthrough]];
+    case SQLITE_CORRUPT:
+    case SQLITE_ERROR:  // our SQL is right, so the tables are wrong
+      refuse(file, Damage(error.what()));
+    case SQLITE_READONLY:
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_DBMOVED) refuse_taken_away(file);
+      if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
+        throw HalfWritten(fmt::format(
+            "'{}' is half-written, because ikbench was killed; keep '{}-journal' beside it and give the command that "
+            "was killed again, which undoes the unfinished write and continues",
+            file, file));
+      [[fallthrough]];
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+      throw std::invalid_argument(fmt::format(
+          "cannot open '{}' ({}): you may not read or write the file, its folder or the '-wal' file beside it; change "
+          "the permissions, or copy the store with its '-wal' file to a folder where you can write",
+          file, error.what()));
+    case SQLITE_FULL:
+      throw std::runtime_error(fmt::format("cannot use '{}': {}; make room on its disk and give the same command again",
+                                           file, error.what()));
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      throw std::runtime_error(fmt::format("another process has kept '{}' locked for {} s; wait until it has ended",
+                                           file, patience_ms / 1000));
+    default:
+      throw std::runtime_error(fmt::format("cannot use '{}': {}", file, error.what()));
+  }
+}
+
+// Calls `action` and returns its result; refuses the file if SQLite fails or finds damage.
+template <class Action>
+auto guarded(const std::string& file, Action&& action) {
+  try {
+    return action();
+  } catch (const SQLite::Exception& error) {
+    refuse(file, error);
+  } catch (const Damage& damage) {
+    refuse(file, damage);
+  }
+}
+
+// The last run and point of a study.
+struct Last {
+  explicit Last(const StudyEntry& study) {
+    const auto definition = numerics::parsed_json(study.definition);
+    if (!definition.is_object() || !definition.contains("runs") || !definition.contains("points"))
+      throw Damage(fmt::format("the definition of study {} has no runs or points", excerpt(study.name)));
+    run = definition["runs"].get<std::int64_t>();
+    point = definition["points"].get<std::int64_t>();
+  }
+  std::int64_t run, point;
+};
 
 }  // namespace
 
-struct Store::Database : StoreFile {
-  using StoreFile::StoreFile;
+struct Store::Database {
+  Database(const fs::path& file, Mode how)
+      : name(file.string()),
+        mode(how),
+        sqlite(checked_path(file, mode),
+               (mode == Mode::read ? SQLite::OPEN_READONLY : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) |
+                   SQLite::OPEN_NOMUTEX,  // a store belongs to one thread at a time
+               patience_ms),
+        identity(identity_there()) {
+    using enum SQLite::TransactionBehavior;
+    SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
+    const bool is_new = number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0;
+    if (mode != Mode::read && is_new) sqlite.exec(create_tables());
+    check_file();
+    if (mode != Mode::read) sqlite.exec(create_views());
+    transaction.commit();
+    if (mode == Mode::write) sqlite.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+    if (mode == Mode::write_shared) sqlite.exec("PRAGMA journal_mode = DELETE");
+  }
+  ~Database() {
+    if (mode == Mode::write) fold(0);
+  }
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
 
-  // The names of the studies, for a sentence.
-  std::string study_names() {
-    constexpr std::int64_t most = 20;
-    SQLite::Statement query(sqlite(), "SELECT name FROM studies ORDER BY position LIMIT ?");
-    query.bind(1, most);
-    std::vector<std::string> names;
-    while (query.executeStep()) names.push_back(value_in<std::string>(query.getColumn(0)));
-    const std::int64_t others = number("SELECT count(*) FROM studies") - static_cast<std::int64_t>(names.size());
-    if (names.empty()) return "(the store is empty)";
-    return fmt::format("{}{}", fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "");
+  std::int64_t number(const char* query) { return sqlite.execAndGet(query).getInt64(); }
+
+  void check_file() {
+    if (fs::file_size(name) == 0 && number("PRAGMA page_count") == 0)
+      throw HalfWritten(fmt::format(
+          "'{}' is not an ikbench store yet: it is empty, because ikbench was killed when it began; give the command "
+          "that was killed again, which goes on with it",
+          name));
+    if (number("PRAGMA application_id") != application_id)
+      throw std::invalid_argument(fmt::format(
+          "'{}' is not an ikbench store: another program wrote it; expected a file written by ikbench", name));
+    if (const std::int64_t version = number("PRAGMA user_version"); version != store_version)
+      throw std::invalid_argument(fmt::format(
+          "'{}' is a store of version {}, and this ikbench reads version {} alone; read it with the ikbench "
+          "that made it, or run its studies into a new store",
+          name, version, store_version));
+    // SQLite takes missing bytes of the last page for zeros.
+    if (fs::file_size(name) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
+      throw Damage("it is truncated");
+    const std::string found = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
+    if (found != "ok") throw Damage(found.substr(found.rfind('\n') + 1));
   }
 
-  // Passes on the solves of a series, up to a run.
-  void read_solves(const std::string& key, std::int64_t last_run, const std::function<void(SolveRecord)>& take) {
-    SQLite::Statement query(
-        sqlite(), select_solves() + " WHERE series = ?1 AND (run, point) > (?2, ?3) ORDER BY run, point LIMIT ?4");
-    const int run_column = query.getColumnIndex("run"), point_column = query.getColumnIndex("point");
-    constexpr int at_once = 1000;  // a writer to a store without a log waits for a query to end
-    std::vector<SolveRecord> read;
-    std::int64_t run = std::numeric_limits<std::int64_t>::min(), point = run;  // before all stored ones
-    for (int rows = at_once; rows == at_once;) {
-      read.clear();
-      SQLite::bind(query, key, run, point, at_once);
-      for (rows = 0; query.executeStep(); ++rows) {
-        try {
-          run = value_in<int>(query.getColumn(run_column));
-          point = value_in<int>(query.getColumn(point_column));
-          if (run <= last_run) read.push_back(solve_in(query));
-        } catch (const Damage& error) {
-          throw Damage(
-              fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(), run, point, excerpt(key)));
-        }
-      }
-      query.reset();
-      for (SolveRecord& record : read) take(std::move(record));
+  // The file at the path, by device and number.
+  std::optional<std::pair<dev_t, ino_t>> identity_there() const {
+    struct stat status {};
+    if (::stat(sqlite.getFilename().c_str(), &status) != 0) return std::nullopt;
+    return std::pair(status.st_dev, status.st_ino);
+  }
+  // False if the file was unlinked or moved away; SQLite would go on writing it.
+  bool is_in_place() const { return identity && identity_there() == identity; }
+  void check_place() const {
+    if (!is_in_place()) refuse_taken_away(name);
+  }
+
+  template <class Action>
+  void write(Action&& action) {
+    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+    action();
+    transaction.commit();
+    check_place();
+  }
+
+  // Folds the log in, unless another process goes on reading or writing. The committed data are safe even then, and the
+  // next writer folds it in.
+  void fold(int wait_ms) {
+    sqlite.setBusyTimeout(wait_ms);
+    sqlite.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
+    if (is_in_place()) sqlite.tryExec("PRAGMA journal_mode = DELETE");  // else it would remove another file's log
+    sqlite.setBusyTimeout(patience_ms);
+  }
+
+  void add_environment(std::int64_t session, const std::map<std::string, std::string>& environment) {
+    SQLite::Statement add(sqlite, "INSERT INTO environment (session, key, value) VALUES (?, ?, ?)");
+    for (const auto& [key, value] : environment) {
+      SQLite::bind(add, session, key, value);
+      add.exec();
+      add.reset();
     }
   }
+
+  // The studies, or the one of that name.
+  std::vector<StudyEntry> studies(const std::string* one = nullptr) {
+    SQLite::Statement query(sqlite, fmt::format("SELECT name, definition FROM studies {} ORDER BY position",
+                                                one == nullptr ? "" : "WHERE name = ?"));
+    if (one != nullptr) query.bind(1, *one);
+    SQLite::Statement of_study(sqlite,
+                               "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
+    std::vector<StudyEntry> list;
+    while (query.executeStep()) {
+      StudyEntry study{
+          .name = query.getColumn(0).getString(), .definition = query.getColumn(1).getString(), .series = {}};
+      for (of_study.bind(1, study.name); of_study.executeStep();)
+        study.series.push_back({.key = of_study.getColumn(0).getString(),
+                                .label = of_study.getColumn(1).getString(),
+                                .algorithm = of_study.getColumn(2).getString(),
+                                .options = of_study.getColumn(3).getString()});
+      of_study.reset();
+      list.push_back(std::move(study));
+    }
+    return list;
+  }
+
+  // Passes on the solves of a query.
+  void read_solves(SQLite::Statement& query, const std::function<void(SolveRecord)>& take) {
+    while (query.executeStep()) {
+      std::optional<SolveRecord> solve;
+      try {
+        solve = solve_in(query);
+      } catch (const Damage& error) {
+        throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
+                                 query.getColumn("run").getString(), query.getColumn("point").getString(),
+                                 excerpt(query.getColumn("series").getString())));
+      }
+      take(std::move(*solve));
+    }
+  }
+
+  const std::string name;  // as the user gave it
+  const Mode mode;
+  SQLite::Database sqlite;
+  const std::optional<std::pair<dev_t, ino_t>> identity;  // of the opened file
 };
 
-Store::Store(const std::filesystem::path& file, Mode mode)
+Store::Store(const fs::path& file, Mode mode)
     : database_(guarded(file.string(), [&] { return std::make_unique<Database>(file, mode); })) {}
 
 Store::~Store() = default;
@@ -82,129 +291,165 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
 void Store::save_study(const StudyEntry& study) {
-  guarded(database_->name(), [&] {
-    refuse_too_many(study);
-    SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    write_study(database_->sqlite(), study);
-    database_->commit(transaction);
+  guarded(database_->name, [&] {
+    database_->write([&] {
+      SQLite::Statement save(
+          database_->sqlite,
+          "INSERT INTO studies (name, definition, saved) VALUES (?1, ?2, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) "
+          "ON CONFLICT (name) DO UPDATE SET definition = excluded.definition, saved = excluded.saved");
+      SQLite::bind(save, study.name, study.definition);
+      save.exec();
+      SQLite::Statement clear(database_->sqlite, "DELETE FROM series WHERE study = ?");
+      clear.bind(1, study.name);
+      clear.exec();
+      SQLite::Statement add(
+          database_->sqlite,
+          "INSERT INTO series (study, position, key, label, algorithm, options) VALUES (?, ?, ?, ?, ?, ?)");
+      std::int64_t position = 0;
+      for (const Series& series : study.series) {
+        SQLite::bind(add, study.name, ++position, series.key, series.label, series.algorithm, series.options);
+        add.exec();
+        add.reset();
+      }
+    });
   });
 }
 
 std::vector<StudyEntry> Store::studies() const {
-  return guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(), "SELECT name, definition FROM studies ORDER BY position");
-    std::vector<StudyEntry> list;
-    while (query.executeStep()) {
-      const auto name = value_in<std::string>(query.getColumn(0));
-      list.push_back({.name = name,
-                      .definition = value_in<std::string>(query.getColumn(1)),
-                      .series = series_in(database_->sqlite(), name)});
-    }
-    return list;
-  });
+  return guarded(database_->name, [&] { return database_->studies(); });
 }
 
 StudyEntry Store::study(const std::string& name) const {
-  return guarded(database_->name(), [&] {
-    if (auto found = study_in(database_->sqlite(), name)) return std::move(*found);
+  return guarded(database_->name, [&] {
+    if (std::vector<StudyEntry> found = database_->studies(&name); !found.empty()) return std::move(found.front());
+    const std::string names = database_->sqlite
+                                  .execAndGet(
+                                      "SELECT coalesce(group_concat(name, ', '), '(the store is empty)') "
+                                      "FROM (SELECT name FROM studies ORDER BY position)")
+                                  .getString();
     throw std::invalid_argument(
-        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name(), database_->study_names()));
+        fmt::format("no study '{}' in '{}'; expected one of: {}", name, database_->name, names));
   });
 }
 
 std::int64_t Store::begin_session(const std::map<std::string, std::string>& environment) {
-  return guarded(database_->name(), [&] {
-    SQLite::Database& sqlite = database_->sqlite();
-    SQLite::Transaction transaction(sqlite, SQLite::TransactionBehavior::IMMEDIATE);
-    const std::int64_t id = write_session(sqlite, environment);
-    database_->commit(transaction);
+  return guarded(database_->name, [&] {
+    std::int64_t id = 0;
+    database_->write([&] {
+      database_->sqlite.exec("INSERT INTO sessions (began) VALUES (strftime('%Y-%m-%dT%H:%M:%SZ', 'now'))");
+      id = database_->sqlite.getLastInsertRowid();
+      database_->add_environment(id, environment);
+    });
     return id;
   });
 }
 
 void Store::add_to_session(std::int64_t id, const std::map<std::string, std::string>& environment) {
-  guarded(database_->name(), [&] {
-    SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    write_environment(database_->sqlite(), id, environment);
-    database_->commit(transaction);
-  });
+  guarded(database_->name, [&] { database_->write([&] { database_->add_environment(id, environment); }); });
 }
 
 std::vector<Session> Store::sessions() const {
-  return guarded(database_->name(), [&] {
+  return guarded(database_->name, [&] {
     SQLite::Statement query(
-        database_->sqlite(),
+        database_->sqlite,
         "SELECT id, key, value, began FROM sessions LEFT JOIN environment ON session = id ORDER BY id");
     std::vector<Session> list;
     while (query.executeStep()) {
-      const auto id = value_in<std::int64_t>(query.getColumn(0));
-      if (list.empty() || list.back().id != id)
-        list.push_back({.id = id, .began = value_in<std::string>(query.getColumn(3))});
+      const std::int64_t id = query.getColumn(0).getInt64();
+      if (list.empty() || list.back().id != id) list.push_back({.id = id, .began = query.getColumn(3).getString()});
       if (!query.getColumn(1).isNull())
-        list.back().environment[value_in<std::string>(query.getColumn(1))] = value_in<std::string>(query.getColumn(2));
+        list.back().environment[query.getColumn(1).getString()] = query.getColumn(2).getString();
     }
     return list;
   });
 }
 
 void Store::append(const std::vector<SolveRecord>& records) {
-  guarded(database_->name(), [&] {
-    SQLite::Transaction transaction(database_->sqlite(), SQLite::TransactionBehavior::IMMEDIATE);
-    write_solves(database_->sqlite(), records);
-    database_->commit(transaction);
+  guarded(database_->name, [&] {
+    database_->write([&] {
+      SQLite::Statement insert(database_->sqlite, insert_solve());
+      for (const SolveRecord& record : records) {
+        bind_solve(insert, record);
+        insert.exec();
+        insert.reset();
+      }
+    });
   });
 }
 
-std::vector<std::filesystem::path> Store::finish() {
-  return guarded(database_->name(), [&] { return database_->finish(); });
+std::vector<fs::path> Store::finish() {
+  return guarded(database_->name, [&]() -> std::vector<fs::path> {
+    if (database_->mode == Mode::write) database_->fold(folding_patience_ms);
+    database_->check_place();
+    const fs::path place = fs::is_symlink(database_->name) ? fs::canonical(database_->name) : fs::path(database_->name);
+    const fs::path log = place.string() + "-wal";
+    std::error_code no_log;
+    const auto size = fs::file_size(log, no_log);
+    if (no_log || size == 0) return {place};
+    return {place, log};
+  });
+}
+
+void Store::write_from(const fs::path& source, const std::function<void(SQLite::Database&)>& action) {
+  SQLite::Database& sqlite = database_->sqlite;
+  try {
+    database_->write([&] {
+      SQLite::Statement attach(sqlite,
+                               "ATTACH ? AS source");  // within the transaction, so that it locks this store alone
+      attach.bind(1, fs::absolute(source).string());
+      attach.exec();
+      action(sqlite);
+    });
+    sqlite.exec("DETACH source");
+  } catch (const SQLite::Exception& error) {
+    refuse(error.getErrorCode() == SQLITE_FULL ? database_->name : source.string(), error);
+  }
 }
 
 void Store::at_one_moment(const std::function<void()>& action) const {
-  guarded(database_->name(), [&] {
-    SQLite::Transaction transaction(database_->sqlite());
+  guarded(database_->name, [&] {
+    SQLite::Transaction transaction(database_->sqlite);
     action();
     transaction.commit();
   });
 }
 
 void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
-  guarded(database_->name(), [&] { database_->read_solves(key, no_end, take); });
-}
-
-void Store::each_place(const std::string& key, const std::function<void(int, int)>& take) const {
-  guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(), "SELECT run, point FROM solves WHERE series = ?");
+  guarded(database_->name, [&] {
+    SQLite::Statement query(database_->sqlite,
+                            fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point", solve_columns()));
     query.bind(1, key);
-    while (query.executeStep()) take(value_in<int>(query.getColumn(0)), value_in<int>(query.getColumn(1)));
+    database_->read_solves(query, take);
   });
 }
 
 std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_view configuration) const {
-  return guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(),
+  return guarded(database_->name, [&] {
+    SQLite::Statement query(database_->sqlite,
                             "SELECT series, count(*) FROM solves WHERE series >= ? AND series < ? GROUP BY series");
     SQLite::bind(query, fmt::format("{}{}", configuration, before_source),
                  fmt::format("{}{}", configuration, static_cast<char>(before_source + 1)));
     std::map<std::string, std::int64_t> solves;
-    while (query.executeStep()) solves[value_in<std::string>(query.getColumn(0))] = query.getColumn(1).getInt64();
+    while (query.executeStep()) solves[query.getColumn(0).getString()] = query.getColumn(1).getInt64();
     return solves;
   });
 }
 
-void Store::check_solves(std::function<SolveCheck(const StudyEntry&)> make) { check_of_ = std::move(make); }
-
 void Store::each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const {
-  guarded(database_->name(), [&] {
-    const Last last = last_of(study);
-    const SolveCheck check = check_of_ ? check_of_(study) : nullptr;
+  guarded(database_->name, [&] {
+    const Last last(study);
+    SQLite::Statement query(
+        database_->sqlite,
+        fmt::format("SELECT {} FROM solves WHERE series = ? AND run <= ? AND point <= ? ORDER BY run, point",
+                    solve_columns()));
     for (const Series& series : study.series) {
-      database_->read_solves(series.key, last.run, [&](SolveRecord record) {
-        if (record.point > last.point) return;
+      SQLite::bind(query, series.key, last.run, last.point);
+      database_->read_solves(query, [&](SolveRecord record) {
         record.study = study.name;  // also if another study's name solved it first
         record.solver = series.label;
-        if (check) check(record);
         take(std::move(record));
       });
+      query.reset();
     }
   });
 }
@@ -215,12 +460,14 @@ std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   return list;
 }
 
-std::int64_t Store::solves_of(const std::vector<Series>& series) const {
-  return guarded(database_->name(), [&] {
-    SQLite::Statement query(database_->sqlite(), "SELECT count(*) FROM solves WHERE series = ?");
+std::int64_t Store::number_of_solves(const StudyEntry& study) const {
+  return guarded(database_->name, [&] {
+    const Last last(study);
+    SQLite::Statement query(database_->sqlite,
+                            "SELECT count(*) FROM solves WHERE series = ? AND run <= ? AND point <= ?");
     std::int64_t solves = 0;
-    for (const Series& each : series) {
-      query.bind(1, each.key);
+    for (const Series& series : study.series) {
+      SQLite::bind(query, series.key, last.run, last.point);
       query.executeStep();
       solves += query.getColumn(0).getInt64();
       query.reset();

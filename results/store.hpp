@@ -1,10 +1,9 @@
 // The store: one SQLite file of studies, sessions and solves. Several studies may share a store. Schema:
 // docs/data-dictionary.md.
-// std::invalid_argument means a user's mistake: no such file, not a store, damaged, another version, no permission, a
-// study of too many solves, two processes at one study. std::runtime_error means a full disk, or a store that another
-// process keeps locked or takes away.
-// Opening a store checks its file (PRAGMA quick_check); no SQL of the file is run. A Store belongs to one thread at a
-// time.
+// std::invalid_argument means a user's mistake: no such file, not a store, damaged, another version, no permission, two
+// processes at one study. std::runtime_error means a full disk, or a store that another process keeps locked or takes
+// away.
+// Opening a store checks its file (PRAGMA quick_check). A Store belongs to one thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +17,10 @@
 #include <vector>
 
 #include "results/record.hpp"
+
+namespace SQLite {
+class Database;
+}
 
 namespace ikbench::results {
 
@@ -47,13 +50,12 @@ struct HalfWritten : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-// Looks at a solve that is read; throws what is wrong with it.
-using SolveCheck = std::function<void(const SolveRecord&)>;
-
 class Store {
  public:
-  // write creates the file and its folders if they are missing; write_shared does so in a folder that several machines
-  // see, without a write-ahead log (store_file.hpp).
+  // write creates the file and its folders if they are missing. While it lives, a write-ahead log stands beside the
+  // file (https://www.sqlite.org/wal.html): a killed process loses nothing that was committed, and a transaction costs
+  // no wait for the disk. The last writer folds the log in. All users of a log must be on one machine: write_shared,
+  // for a folder that several machines see, has a rollback journal instead, during a transaction only.
   enum class Mode { read, write, write_shared };
 
   Store(const std::filesystem::path& file, Mode mode);
@@ -80,29 +82,26 @@ class Store {
   // if the store is no longer in its place.
   std::vector<std::filesystem::path> finish();
 
+  // Lets `action` write by SQL, in one transaction, in which `source` has the tables of another store. For a merge.
+  void write_from(const std::filesystem::path& source, const std::function<void(SQLite::Database&)>& action);
+
   // Lets `action` read the store as of one moment, whatever others write meanwhile.
   void at_one_moment(const std::function<void()>& action) const;
-  // Calls `take` with every solve of one series, ordered by run and point. Writers do not wait for its end, and what
-  // they add may be among them.
+  // Calls `take` with every solve of one series, ordered by run and point.
   void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
-  // The same, but with run and point only.
-  void each_place(const std::string& key, const std::function<void(int run, int point)>& take) const;
   // The number of solves of each series of a configuration, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
-  // Calls `take` with every current solve of a study, in the order of its series, then run, then point, without runs
-  // and points beyond those of the definition. The solver of each is the label of its series.
+  // The current solves of a study are those of its series, without runs and points beyond those of the definition.
+  // Calls `take` with each, in the order of its series, then run, then point. The solver of each is the label of its
+  // series.
   void each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const;
   // All of these at once, for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
-  // From now on each solve that each_of_study() reads is checked first, by what `make` returns for its study.
-  void check_solves(std::function<SolveCheck(const StudyEntry&)> make);
-  // The number of solves of these series, of any run.
-  std::int64_t solves_of(const std::vector<Series>& series) const;
+  std::int64_t number_of_solves(const StudyEntry& study) const;
 
  private:
   struct Database;
   std::unique_ptr<Database> database_;
-  std::function<SolveCheck(const StudyEntry&)> check_of_;  // may be empty
 };
 
 }  // namespace ikbench::results

@@ -81,71 +81,35 @@ std::string_view text_in(const SQLite::Column& column) {
   return {text, static_cast<std::size_t>(column.getBytes())};
 }
 
-// Checks a column's type. SQLite keeps a value of any type in any column, and would return a wrong one as 0 or as text.
-void expect(bool is_right, const SQLite::Column& column, std::string_view type) {
-  if (!is_right) throw Damage(fmt::format("{} {}, expected {}", column.getName(), excerpt(column), type));
-}
-
-template <class Value>
-void expect_type(const SQLite::Column& column) {
-  if constexpr (std::is_floating_point_v<Value>)
-    expect(column.isFloat() || column.isInteger() || column.isNull(), column, "a number");
-  else if constexpr (std::is_integral_v<Value>)
-    expect(column.isInteger(), column, "a whole number");
-  else
-    expect(column.isText(), column, "text");
-}
-
 template <class Value>
 void read(const SQLite::Column& column, Value& value) {
-  expect_type<Value>(column);
   if constexpr (std::is_floating_point_v<Value>) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
   } else if constexpr (std::is_integral_v<Value>) {
-    if (!std::in_range<Value>(column.getInt64()))
-      throw Damage(fmt::format("{} {}", column.getName(), column.getInt64()));
+    if (!std::in_range<Value>(column.getInt64())) throw Damage(fmt::to_string(column.getInt64()));
     value = static_cast<Value>(column.getInt64());
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);
     const auto found = std::find(names.begin(), names.end(), text_in(column));
-    if (found == names.end()) throw Damage(fmt::format("{} {}", column.getName(), excerpt(column)));
+    if (found == names.end()) throw Damage(excerpt(text_in(column)));
     value = static_cast<Value>(found - names.begin());
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    try {
-      value = numbers_from(text_in(column));
-    } catch (const Damage& error) {
-      throw Damage(fmt::format("{}: {}", column.getName(), error.what()));
-    }
+    value = numbers_from(text_in(column));
   } else {
     value = text_in(column);
   }
 }
 
-struct SolveColumn {
-  std::string_view name;
-  std::string declaration;  // "run INTEGER NOT NULL"
-};
-
-std::vector<SolveColumn> solve_columns() {
-  std::vector<SolveColumn> columns;
-  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*, std::string_view) {
-    columns.push_back({name, fmt::format("{} {}", name, sql_type<Value>())});
-  });
-  return columns;
-}
-
-// The columns, each through `format`, separated by commas.
+// All columns, each through `format`, separated by commas.
 template <class Format>
-std::string listed(const std::vector<SolveColumn>& columns, Format&& format) {
+std::string listed(Format&& format) {
   std::string text;
-  for (const SolveColumn& column : columns) {
+  for_each_column([&]<class Value>(std::string_view name, Value SolveRecord::*, std::string_view) {
     text += text.empty() ? "" : ", ";
-    text += format(column);
-  }
+    text += format(name, sql_type<Value>());
+  });
   return text;
 }
-
-std::string_view name_in(const SolveColumn& column) { return column.name; }
 
 }  // namespace
 
@@ -155,23 +119,17 @@ std::string excerpt(std::string_view text) {
   return text.size() <= longest ? fmt::format("'{}'", text) : fmt::format("'{}...'", text.substr(0, longest));
 }
 
-std::string excerpt(const SQLite::Column& column) {
-  if (column.isNull()) return "NULL";
-  if (column.isBlob()) return "(BLOB)";
-  return column.isText() ? excerpt(std::string_view(column.getString())) : column.getString();
+std::string solve_columns() {
+  return listed([](std::string_view name, std::string_view) { return name; });
 }
 
-std::string create_solves() {
-  return fmt::format("CREATE TABLE solves ({}, PRIMARY KEY (series, run, point))",
-                     listed(solve_columns(), [](const SolveColumn& column) { return column.declaration; }));
+std::string solve_declarations() {
+  return listed([](std::string_view name, std::string_view type) { return fmt::format("{} {}", name, type); });
 }
-
-std::string select_solves() { return fmt::format("SELECT {} FROM solves", listed(solve_columns(), name_in)); }
 
 std::string insert_solve() {
-  const std::vector<SolveColumn> columns = solve_columns();
-  return fmt::format("INSERT INTO solves ({}) VALUES ({})", listed(columns, name_in),
-                     listed(columns, [](const SolveColumn&) { return "?"; }));
+  return fmt::format("INSERT INTO solves ({}) VALUES ({})", solve_columns(),
+                     listed([](std::string_view, std::string_view) { return "?"; }));
 }
 
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
@@ -183,20 +141,14 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
 SolveRecord solve_in(SQLite::Statement& row) {
   SolveRecord record;
   int index = 0;
-  for_each_column(
-      [&](std::string_view, auto member, std::string_view) { read(row.getColumn(index++), record.*member); });
+  for_each_column([&](std::string_view name, auto member, std::string_view) {
+    try {
+      read(row.getColumn(index++), record.*member);
+    } catch (const Damage& error) {
+      throw Damage(fmt::format("{}: {}", name, error.what()));
+    }
+  });
   return record;
 }
-
-template <class Value>
-Value value_in(const SQLite::Column& column) {
-  Value value{};
-  read(column, value);
-  return value;
-}
-
-template std::string value_in(const SQLite::Column&);
-template int value_in(const SQLite::Column&);
-template std::int64_t value_in(const SQLite::Column&);
 
 }  // namespace ikbench::results

@@ -1,4 +1,4 @@
-// Converts a solve to a row of the store and back: the SQL columns, their values, and checks on reading.
+// Converts a solve to a row of the store and back: the SQL columns and their values.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -19,23 +19,18 @@ struct Damage : std::runtime_error {
 
 // Text of the file for a sentence: in quotes, up to a NUL character, cut if it is long.
 std::string excerpt(std::string_view text);
-std::string excerpt(const SQLite::Column& column);
 
 constexpr std::int64_t store_version = 2;
 
-// SQL that creates the table `solves`, and SQL that reads its rows; a condition and an order may follow.
-std::string create_solves();
-std::string select_solves();
+// The names of the columns, and of those columns with their SQL types, separated by commas.
+std::string solve_columns();
+std::string solve_declarations();
 
 // An INSERT with a parameter for each column, and the binding of their values.
 std::string insert_solve();
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
 
-// Reads the present row of a statement of select_solves. Damage names the column.
+// Reads the present row of a statement that selects solve_columns(). Damage names the column.
 SolveRecord solve_in(SQLite::Statement& row);
-
-// A value of a column that must have its type, one of std::string, int, std::int64_t; else Damage.
-template <class Value>
-Value value_in(const SQLite::Column& column);
 
 }  // namespace ikbench::results

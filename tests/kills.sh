@@ -159,7 +159,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
   ends 2 "${study[@]}" --out small/run
   has "$err" small/run/store.sqlite
   ends 2 merge small/run shards
-  has "$err" small/run/store.sqlite
+  has "$err" small/run/
   mount -o remount,size=8m small
   succeeds "${study[@]}" --out small/run
   as_whole small/run/store.sqlite "a full disk"

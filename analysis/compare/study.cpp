@@ -76,7 +76,7 @@ StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> solves, 
 }
 
 StudyResults read_study(const Store& store, const StudyEntry& entry) {
-  if (const std::int64_t all = store.solves_of(entry.series); all > most_solves)
+  if (const std::int64_t all = store.number_of_solves(entry); all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
   std::vector<SolveRecord> solves;

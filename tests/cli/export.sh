@@ -59,5 +59,17 @@ cp -r made harmed # a course that nobody has run is damage
 sqlite3 harmed/store.sqlite "UPDATE solves SET improved_at = '[1e308,null,-3]', improved_to_cm = '[1,2,3]' WHERE run = 2 AND point = 1"
 refused "run 2, point 1" export harmed/store.sqlite --format iohprofiler -o none
 
+# The SQL of the docs counts no solve of an older program, and has the means of the report.
+cp -r made asked
+sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"
+succeeds report asked/store.sqlite --no-figures
+mapfile -t lines < <(grep '^sqlite3 -readonly' "$root/docs/data-dictionary.md")
+equal "lines of SQL in the docs" ${#lines[@]} 2
+cd asked || exit 1
+equal "solves of each solver" "$(bash -c "${lines[0]}" | cut -d'|' -f1,3 | sort | uniq -c | xargs)" "2 slim2023-context|6 6 slim2023|6"
+bash -c "${lines[1]}" | awk -F'|' '$1 == "slim2023" { printf "%s,%s,%.9g\n", $2, $3, $4 }' | sort >../means
+awk -F, '$1 == "error" { printf "%s,%s,%.9g\n", $2, $3, $4 }' tables/descriptives.csv | sort | diff ../means - || fail "other means than the report's"
+cd ..
+
 succeeds export made/store.sqlite --format json -o solves.json
 python3 "$scripts/exports.py" || fail "other programs would not read it"

@@ -80,20 +80,17 @@ TEST_CASE("an empty file is no store to a reader and a new store to a writer", "
   CHECK(Store(file, Store::Mode::read).solves("table-3").size() == 40);
 }
 
-TEST_CASE("a store of another version is refused, with what made it and what reads it, and stays as it is",
-          "[store][faults]") {
+TEST_CASE("a store of another version is refused and stays as it is", "[store][faults]") {
   const ScratchFolder folder;
   const auto file = folder.path / "a.ikb";
   for (const int version : {-1, 0, 1, 23, 700}) {
     CAPTURE(version);
     write_store(file);
-    Store(file, Store::Mode::write).begin_session({{"version", "1.0.0"}});
     SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(fmt::format("PRAGMA user_version = {}", version));
     const std::string before = text_in(file);
     for (const auto mode : {Store::Mode::read, Store::Mode::write, Store::Mode::write_shared})
       CHECK_THAT(refusal(file, mode),
-                 ContainsSubstring(fmt::format("{} is a store of version {}, made by ikbench 1.0.0, and this ikbench "
-                                               "reads version 2 alone; ikbench 1.0 reads it",
+                 ContainsSubstring(fmt::format("{} is a store of version {}, and this ikbench reads version 2 alone",
                                                quoted(file), version)));
     CHECK(text_in(file) == before);
     std::filesystem::remove(file);
@@ -138,20 +135,14 @@ TEST_CASE("a store with bytes overwritten is read or refused, nothing else", "[s
   CHECK(refused > 50);
 }
 
-TEST_CASE("a value that is not of its column's type is damage", "[store][faults]") {
+TEST_CASE("a value that ikbench does not write is damage, and SQLite takes none of another type", "[store][faults]") {
   for (const auto& [change, word] : std::vector<std::pair<std::string, std::string>>{
-           {"status = 'fine'", "status 'fine'"},
+           {"status = 'fine'", "status: 'fine'"},
            {"answer_rad = '1,2'", "answer_rad: '1,2' is not a list"},
            {"answer_rad = '[1,,2]'", "'' in a list"},
-           {"answer_rad = '[1,x]'", "'x' in a list"},
-           {"position_error_cm = 'abc' WHERE run = 2",
-            "(position_error_cm 'abc', expected a number; in the solve of run 2, point 1 of series 'key-a')"},
-           {"seconds = x'00'", "seconds (BLOB), expected a number"},
-           {"evaluations = 1.5e300", "evaluations 1.5e+300, expected a whole number"},
-           {"iterations = 2.5", "iterations 2.5, expected a whole number"},
-           {"status = x'6f6b'", "status (BLOB), expected text"},
-           {"trace_cm = x'5b5d'", "trace_cm (BLOB), expected text"},
-           {"run = 'two' WHERE run = 2", "run 'two', expected a whole number"}}) {
+           {"answer_rad = '[1,x]' WHERE run = 2",
+            "(answer_rad: 'x' in a list of numbers; in the solve of run 2, point 1 of series 'key-a')"},
+           {"repeats = 5000000000", "repeats: 5000000000"}}) {
     CAPTURE(change);
     const ScratchFolder folder;
     const auto file = folder.path / "a.ikb";
@@ -160,6 +151,11 @@ TEST_CASE("a value that is not of its column's type is damage", "[store][faults]
     const std::string said = complaint<std::invalid_argument>([&] { read_everything(file); });
     CHECK_THAT(said, ContainsSubstring(quoted(file) + " is damaged") && ContainsSubstring(word));
   }
+  const ScratchFolder folder;
+  write_store(folder.path / "a.ikb");
+  SQLite::Database sqlite((folder.path / "a.ikb").string(), SQLite::OPEN_READWRITE);
+  for (const char* change : {"position_error_cm = 'abc'", "seconds = x'00'", "iterations = 2.5", "run = 'two'"})
+    CHECK_THROWS_AS(sqlite.exec(fmt::format("UPDATE solves SET {}", change)), SQLite::Exception);
 }
 
 TEST_CASE("kill -9 loses nothing that was committed", "[store][faults]") {
