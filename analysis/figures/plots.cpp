@@ -10,6 +10,7 @@
 
 #include "analysis/figures/parts.hpp"
 #include "numerics/number.hpp"
+#include "numerics/utf8.hpp"
 
 namespace ikbench::figures {
 

@@ -217,13 +217,16 @@ show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& c
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{sentence});
     for (const Shares* of : {&shares.all, &shares.near}) {
       for (const double part : {of->holds, of->fails, of->undecided})
-        row.push_back(of->all() > 0 ? show::Cell(100 * part / of->all()) : show::Cell());
+        if (of->all() > 0)
+          row.emplace_back(100 * part / of->all());
+        else
+          row.emplace_back();
     }
     const auto most = std::ranges::max_element(alternatives, {}, difference);
     const bool is_decided = most != alternatives.end() && difference(*most) > 0;
-    row.push_back(is_decided ? show::Cell(words_of(
-                                   multiverse.dimensions[static_cast<std::size_t>(most - alternatives.begin())], *most))
-                             : show::Cell());
+    row.emplace_back();
+    if (is_decided)
+      row.back() = words_of(multiverse.dimensions[static_cast<std::size_t>(most - alternatives.begin())], *most);
   }
   table.notes = {fmt::format(
       "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own.",

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/units.hpp"
 

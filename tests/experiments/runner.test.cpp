@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <nlohmann/json.hpp>
 
 #include "experiments/environment.hpp"
@@ -661,12 +662,12 @@ TEST_CASE("wrist_turns = nearest turns a wrist angle by whole turns, to at most 
   study.wrist_turns = WristTurns::nearest;
   const SolveRecord nearest = solve_once(study, study.solvers[0], target);
   for (std::size_t j = 0; j < 7; ++j) {
-    const double turns = (nearest.answer_rad[j] - principal.answer_rad[j]) / (2 * pi);
+    const double turns = (nearest.answer_rad[j] - principal.answer_rad[j]) / (2 * std::numbers::pi);
     CHECK(turns == Approx(std::round(turns)).margin(1e-12));
-    CHECK(std::abs(principal.answer_rad[j]) <= pi + 1e-12);
-    if (j > 3) CHECK(std::abs(nearest.answer_rad[j] - study.initial[static_cast<Eigen::Index>(j)]) <= pi + 1e-12);
+    CHECK(std::abs(principal.answer_rad[j]) <= std::numbers::pi + 1e-12);
+    if (j > 3) CHECK(std::abs(nearest.answer_rad[j] - study.initial[static_cast<Eigen::Index>(j)]) <= std::numbers::pi + 1e-12);
   }
-  CHECK(std::abs(nearest.answer_rad[6]) > pi);
+  CHECK(std::abs(nearest.answer_rad[6]) > std::numbers::pi);
 }
 
 TEST_CASE("the nearest branch moves the wrist no further than either of the two", "[runner]") {
