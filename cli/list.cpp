@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdint>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "analysis/compare/metrics.hpp"
@@ -18,6 +19,7 @@
 #include "cli/robot.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
@@ -32,6 +34,24 @@ using namespace results;
 using namespace experiments;
 
 namespace {
+
+constexpr EmbeddedFile references[]{
+#include "references.inc"
+};
+
+// The keys of docs/references.bib whose keywords name a solver or an arm.
+std::string references_of(std::string_view name) {
+  std::vector<std::string> keys;
+  std::istringstream lines{std::string(references[0].text)};
+  for (std::string line, key; std::getline(lines, line);) {
+    if (line.starts_with('@')) key = line.substr(line.find('{') + 1, line.find(',') - line.find('{') - 1);
+    if (line.find("keywords = ") == std::string::npos) continue;
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, ' ');
+    if (line.find(fmt::format(" {} ", name)) != std::string::npos) keys.push_back(key);
+  }
+  return fmt::format("{}", fmt::join(keys, ", "));
+}
 
 // A list for a reader and for a program.
 struct Listed {
@@ -61,12 +81,12 @@ Listed listed(const show::Table& table) {
 }
 
 show::Table solver_list() {
-  show::Table table{.name = "solvers", .caption = "", .columns = {{"name"}, {"what"}, {"from"}}};
+  show::Table table{.name = "solvers", .caption = "", .columns = {{"name"}, {"what"}, {"cite"}}};
   for (const SolverInfo& info : all_solvers()) {
-    table.rows.push_back({std::string(info.name), std::string(info.summary), std::string(info.source)});
+    table.rows.push_back({info.name, info.summary, references_of(info.name)});
   }
   for (const MissingPeer& peer : missing_peers()) {
-    table.rows.push_back({std::string(peer.name), std::string(peer.how), show::Cell()});
+    table.rows.push_back({peer.name, peer.how, references_of(peer.name)});
   }
   return table;
 }
@@ -87,18 +107,21 @@ Listed solver_details(std::string_view name) {
   const Listed options = listed(table);
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
   return {fmt::format("{}\n\n{}",
-                      wrapped(fmt::format("{}: {}\nsource: {}{}", info.name, info.summary, info.source, library)),
+                      wrapped(fmt::format("{}: {}\nsource: {}; cite {}{}", info.name, info.summary, info.source,
+                                          references_of(info.name), library)),
                       options.text),
           {{"name", info.name},
            {"what", info.summary},
            {"from", info.source},
+           {"cite", references_of(info.name)},
            {"library", info.library},
            {"options", options.json}}};
 }
 
 show::Table robot_list() {
-  show::Table table{.name = "robots", .caption = "", .columns = {{"name"}, {"joints"}, {"what"}}};
-  for (const Robot& arm : all_robots()) table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary});
+  show::Table table{.name = "robots", .caption = "", .columns = {{"name"}, {"joints"}, {"what"}, {"cite"}}};
+  for (const Robot& arm : all_robots())
+    table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary, references_of(arm.name)});
   return table;
 }
 

@@ -20,6 +20,16 @@ succeeds list solvers --json
 json '{"ik_bat", "bat", "differential_evolution", "particle_swarm", "k_artificial_bee_colony", "multi_objective_swarm"} <= {row["name"] for row in of}'
 succeeds list solvers ik_bat --json
 json '{"alpha", "gamma", "loudness", "pulse_rate", "acceptance", "bounds"} <= {row["option"] for row in of["options"]}'
+# What to cite: an entry for each, and no keyword of another one.
+succeeds list solvers --json
+json "all(row['cite'] for row in of)"
+succeeds list robots --json
+json "all((row['cite'] == '') == row['name'].startswith('planar_') for row in of)"
+"$program" list solvers >all && "$program" list robots >>all
+for keyword in $(sed -n 's/.*keywords = {\(.*\)}/\1/p' "$root/docs/references.bib" | tr -d ,); do
+  grep -q "^$keyword " all || [[ -e $root/analysis/papers/$keyword.toml ]] || fail "references.bib names $keyword"
+done
+
 succeeds list robots kuka_iiwa14 --json
 json '[round(link["d_m"], 6) for link in of["links"]] == [0.36, 0, 0.42, 0, 0.4, 0, 0.126]' # the manufacturer's
 succeeds list studies slim2023 --json
