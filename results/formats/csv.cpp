@@ -42,19 +42,16 @@ void for_each_csv_column(Visit&& visit) {
 // Cells per column.
 using Widths = std::vector<std::size_t>;
 
-// True if no list of a solve is longer than its width; grows the widths that are too small.
-bool fits(const SolveRecord& record, Widths& widths) {
-  bool is_within = true;
+// Makes the widths as large as the lists of a solve.
+void widen(Widths& widths, const SolveRecord& record) {
   std::size_t column = 0;
   for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
     std::size_t cells = 1;
     if constexpr (is_list<Value>) cells = (record.*member).size();
     if (widths.size() == column) widths.push_back(cells);
-    is_within &= cells <= widths[column];
     widths[column] = std::max(widths[column], cells);
     ++column;
   });
-  return is_within;
 }
 
 void append_header(std::string& text, const Widths& widths) {
@@ -86,58 +83,27 @@ void append_row(std::string& text, const SolveRecord& record, const Widths& widt
   append_csv_row(text, cells);
 }
 
-// Gathers text, so that it is written in parts of some size.
-class Parts {
- public:
-  explicit Parts(const Write& write) : write_(write) {}
-
-  std::string text = {};  // add to it, then call end_row()
-
-  void end_row() {
-    if (text.size() >= part) end();
-  }
-  void end() {
-    write_(text);
+void write_rows(const PassSolves& pass, const Write& write) {
+  constexpr std::size_t part = 1 << 20;  // written at a time
+  Widths widths;
+  pass([&](const SolveRecord& record) { widen(widths, record); });
+  std::string text;
+  append_header(text, widths);
+  pass([&](const SolveRecord& record) {
+    append_row(text, record, widths);
+    if (text.size() < part) return;
+    write(text);
     text.clear();
-  }
-
- private:
-  static constexpr std::size_t part = 1 << 20;
-  const Write& write_;
-};
+  });
+  write(text);
+}
 
 }  // namespace
 
-void csv_text(const Exported& exported, const Write& write) {
-  Widths widths;
-  exported.each_solve([&](const SolveRecord& record) { fits(record, widths); });
-  Parts parts(write);
-  append_header(parts.text, widths);
-  exported.each_solve([&](const SolveRecord& record) {
-    append_row(parts.text, record, widths);
-    parts.end_row();
-  });
-  parts.end();
-}
+void csv_text(const Exported& exported, const Write& write) { write_rows(exported.each_solve, write); }
 
 void write_csv(const std::filesystem::path& file, const PassSolves& pass) {
-  Widths widths;
-  for (bool is_whole = false; !is_whole;) {
-    is_whole = true;
-    write_file(file, [&](const Write& write) {
-      Parts parts(write);
-      if (!widths.empty()) append_header(parts.text, widths);
-      pass([&](const SolveRecord& record) {
-        const bool is_first = widths.empty(), is_within = fits(record, widths);
-        if (is_first) append_header(parts.text, widths);
-        is_whole &= is_first || is_within;
-        append_row(parts.text, record, widths);
-        parts.end_row();
-      });
-      if (widths.empty()) append_header(parts.text, widths);
-      parts.end();
-    });
-  }
+  write_file(file, [&](const Write& write) { write_rows(pass, write); });
 }
 
 }  // namespace ikbench::results
