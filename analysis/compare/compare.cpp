@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -48,13 +49,16 @@ bool are_on_logs(const Observations& of, const Pair& pair) {
   return of.scale == Scale::ratio && is_by_ranks(pair.method);
 }
 
-// Makes values equal that lie within the rounding above the smallest of them: the metric's, or the twelfth digit.
+// Relative: smaller than a difference in the fifteenth digit, the last that every double can tell.
+constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon();
+
+// Makes values equal that lie within the rounding above the smallest of them: the metric's, or that of doubles.
 void remove_rounding(std::vector<double>& values, double rounding) {
   std::vector<double*> order;
   for (double& value : values) order.push_back(&value);
   std::ranges::sort(order, {}, [](const double* value) { return *value; });
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const double least = *order[first], most = least + std::max(rounding, 1e-12 * std::abs(least));
+    const double least = *order[first], most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
     for (; next < order.size() && *order[next] <= most; ++next) *order[next] = least;
   }
 }
@@ -86,7 +90,7 @@ struct Two {
       sizes.push_back(std::abs(one - other));
       largest = std::max({largest, std::abs(one), std::abs(other)});
     }
-    remove_rounding(sizes, 1e-12 * largest);
+    remove_rounding(sizes, rounding_of_doubles * largest);
     for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = std::copysign(sizes[i + 1], differences[i]);
   }
 };

@@ -196,13 +196,15 @@ Observations quantity_of(const std::string& title, bool is_larger_better) {
 void fill(const Layout& layout, const Items& items, Observed& observed) {
   struct Mean {
     Index group, unit, rows;
-    double value;
+    long double sum;  // by which the same rows in another order have the same mean
+    double value() const { return static_cast<double>(sum / rows); }
   };
   std::vector<Mean> means;
   for (const Value& each : items.values) {
     const bool is_next = !means.empty() && means.back().group == each.group && means.back().unit == each.unit;
-    if (!is_next) means.push_back({.group = each.group, .unit = each.unit, .rows = 0, .value = 0});
-    means.back().value += (each.value - means.back().value) / ++means.back().rows;
+    if (!is_next) means.push_back({.group = each.group, .unit = each.unit, .rows = 0, .sum = 0});
+    means.back().sum += each.value;
+    ++means.back().rows;
   }
   std::vector<Index> most(layout.block ? items.units : 1);
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
@@ -215,10 +217,10 @@ void fill(const Layout& layout, const Items& items, Observed& observed) {
   for (const Mean& each : means) {
     Group& group = of.groups[each.group];
     ++all[each.group];
-    const bool is_lost = std::isnan(each.value), is_short = each.rows < most_of(each);
+    const bool is_lost = std::isnan(each.value()), is_short = each.rows < most_of(each);
     without[each.group] += is_lost;
     group.lost += is_lost || is_short;
-    if (!is_lost && !is_short) group.values.push_back(each.value);
+    if (!is_lost && !is_short) group.values.push_back(each.value());
   }
   const std::string rows = layout.block ? "blocks have fewer rows" : "runs have fewer rows";
   Doubt none{.kind = DoubtKind::without_answer, .what = "values are missing"};

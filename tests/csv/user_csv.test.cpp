@@ -59,6 +59,14 @@ TEST_CASE("all 20 run means of A below all of B are better, whatever their sprea
   CHECK(*found.p == Approx(2 / 137846528820.0));  // 2 / C(40, 20)
 }
 
+TEST_CASE("values with a large common offset are told apart by their last digits") {
+  std::string text = "solver,v\n";
+  for (int i = 0; i < 6; ++i) text += fmt::format("A,{}\nB,{}\n", 10'000'000'000'000 + i, 10'000'000'000'006 + i);
+  const Finding found = finding(text);
+  CHECK(found.verdict == Verdict::better);
+  CHECK(*found.p == Approx(2 / 924.0));  // 2 / C(12, 6)
+}
+
 TEST_CASE("values near -5 are the same within 1, on differences") {
   const std::string text = file_text("tests/data/csv/drift.csv");
   const Quantities read = csv::read(text, "drift.csv", {});
@@ -228,6 +236,11 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
       observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n", {.values = {"v"}, .block = "p", .run = "r"});
   CHECK(several.trials == 2);
   CHECK(several.groups[0].values == std::vector{0.5});
+  std::string text = "s,p,r,v\n";
+  for (int run = 0; run < 1000; ++run)
+    text += fmt::format("A,1,{0},{1}\nB,1,{0},{2}\n", run, run % 3 ? 0 : 1, run > 333 ? 0 : 1);
+  const Observations equal = observations(text, {.values = {"v"}, .block = "p", .run = "r"});
+  CHECK(equal.groups[0].values == equal.groups[1].values);  // in whichever order the runs were solved
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
