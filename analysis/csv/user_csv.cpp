@@ -361,10 +361,12 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     };
     const double size = number(n, 2);
     if (size != std::floor(size) || size > 1e9) sheet.refuse(row, n, "is no number of values");
-    groups.push_back({.name = name,
-                      .summary = Summary{.n = static_cast<int>(size),
-                                         .mean = number(mean, std::numeric_limits<double>::lowest()),
-                                         .sd = number(sd, 0)}});
+    const Summary summary{
+        .n = static_cast<int>(size), .mean = number(mean, std::numeric_limits<double>::lowest()), .sd = number(sd, 0)};
+    const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
+    groups.push_back({.name = name, .is_apart = is_constant, .summary = summary});
+    if (is_constant)
+      found->doubts.push_back({.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .what = "value"});
   }
   return quantities;
 }

@@ -270,6 +270,16 @@ TEST_CASE("printed means are compared by means") {
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,1\nA,5,2,1\n", "s.csv", {}), std::invalid_argument);
 }
 
+TEST_CASE("printed means without a spread decide nothing") {
+  const Quantities read =
+      csv::read_summaries("name,n,mean,sd\nA,20,1,0\nB,20,1.1,0\nC,20,1,0.1\nD,20,2,0.1\n", "s.csv", {});
+  CHECK(read.observed.front().doubts.size() == 2);
+  const std::vector<Finding> found = compare::compare(read.observed.front().observations, {});
+  for (const Finding& each : found)
+    CHECK((each.verdict == Verdict::not_tested) == (each.first == "A" || each.first == "B"));
+  CHECK(found.back().verdict == Verdict::better);
+}
+
 TEST_CASE("an exported file of solves is judged as its report does, or says what it lacks") {
   const std::string header =
       "study,robot,solver,series,run,point,position_error_cm,evaluations,seconds,stop_reason,status\n";
