@@ -40,7 +40,10 @@ struct Layout {
 Layout layout_of(const Sheet& sheet, const Request& request) {
   const auto column = [&](const std::string& name) { return name.empty() ? Column() : sheet.column(name); };
   Layout layout{.label = column(request.label), .block = column(request.block), .run = column(request.run)};
-  for (const std::string& each : request.values) layout.values.push_back(sheet.column(each));
+  for (const std::string& each : request.values) {
+    const std::size_t at = sheet.column(each);
+    if (std::ranges::count(layout.values, at) == 0) layout.values.push_back(at);
+  }
   if (!layout.label) layout.label = sheet.column_like(label_names);
   if (layout.label && !layout.values.empty()) return layout;
   std::vector<std::size_t> numbers, texts;
@@ -306,6 +309,10 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     for (const Index row : sheet.rows()) refuse_other(sheet, sheet.rows().front(), row, *metric);
   }
   Quantities quantities;
+  if (const Column trial = sheet.column_like(run_names); trial && !layout.label && !layout.block)
+    quantities.notes.push_back(
+        fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
+                    sheet.titles()[*trial]));
   const std::size_t count = layout.label ? layout.values.size() : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string title = layout.label ? sheet.titles()[layout.values[i]] : "value";

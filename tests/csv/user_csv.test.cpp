@@ -196,6 +196,9 @@ TEST_CASE("wide files have a group a column; a shorter column has fewer values")
   CHECK(blocks.groups[0].lost == 1);
   CHECK(has(complaint("set,a,b\nx,1,4\ny,2,5\n"), "--block 'set'"));
   CHECK(has(complaint("a,a\n1,4\n2,5\n"), "2 columns 'a'"));
+  const std::string trials = "trial,a,b\n1,1,4\n2,2,5\n";
+  CHECK(csv::read(trials, "data.csv", {}).notes.size() == 1);  // names --block
+  CHECK(csv::read(trials, "data.csv", {.block = "trial"}).notes.empty());
 }
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
@@ -313,6 +316,7 @@ TEST_CASE("mistakes say where and what to do") {
   CHECK(has(complaint("solver,v,w\nA,1,2\n"), "--value"));
   CHECK(has(complaint("s,t,v\nA,x,1\n"), "--label"));
   CHECK(has(complaint("v\n1\n2\n"), "--label"));
+  CHECK(csv::read("s,v\nA,1\nB,2\n", "data.csv", {.values = {"v", "v"}}).observed.size() == 1);
   CHECK(has(complaint("solver,error\nA,1\n", {.values = {"eror"}}), "did you mean \"error\""));
   CHECK(has(complaint(std::string("s,v\nA\0,1\n", 9)), "NUL"));
   std::string many = "s,v\n";
