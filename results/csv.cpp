@@ -180,9 +180,8 @@ void expect_text(std::string_view text, std::string_view source) {
                                           1 + std::ranges::count(text.substr(0, nul), '\n')));
 }
 
-std::string csv_text(std::istream& stream, std::string_view source, std::uintmax_t expected) {
+std::string csv_text(std::istream& stream, std::string_view source) {
   std::string text;
-  text.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(expected, max_csv_bytes)));
   std::array<char, 1 << 16> buffer{};
   while (text.size() <= max_csv_bytes && stream) {
     stream.read(buffer.data(), buffer.size());

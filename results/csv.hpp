@@ -51,7 +51,7 @@ class CsvView {
 // Refuses a NUL byte.
 void expect_text(std::string_view text, std::string_view source);
 // Reads the whole text, or just more than the readers below take: a stream may have no end. Refuses what is no text.
-std::string csv_text(std::istream& stream, std::string_view source, std::uintmax_t expected = 0);
+std::string csv_text(std::istream& stream, std::string_view source);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source);
 CsvView view_csv(std::string_view text, std::string_view source, char separator = ',');

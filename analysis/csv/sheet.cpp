@@ -67,6 +67,8 @@ std::string in_quotes(std::string_view text) {
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
     : source_(source), view_(text), decimal_(decimal) {
   results::expect_text(text, source);
+  if (std::ranges::count(text, '\n') > most_lines + 1)
+    refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
   if (separator == 0) separator = separator_of(text);
   if (decimal_ == 0 && separator == ',') decimal_ = '.';  // "1,234" may be a thousand
   view_ = results::view_csv(text, source, separator);
