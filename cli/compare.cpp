@@ -166,7 +166,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
     std::vector<Gate> gates;
     for (const Compared& one : all) gates.push_back(one.gate);
     invocation.exit_code = exit_code(gates, arguments->is_strict);
-    if (!arguments->output.empty()) results::write_file(arguments->output, markdown_of(all));
+    if (!arguments->output.empty()) results::write_through(arguments->output, markdown_of(all));
     if (arguments->is_json) return show_json(json_of(all, invocation.exit_code));
     fmt::print("{}", printable(screen_of(all)));
   });

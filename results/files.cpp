@@ -2,11 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -82,93 +83,41 @@ std::error_code write_into(const fs::path& file, const Contents& contents) {
   }
 }
 
-constexpr std::string_view half_mark = ".half-", scratch_mark = ".drawing-";
+// Of unfinished files and folders; the number of their process follows.
+constexpr std::string_view mark = ".ikbench-";
 
-fs::path half_of(const fs::path& place) { return fmt::format("{}{}{}", place.string(), half_mark, ::getpid()); }
-
-bool is_half(std::string_view name) {
-  const std::size_t mark = name.rfind(half_mark);
-  return mark != std::string::npos && mark + half_mark.size() < name.size() &&
-         name.find_first_not_of("0123456789", mark + half_mark.size()) == std::string::npos;
+// Names what a process left that no longer lives.
+bool is_litter(std::string_view name) {
+  const std::size_t at = name.rfind(mark);
+  if (at == std::string_view::npos) return false;
+  pid_t process = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + at + mark.size(), end, process);
+  return error == std::errc() && (rest == end || *rest == '-') && process > 0 && ::kill(process, 0) != 0 &&
+         errno == ESRCH;
 }
 
-// Locks the open file of this name. Another process that takes it for litter may hold the lock first (EWOULDBLOCK), or
-// have removed it (ENOENT).
-bool lock(int descriptor, const fs::path& path, int wait = LOCK_NB) {
-  if (::flock(descriptor, LOCK_EX | wait) != 0) return false;
-  struct stat open {
-  }, there{};
-  if (::fstat(descriptor, &open) != 0 || ::lstat(path.c_str(), &there) != 0) return false;
-  if (open.st_dev == there.st_dev && open.st_ino == there.st_ino) return true;
-  errno = ENOENT;
-  return false;
-}
-
-bool is_of_others(int why) { return why == EWOULDBLOCK || why == ENOENT; }
-
-// Opens and locks `path`, which must not be a link; negative if another process has the lock, or if it cannot be
-// opened.
-int locked(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0 || lock(descriptor, path)) return descriptor;
-  const int why = errno;
-  ::close(descriptor);
-  errno = why;
-  return -1;
-}
-
-// Removes it unless a living process has it.
-void remove_unlocked(const fs::path& path) {
-  const int descriptor = locked(path);
-  if (descriptor < 0) return;
-  std::error_code ignored;
-  fs::remove_all(path, ignored);
-  ::close(descriptor);
-}
-
-// Removes the halves of the same file that killed processes left.
-void remove_halves_of(const fs::path& place) {
-  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
-  const std::string begin = place.filename().string() + std::string(half_mark);
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (name.starts_with(begin) && is_half(name)) remove_unlocked(entry->path());
-  }
-}
+fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
 
 // Replaces `former`, or writes a new file; whole or not at all.
 std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
-  remove_halves_of(file);
-  const fs::path half = half_of(file);
-  std::error_code ignored;
-  // A process that takes it for litter removes it by its name while it holds its lock. So wait for the lock: otherwise
-  // that process would remove a new file of that name.
-  constexpr int until_free = 0;
-  int descriptor = ::open(half.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0 || lock(descriptor, half, until_free) || errno != ENOENT) {
-    fs::remove(half, ignored);  // of an earlier process with our number
-  }
-  do {
-    if (descriptor >= 0) ::close(descriptor);
-    descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
-    if (descriptor < 0) return last_error();
-  } while (!lock(descriptor, half, until_free) && errno == ENOENT);
-  const int kept = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);  // stays locked until it has its name
-  std::error_code error;
+  remove_litter(folder_of(file));
+  const fs::path half = fmt::format("{}{}{}", file.string(), mark, ::getpid());
+  std::error_code error, ignored;
+  fs::remove(half, ignored);  // of an earlier process with our number
+  const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
+  if (descriptor < 0) return last_error();
   try {
     error = write_all(descriptor, contents);
   } catch (...) {  // an error of the contents
     ::close(descriptor);
     fs::remove(half, ignored);
-    if (kept >= 0) ::close(kept);
     throw;
   }
   if (former != nullptr) pass_on(*former, descriptor);
   error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
   if (error) fs::remove(half, ignored);
-  if (kept >= 0) ::close(kept);
   return error;
 }
 
@@ -184,12 +133,7 @@ std::optional<int> open_already(const struct stat& file) {
   return std::nullopt;
 }
 
-// True for a file that must be written in place: it has other names, or its folder takes no new file.
-bool must_stay(const fs::path& place, const struct stat& file) {
-  return file.st_nlink > 1 || ::access(place.parent_path().c_str(), W_OK) != 0;
-}
-
-std::error_code write_whole(const fs::path& file, const Contents& contents) {
+std::error_code write_where_it_leads(const fs::path& file, const Contents& contents) {
   struct stat there {};
   if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
   if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, contents);
@@ -201,7 +145,8 @@ std::error_code write_whole(const fs::path& file, const Contents& contents) {
   std::error_code error;
   const fs::path place = fs::canonical(file, error);
   if (error) return error;
-  return must_stay(place, there) ? write_into(place, contents) : replace(place, contents, &there);
+  const bool takes_new_files = ::access(place.parent_path().c_str(), W_OK) == 0;
+  return takes_new_files ? replace(place, contents, &there) : write_into(place, contents);
 }
 
 template <class Write>
@@ -220,9 +165,10 @@ void write_file(const fs::path& file, std::string_view text) {
 
 void write_file(const fs::path& file, const Contents& contents) {
   write_or_refuse(file, [&] {
-    std::error_code error;
-    const bool is_link = fs::is_symlink(fs::symlink_status(file, error));
-    return is_link ? replace(file, contents, nullptr) : write_whole(file, contents);
+    struct stat there {};
+    const bool is_file = ::lstat(file.c_str(), &there) == 0 && S_ISREG(there.st_mode);
+    if (is_file && ::access(file.c_str(), W_OK) != 0) return last_error();
+    return replace(file, contents, is_file ? &there : nullptr);
   });
 }
 
@@ -231,10 +177,18 @@ void write_through(const fs::path& file, std::string_view text) {
 }
 
 void write_through(const fs::path& file, const Contents& contents) {
-  write_or_refuse(file, [&] { return write_whole(file, contents); });
+  write_or_refuse(file, [&] { return write_where_it_leads(file, contents); });
+}
+
+void refuse_link(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_symlink(folder, ignored))
+    throw std::invalid_argument(fmt::format("'{}' is a link; remove it, or choose another folder", folder.string()));
 }
 
 std::optional<std::string> read_file(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!stream || !(text << stream.rdbuf())) return std::nullopt;
@@ -242,14 +196,6 @@ std::optional<std::string> read_file(const fs::path& file) {
 }
 
 namespace {
-
-bool is_litter(const fs::directory_entry& entry) {
-  const std::string name = entry.path().filename().string();
-  std::error_code error;
-  const fs::file_type type = entry.symlink_status(error).type();
-  if (type == fs::file_type::directory) return name.starts_with(scratch_mark);
-  return type == fs::file_type::regular && is_half(name);
-}
 
 // The folders of this process; they must not stay when a signal ends it.
 std::mutex temporary_mutex;
@@ -261,20 +207,11 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
   const std::scoped_lock lock(temporary_mutex);
   std::error_code error;
   fs::create_directories(parent, error);
-  // Another process may take the folder for litter between its creation and its lock.
-  for (int attempt = 0; lock_ < 0 && !error && attempt < 10; ++attempt) {
-    std::string name = (parent / fmt::format("{}XXXXXX", scratch_mark)).string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      error = last_error();
-    } else {
-      path_ = name;
-      temporary_folders.insert(path_);
-      lock_ = locked(path_);
-      if (lock_ < 0 && !is_of_others(errno)) return;  // a file system without locks
-    }
-  }
-  if (lock_ >= 0) return;
-  refuse(fmt::format("into '{}'", parent.string()), error ? error.message() : "no folder stays there", error);
+  std::string name = (parent / fmt::format("{}{}-XXXXXX", mark, ::getpid())).string();
+  if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
+  if (error) refuse(fmt::format("into '{}'", parent.string()), error.message(), error);
+  path_ = name;
+  temporary_folders.insert(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -282,7 +219,6 @@ TemporaryFolder::~TemporaryFolder() {
   temporary_folders.erase(path_);
   std::error_code ignored;
   fs::remove_all(path_, ignored);
-  if (lock_ >= 0) ::close(lock_);
 }
 
 void remove_temporary_folders() {
@@ -297,9 +233,10 @@ void remove_temporary_folders() {
 }
 
 void remove_litter(const fs::path& folder) {
-  std::error_code error;
+  std::error_code error, ignored;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_litter(*entry)) remove_unlocked(entry->path());
+    if (is_litter(entry->path().filename().string()) && !entry->is_symlink(ignored))
+      fs::remove_all(entry->path(), ignored);
   }
 }
 
@@ -307,33 +244,13 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   std::error_code error, ignored;
   fs::path place = folder.has_filename() ? folder : folder.parent_path();
   if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
-  remove_halves_of(place);
-  const fs::path half = half_of(place);
-  int kept = -1;
-  do {
-    fs::remove_all(half, ignored);  // of an earlier process with our number
-    fs::create_directories(half, error);
-    if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
-    kept = locked(half);
-  } while (kept < 0 && is_of_others(errno));
-  const auto note = [&](auto&& action) {
-    const std::scoped_lock lock(temporary_mutex);
-    action();
-  };
-  note([&] { temporary_folders.insert(half); });
-  const auto end = [&] {
-    note([&] { temporary_folders.erase(half); });
-    fs::remove_all(half, ignored);
-    if (kept >= 0) ::close(kept);
-  };
-  try {
-    fill(half);
-    note([&] { fs::rename(half, place, error); });
-  } catch (...) {
-    end();
-    throw;
-  }
-  end();
+  remove_litter(folder_of(place));
+  const TemporaryFolder scratch(folder_of(place));
+  const fs::path half = scratch.path() / "folder";
+  fs::create_directory(half, error);
+  if (!error) fill(half);
+  const std::scoped_lock lock(temporary_mutex);
+  if (!error) fs::rename(half, place, error);
   if (error) refuse(fmt::format("'{}'", folder.string()), error.message(), error);
 }
 

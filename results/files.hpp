@@ -1,5 +1,4 @@
-// Writes files that are either whole or absent: under another name beside their place, then renamed. Devices, pipes and
-// other irregular files are written into.
+// Writes files that are either whole or absent: under another name beside their place, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -10,24 +9,26 @@
 
 namespace ikbench::results {
 
-// Creates the folder if it is missing. Keeps the owner and the permissions of a replaced file. Replaces a link and does
-// not follow it, since somebody else may have put it into a folder of results. Writes in place a file that has other
-// names, that the shell has open, or whose folder takes no new file. Removes halves of the same file from killed
-// processes. Throws std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the
-// system's reason.
+// Creates the folder if it is missing. Keeps the owner and the permissions of a replaced file. Replaces a link, a pipe
+// or a device, and opens none, since somebody else may have put it into a folder of results. Removes the litter there.
+// Throws std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's
+// reason.
 void write_file(const std::filesystem::path& file, std::string_view text);
 // The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
 // was.
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same two for a file that the user named: they follow links.
+// The same two for a file that the user named: they follow links, and write into pipes and devices, a file that the
+// shell has open, and one whose folder takes no new file.
 void write_through(const std::filesystem::path& file, std::string_view text);
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
 // gets its name.
 void write_folder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
-// Reads a file; nothing if it cannot be read.
+// Refuses a link in place of a folder of results: what it leads to belongs to somebody else.
+void refuse_link(const std::filesystem::path& folder);
+// Reads a regular file, where a link leads too; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
 // A new folder inside another, for unfinished work; removed at the end. Nobody else's link or file is in it.
@@ -43,14 +44,12 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-  int lock_ = -1;
 };
 
 // Removes those of this process, for a sudden end: nothing after it makes, removes or renames such a folder.
 void remove_temporary_folders();
 
-// Removes the half-written files and scratch folders of killed processes from a folder. Those of living processes are
-// locked, and stay.
+// Removes the half-written files and scratch folders of killed processes of this machine from a folder.
 void remove_litter(const std::filesystem::path& folder);
 
 }  // namespace ikbench::results

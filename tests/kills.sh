@@ -129,8 +129,8 @@ kill_report() { # while it is drawn
   local signal
   for signal in "${ends[@]}"; do
     rm -rf drawn
-    at_work "drawn/figures/.drawing-*" $signal report whole/store.sqlite --out drawn
-    equal "SIG$signal left" "$(find drawn -name '.drawing-*')" ""
+    at_work "drawn/figures/.ikbench-*" $signal report whole/store.sqlite --out drawn
+    equal "SIG$signal left" "$(find drawn -name '.ikbench-*')" ""
   done
 }
 

@@ -29,8 +29,8 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
     const fs::path file(each.get<std::string>());
     const fs::path top = file.parent_path();
     constexpr std::array<std::string_view, 8> types{".csv", ".md", ".tex", ".gp", ".dat", ".svg", ".pdf", ".png"};
-    const bool is_own = (top == "tables" || top == "figures") && !fs::is_symlink(folder / top) &&
-                        std::ranges::find(types, file.extension().string()) != types.end();
+    const bool is_own =
+        (top == "tables" || top == "figures") && std::ranges::find(types, file.extension().string()) != types.end();
     if (is_own) files.push_back(file);
   }
   return files;
@@ -69,6 +69,7 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
                   const std::string& program) {
+  for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);

@@ -47,6 +47,19 @@ json '"report.html" in of["files"] and "tables/descriptives.tex" in of["files"]'
 for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'); do [ -s "new/report/$file" ] || fail "no $file"; done
 [ ! -e new/report/solves.csv ] || fail "solves of a file that has none"
 
+# What lies in the folder is replaced unopened: a pipe, a name of another file. A folder that leads elsewhere is refused.
+mkdir victim
+echo precious >victim/file
+rm new/report/results.json
+mkfifo new/report/results.json
+ln -f victim/file new/report/report.md
+succeeds stats comma.csv --out new/report
+golden stats-comma new/report/results.json
+rm -r new/report/tables
+ln -s "$PWD/victim" new/report/tables
+refused "new/report/tables" stats comma.csv --out new/report
+equal "the folder that a link leads to" "$(ls victim) $(<victim/file)" "file precious"
+
 # An export of ours is read as what it is: runs of targets, and times that a busy machine made are refused.
 succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
 "$program" export mine/store.sqlite >solves.csv

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -80,6 +81,19 @@ TEST_CASE("a link in a folder of results is replaced, and what it leads to stays
   CHECK(files_in(folder.path) == std::set<std::string>{"far/victim", "link"});
 }
 
+TEST_CASE("a file that has another name too is replaced, and the other stays", "[files]") {
+  const ScratchFolder folder;
+  write_file(folder.path / "victim", "precious");
+  for (const auto write : {+[](const fs::path& file) { write_file(file, "text"); },
+                           +[](const fs::path& file) { write_through(file, "text"); }}) {
+    fs::remove(folder.path / "file");
+    fs::create_hard_link(folder.path / "victim", folder.path / "file");
+    write(folder.path / "file");
+    CHECK(text_of_file(folder.path / "file") == "text");
+    CHECK(text_of_file(folder.path / "victim") == "precious");
+  }
+}
+
 TEST_CASE("a link that the user names is followed, also to a file that is not there yet", "[files]") {
   const ScratchFolder folder;
   fs::create_directory(folder.path / "far");
@@ -104,15 +118,21 @@ TEST_CASE("a link that leads nowhere is an error, and stays", "[files]") {
   CHECK(fs::read_symlink(folder.path / "loop") == "loop");
 }
 
-TEST_CASE("a pipe is written into", "[files]") {
+TEST_CASE("a pipe that the user names is written into, and one in a folder of results is replaced", "[files]") {
   const ScratchFolder folder;
   const fs::path pipe = folder.path / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const std::string text(200'000, 'x');  // more than a pipe holds
-  auto reader = std::async(std::launch::async, [&] { return text_of_file(pipe); });
-  write_file(pipe, text);
+  auto reader = std::async(std::launch::async, [&] {
+    std::ifstream stream(pipe, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  });
+  write_through(pipe, text);
   CHECK(reader.get() == text);
   CHECK(fs::is_fifo(pipe));
+  CHECK_FALSE(read_file(pipe));
+  write_file(pipe, "text");
+  CHECK(text_of_file(pipe) == "text");
   CHECK(files_in(folder.path) == std::set<std::string>{"pipe"});
 }
 

@@ -24,26 +24,28 @@ TEST_CASE("what killed processes left is removed, and nothing else", "[files]") 
   const ScratchFolder folder;
   const fs::path& place = folder.path;
   const fs::path elsewhere = place / "elsewhere";
+  const pid_t dead = in_a_process([] { return true; });
+  exit_code(dead);
+  const std::string number = std::to_string(dead), alive = std::to_string(getpid());
+  const fs::path drawing = place / (".ikbench-" + number + "-aBcDeF"), half = place / ("table.md.ikbench-" + number);
   write_file(elsewhere / "kept.txt", "kept");
-  fs::create_directories(place / ".drawing-4711" / "deep");
-  write_file(place / ".drawing-4711" / "deep" / "figure.gp", "plot");
-  write_file(place / "table.md.half-4711", "| a");
-  write_file(place / "table.md.half-x", "a name of somebody's own");
-  write_file(place / "half-4711", "the same");
-  fs::create_directory_symlink(elsewhere, place / ".drawing-1");
-  fs::create_symlink(elsewhere / "kept.txt", place / "table.md.half-1");
-  const TemporaryFolder alive(place);
+  fs::create_directories(drawing / "deep");
+  write_text(drawing / "deep" / "figure.gp", "plot");
+  write_text(half, "| a");
+  std::set<fs::path> kept{place / "table.md.ikbench-x", place / ("ikbench-" + number), place / (half.string() + "x"),
+                          place / ("table.md.ikbench-" + alive)};
+  for (const fs::path& file : kept) write_text(file, "of somebody else");
+  fs::create_directory_symlink(elsewhere, place / (".ikbench-" + number));
+  fs::create_symlink(elsewhere / "kept.txt", place / ("link.ikbench-" + number));
+  const TemporaryFolder scratch(place);
 
   remove_litter(place);
 
-  CHECK_FALSE(fs::exists(place / ".drawing-4711"));
-  CHECK_FALSE(fs::exists(place / "table.md.half-4711"));
-  CHECK(fs::exists(place / "table.md.half-x"));
-  CHECK(fs::exists(place / "half-4711"));
-  CHECK(fs::exists(elsewhere / "kept.txt"));
-  CHECK(fs::is_symlink(place / ".drawing-1"));
-  CHECK(fs::is_symlink(place / "table.md.half-1"));
-  CHECK(fs::exists(alive.path()));
+  CHECK_FALSE(fs::exists(drawing));
+  CHECK_FALSE(fs::exists(half));
+  kept.insert(
+      {elsewhere / "kept.txt", place / (".ikbench-" + number), place / ("link.ikbench-" + number), scratch.path()});
+  for (const fs::path& each : kept) CHECK(fs::exists(each));
 }
 
 TEST_CASE("a scratch folder is litter as soon as its process is killed", "[files]") {
@@ -91,7 +93,7 @@ TEST_CASE("who writes a file or folder again removes what a killed process left 
     for (const auto& entry : fs::directory_iterator(folder.path)) found.insert(entry.path().filename().string());
     return found;
   };
-  write_text(folder.path / "other.csv.half-1", "of another file");
+  write_text(folder.path / "other.csv.ikbench-1", "of a process that lives");
   killed([&] {
     write_file(folder.path / "a.csv", [](const Write& write) {
       write("half");
@@ -109,7 +111,7 @@ TEST_CASE("who writes a file or folder again removes what a killed process left 
   CHECK_FALSE(fs::exists(folder.path / "b"));
   write_file(folder.path / "a.csv", "whole");
   write_folder(folder.path / "b", [](const fs::path& place) { write_file(place / "c", "whole"); });
-  CHECK(names() == std::set<std::string>{"a.csv", "b", "other.csv.half-1"});
+  CHECK(names() == std::set<std::string>{"a.csv", "b", "other.csv.ikbench-1"});
   CHECK(text_in(folder.path / "b" / "c") == "whole");
 }
 
