@@ -239,6 +239,7 @@ std::string aligned(const Rows& rows, std::size_t width) {
 SignalWatch::SignalWatch() {
   const sigset_t set = watched_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also in all later threads
+  std::signal(SIGXFSZ, SIG_IGN);              // beyond `ulimit -f` a write fails, and its sentence is told
   thread_ = std::thread([set] { watch(set); });
 }
 

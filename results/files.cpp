@@ -31,7 +31,8 @@ struct WriteFailed {
 // Refuses a write, with the exception by whose fault it is: the system's if its disk is full or fails.
 [[noreturn]] void refuse(const std::string& what, const std::string& why, const std::error_code& error) {
   const std::string message = fmt::format("cannot write {}: {}", what, why);
-  if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EIO) throw std::runtime_error(message);
+  if (error.value() == ENOSPC || error.value() == EDQUOT || error.value() == EFBIG || error.value() == EIO)
+    throw std::runtime_error(message);
   throw std::invalid_argument(message + "; choose a place that you can write to");
 }
 
