@@ -150,7 +150,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: the plan's");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
-  command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file");
+  command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file")
+      ->check(not_empty());
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"

@@ -60,6 +60,11 @@ show::Reported judged(const StatsArguments& arguments) {
 
 void stats(const StatsArguments& arguments) {
   const EndOnSignal at_once("Stopped. No report was written.");
+  for (const char* file : {"store.sqlite", "solves.csv"}) {
+    if (!arguments.out.empty() && std::filesystem::exists(std::filesystem::path(arguments.out) / file))
+      throw std::invalid_argument(
+          fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
+  }
   const show::Reported reported = judged(arguments);
   show::Published published;
   if (!arguments.out.empty()) published = show::publish(reported, arguments.out, {}, experiments::program_name());
@@ -103,7 +108,7 @@ void add_stats(CLI::App& app, Invocation&) {
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
   add_json_option(*command, arguments->is_json);
-  add("--out", arguments->out, "folder for a report");
+  add("--out", arguments->out, "folder for a report")->check(not_empty());
   command->footer(
       "Examples:\n"
       "  ikbench stats results.csv\n"

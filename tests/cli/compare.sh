@@ -45,6 +45,7 @@ make farther --set path.radius_cm=21
 make turned --set 'initial_deg=[1,0,0,0,0,0,0]' --set start=initial
 for folder in longer farther turned; do refused different compare $base $folder/store.sqlite; done
 refused slim2023-time compare $base drawn-1/store.sqlite
+refused empty compare $base $again -o ''
 
 # Programs: a crash in 5 of 100 solves, and three times the evaluations for the same answers, are worse.
 cat >gate.toml <<'END'

@@ -68,6 +68,8 @@ refused "--run" stats solves.csv --value position_error_cm
 refused "busy" stats solves.csv --value seconds --run run
 
 # Mistakes.
+refused "store.sqlite" stats comma.csv --out mine
+refused "empty" stats comma.csv --out ""
 refused "none.csv" stats none.csv
 refused "5%" stats "$data/drift.csv" --margin 5%
 refused "--where" stats "$data/mixed-metrics.csv" --value value --run seed
