@@ -128,7 +128,12 @@ void read_csv(Reader& reader, std::vector<std::string>& header, const Use& use) 
   }
 }
 
+// Spreadsheets take such a text for a formula, which may do anything.
+bool is_formula(std::string_view cell) { return cell.find_first_of("=+-@") == 0 && !number_from(cell); }
+
 void append_cell(std::string& text, std::string_view cell) {
+  const std::string as_text = is_formula(cell) ? fmt::format("'{}", cell) : "";
+  if (!as_text.empty()) cell = as_text;
   const bool plain = cell.find_first_of(",\"\r\n") == std::string_view::npos && !cell.starts_with(byte_order_mark);
   if (plain) {
     text += cell;
@@ -228,13 +233,6 @@ void append_csv_row(std::string& text, const std::vector<std::string>& cells) {
     append_cell(text, cells[i]);
   }
   text += '\n';
-}
-
-std::string to_csv(const CsvTable& table) {
-  std::string text;
-  append_csv_row(text, table.header);
-  for (const auto& row : table.rows) append_csv_row(text, row);
-  return text;
 }
 
 }  // namespace ikbench::results

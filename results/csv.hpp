@@ -1,5 +1,6 @@
-// Comma-separated values by RFC 4180: cells are quoted if needed, quotes doubled, and any text round-trips.
-// Lines may end in LF or CRLF; the writer uses LF. A byte-order mark and empty lines are skipped.
+// Comma-separated values by RFC 4180: cells are quoted if needed, quotes doubled, and any text round-trips; but one
+// that begins as a formula, and is no number, gets a ' before it, as spreadsheets write texts. Lines may end in LF or
+// CRLF; the writer uses LF. A byte-order mark and empty lines are skipped.
 #pragma once
 
 #include <array>
@@ -55,7 +56,6 @@ std::string csv_text(std::istream& stream, std::string_view source);
 // `source` is the text's name in messages ("data.csv"). Malformed text throws std::invalid_argument with source:line.
 CsvTable parse_csv(std::string_view text, std::string_view source);
 CsvView view_csv(std::string_view text, std::string_view source, char separator = ',');
-std::string to_csv(const CsvTable& table);
 
 // Appends one line of CSV to `text`.
 void append_csv_row(std::string& text, const std::vector<std::string>& cells);
