@@ -93,6 +93,8 @@ gate 3 worse OUT=crash MARGIN=10%
 equal "answers" "$(column crash/store.sqlite status mine | counted | head -n 1)" "5 crashed"
 ends 3 compare baseline.sqlite crash/store.sqlite --json
 golden compare-crash
-gate 1 failed STUDY=none.toml OUT=none
+gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true
+[[ $(head -n 1 .out) == ::stop-commands::???* && $(tail -n 1 .out) == "::$(head -n 1 .out | cut -d : -f 5)::" ]] ||
+  fail "a label may command the forge: $(<.out)"
 echo "no store" >broken.sqlite
 gate 1 failed BASELINE=broken.sqlite OUT=broken
