@@ -282,7 +282,7 @@ std::string names_of(const std::vector<std::string>& who) {
 std::string words_of(const Doubt& doubt) {
   const std::string who = names_of(doubt.who), &what = doubt.what;
   const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
-  const std::string share = fmt::format("{:g} of {:g}", doubt.count, doubt.of);
+  const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
       return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack points" : what, of_whom);
@@ -300,17 +300,17 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
     case DoubtKind::too_few:
-      return fmt::format("{}{:g} observations of {} cannot decide: it takes {:g}", who.empty() ? "" : who + ": ",
+      return fmt::format("{}{:.0f} observations of {} cannot decide: it takes {:.0f}", who.empty() ? "" : who + ": ",
                          doubt.count, what, doubt.of);
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
     case DoubtKind::plan_changed:
       return fmt::format("the plan was changed after {} solves were made: {}", share, what);
     case DoubtKind::repeats_itself:
-      return fmt::format("{} gave the same {} {:g} {}, which count as one", who, what.empty() ? "answers in all" : what,
-                         doubt.count, what.empty() ? "runs" : "times");
+      return fmt::format("{} gave the same {} {:.0f} {}, which count as one", who,
+                         what.empty() ? "answers in all" : what, doubt.count, what.empty() ? "runs" : "times");
     case DoubtKind::other_version:
-      return fmt::format("{:g} solves of another version are ignored ({})", doubt.count, who);
+      return fmt::format("{:.0f} solves of another version are ignored ({})", doubt.count, who);
   }
   return {};
 }
