@@ -138,8 +138,9 @@ void announce(const show::Reported& reported, const std::filesystem::path& folde
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  const FigureStyle style = styled(definition_of(store.study(study).definition).style, arguments);
-  compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(study)));
+  compare::StudyResults results = checked_study(store, store.study(study));
+  const FigureStyle style = styled(results.definition.style, arguments);
+  compare::JudgedStudy judged = compare::judge(std::move(results));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
