@@ -25,7 +25,7 @@ namespace {
 struct StatsArguments {
   std::string file, test, margin, out, separator, decimal;
   csv::Request csv;
-  compare::Plan plan;
+  results::Plan plan;
   bool are_summaries = false, is_json = false;
 };
 
@@ -44,14 +44,12 @@ show::Reported judged(const StatsArguments& arguments) {
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
   std::vector<compare::Judged> metrics;
-  for (compare::Observed& each : quantities.observed) {
-    const compare::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each.observations);
+  for (compare::Observations& each : quantities.observed) {
+    const results::Plan plan = csv::with_margin(arguments.plan, arguments.margin, each);
     metrics.push_back(compare::judge(std::move(each), plan));
   }
-  const bool are_means = arguments.are_summaries || arguments.plan.test == compare::Plan::Test::means;
-  const results::Plan plan{.test = are_means ? results::Plan::Test::means : results::Plan::Test::ranks,
-                           .control = arguments.plan.control,
-                           .significance = arguments.plan.significance};
+  results::Plan plan = arguments.plan;
+  if (arguments.are_summaries) plan.test = results::Plan::Test::means;
   show::Reported reported{.shown = show::shown(std::move(metrics), plan)};
   reported.study.entry.name = std::filesystem::path(source).filename().string();
   reported.shown.notes = std::move(quantities.notes);
@@ -118,7 +116,7 @@ void add_stats(CLI::App& app, Invocation&) {
   command->callback([arguments] {
     if (!arguments->separator.empty())
       arguments->csv.separator = arguments->separator == "tab" ? '\t' : arguments->separator[0];
-    if (arguments->test == "means") arguments->plan.test = compare::Plan::Test::means;
+    if (arguments->test == "means") arguments->plan.test = results::Plan::Test::means;
     if (!arguments->decimal.empty()) arguments->csv.decimal = arguments->decimal[0];
     stats(*arguments);
   });

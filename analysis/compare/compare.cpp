@@ -141,8 +141,8 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
   const double relative = plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
   const double margin = is_share                ? plan.margin
                         : are_logs              ? std::log1p(plan.margin)
-                        : are_on_logs(of, pair) ? plan.absolute_margin
-                                                : std::max(plan.absolute_margin, relative);
+                        : are_on_logs(of, pair) ? of.absolute_margin
+                                                : std::max(of.absolute_margin, relative);
   const auto lies_within = [margin](const std::optional<Interval>& each) {
     return each && each->low < each->high && each->low >= -margin && each->high <= margin;
   };
@@ -247,7 +247,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
     if (finding.why == Why::lost || finding.why == Why::apart || finding.n == 0) continue;
     const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
     const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
-    if (are_logs && plan.absolute_margin > 0) {
+    if (are_logs && of.absolute_margin > 0) {
       Finding plain = finding;
       examined(of, plan, pair, false, alpha, plain);
       finding.is_within_margin |= plain.is_within_margin;
@@ -309,7 +309,7 @@ Headline headline(const Observations& of, const Plan& plan, const std::vector<Fi
       keep_common_blocks(first, second);
       const double one = mean_of(first), two = mean_of(second);
       const double relative = plan.margin * (of.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
-      if ((of.better == Better::smaller ? one - two : two - one) > std::max(plan.absolute_margin, relative))
+      if ((of.better == Better::smaller ? one - two : two - one) > std::max(of.absolute_margin, relative))
         return {.usual = group.name, .by_mean = other};
     }
     return {.best = group.name};

@@ -8,16 +8,11 @@
 
 #include "analysis/compare/observations.hpp"
 #include "analysis/compare/tests_of_two.hpp"
+#include "results/plan.hpp"
 
 namespace ikbench::compare {
 
-struct Plan {
-  enum class Test { ranks, means } test = Test::ranks;
-  double significance = 0.05;
-  double margin = 0.05;        // that matters: relative, 1 / 1.05 to 1.05; of shares points
-  double absolute_margin = 0;  // the same in the unit of the metric; within either, a difference does not matter
-  std::string control = {};    // compares with this group alone; empty: all pairs
-};
+using results::Plan;
 
 // Of the first.
 enum class Verdict { better, worse, same, undecided, not_tested };

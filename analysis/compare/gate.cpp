@@ -73,14 +73,13 @@ bool have_one_session(const StudyResults& study) {
 
 // Of solves, whatever they are of.
 Judged judged_answers(const StudyResults& study) {
-  Observed observed{
-      .observations = {
-          .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share}};
+  Observations of{
+      .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
-    Group& group = observed.observations.groups.emplace_back(Group{.name = solver});
+    Group& group = of.groups.emplace_back(Group{.name = solver});
     for (const SolveRecord& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
   }
-  return judge(observed, plan_for(study, metric_named("solved")));
+  return judge(std::move(of), study.definition.plan);
 }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
@@ -92,7 +91,7 @@ bool is_lost_for_sure(const Judged& judged) {
   if (judged.findings.front().why != Why::fact) return false;
   const double loss = (candidate.mean - baseline.mean) * (of.better == Better::smaller ? 1 : -1);
   const double share = of.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
-  return loss > std::max(judged.plan.absolute_margin, judged.plan.margin * share) + of.rounding;
+  return loss > std::max(of.absolute_margin, judged.plan.margin * share) + of.rounding;
 }
 
 // Takes solved targets from the baseline, until the test of this size shows it.

@@ -28,7 +28,7 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
     const bool has_enough = why == Why::too_few && its.n > doubt.count;
     if (names.contains(of.groups[i].name) && !has_mean && !has_enough) doubt.who.push_back(of.groups[i].name);
   }
-  judged.doubts.push_back(std::move(doubt));
+  judged.observations.doubts.push_back(std::move(doubt));
 }
 
 // A solve has a value, and if this is no share some value is not 0.
@@ -41,17 +41,8 @@ bool has_meaning(const StudyResults& study, const Metric& metric) {
 
 }  // namespace
 
-Plan plan_for(const StudyResults& study, const Metric& metric) {
-  const results::Plan& plan = study.definition.plan;
-  return {.test = plan.test == results::Plan::Test::means ? Plan::Test::means : Plan::Test::ranks,
-          .significance = plan.significance,
-          .margin = plan.margin,
-          .absolute_margin = metric.unit == "cm" ? plan.margin_cm : 0,
-          .control = plan.control};
-}
-
-Judged judge(Observed observed, const Plan& plan) {
-  Judged judged{.observations = std::move(observed.observations), .plan = plan, .doubts = std::move(observed.doubts)};
+Judged judge(Observations observations, const Plan& plan) {
+  Judged judged{.observations = std::move(observations), .plan = plan};
   const Observations& of = judged.observations;
   for (const Group& group : of.groups) judged.described.push_back(describe(group));
   judged.anova = anova(of);
@@ -64,7 +55,7 @@ Judged judge(Observed observed, const Plan& plan) {
 }
 
 Judged judge(const StudyResults& study, const Metric& metric) {
-  return judge(observe(study, metric), plan_for(study, metric));
+  return judge(observe(study, metric), study.definition.plan);
 }
 
 JudgedStudy judge(StudyResults study) {

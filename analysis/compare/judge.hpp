@@ -18,10 +18,10 @@ struct Judged {
   std::optional<TestOfAll> anova, kruskal_wallis;
   std::vector<Finding> findings;  // one for each pair of the plan
   Headline headline;
-  std::vector<Doubt> doubts;
 };
 
-Judged judge(Observed observed, const Plan& plan);
+// Adds the doubts of the findings to those of the observations.
+Judged judge(Observations of, const Plan& plan);
 
 struct JudgedStudy {
   StudyResults study;
@@ -31,8 +31,6 @@ struct JudgedStudy {
 };
 
 JudgedStudy judge(StudyResults study);
-// The study's plan, as it is for one metric.
-Plan plan_for(const StudyResults& study, const Metric& metric);
 // A metric that is not in every report.
 Judged judge(const StudyResults& study, const Metric& metric);
 

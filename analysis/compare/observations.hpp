@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/compare/doubt.hpp"
+
 namespace ikbench::compare {
 
 enum class Better { smaller, larger };
@@ -37,11 +39,13 @@ struct Observations {
   std::string unit = {};
   Better better = Better::smaller;
   Scale scale = Scale::ratio;
-  double floor = 0;        // of ratios: a smaller value counts as this
-  double rounding = 0;     // values that differ by no more are equal
-  bool is_paired = false;  // values of one block belong together; without blocks, values[i]
-  int trials = 1;          // of shares: attempts in an observation; one makes it 0 or 1
+  double absolute_margin = 0;  // of the plan, in this unit
+  double floor = 0;            // of ratios: a smaller value counts as this
+  double rounding = 0;         // values that differ by no more are equal
+  bool is_paired = false;      // values of one block belong together; without blocks, values[i]
+  int trials = 1;              // of shares: attempts in an observation; one makes it 0 or 1
   std::vector<Group> groups = {};
+  std::vector<Doubt> doubts = {};
 };
 
 }  // namespace ikbench::compare

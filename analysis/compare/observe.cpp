@@ -225,12 +225,12 @@ std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
 }
 
 std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
-  const results::Plan& plan = study.definition.plan;
+  const Plan& plan = study.definition.plan;
   std::map<std::int64_t, std::set<std::string>> changed;  // fields, by session
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
-    const results::Plan then = plan_of(numerics::parsed_json(recorded->second));
+    const Plan then = plan_of(numerics::parsed_json(recorded->second));
     std::set<std::string> fields;
     if (then.test != plan.test) fields.insert("test");
     if (then.metric != plan.metric) fields.insert("metric");
@@ -270,50 +270,7 @@ std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
   return doubt.who.empty() ? std::vector<Doubt>() : std::vector{doubt};
 }
 
-std::string names_of(const std::vector<std::string>& who) {
-  constexpr std::size_t most = 4;
-  if (who.size() > most)
-    return fmt::format("{} and {} more", fmt::join(who.begin(), who.begin() + 3, ", "), who.size() - 3);
-  return fmt::format("{}", fmt::join(who, ", "));
-}
-
 }  // namespace
-
-std::string words_of(const Doubt& doubt) {
-  const std::string who = names_of(doubt.who), &what = doubt.what;
-  const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
-  const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
-  switch (doubt.kind) {
-    case DoubtKind::runs_missing:
-      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack points" : what, of_whom);
-    case DoubtKind::without_answer:
-      return fmt::format("{} {}{}", share, what.empty() ? "solves gave no answer" : what, of_whom);
-    case DoubtKind::claimed_but_wrong:
-      return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
-    case DoubtKind::outside_limits:
-      return fmt::format("{} answers lie outside the joint limits ({})", share, who);
-    case DoubtKind::budgets_differ:
-      return fmt::format("budgets differ: {} ({})", what, who);
-    case DoubtKind::times_not_comparable:
-      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
-                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
-    case DoubtKind::out_of_reach:
-      return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
-    case DoubtKind::too_few:
-      return fmt::format("{}{:.0f} observations of {} cannot decide: it takes {:.0f}", who.empty() ? "" : who + ": ",
-                         doubt.count, what, doubt.of);
-    case DoubtKind::few_decide_mean:
-      return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
-    case DoubtKind::plan_changed:
-      return fmt::format("the plan was changed after {} solves were made: {}", share, what);
-    case DoubtKind::repeats_itself:
-      return fmt::format("{} gave the same {} {:.0f} {}, which count as one", who,
-                         what.empty() ? "answers in all" : what, doubt.count, what.empty() ? "runs" : "times");
-    case DoubtKind::other_version:
-      return fmt::format("{:.0f} solves of another version are ignored ({})", doubt.count, who);
-  }
-  return {};
-}
 
 bool gave_answer(const SolveRecord& solve) {
   return !is_without_answer(solve.status) && solve.status != Status::not_finite;
@@ -341,31 +298,32 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   return doubts;
 }
 
-Observed observe(const StudyResults& study, const Metric& metric) {
+Observations observe(const StudyResults& study, const Metric& metric) {
   const Design design = design_of(study, metric.of_run != nullptr);
-  Observed observed{.observations = {.metric = std::string(metric.slug),
-                                     .quantity = std::string(metric.name),
-                                     .unit = std::string(metric.unit),
-                                     .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
-                                     .scale = metric.scale,
-                                     .floor = metric.floor,
-                                     .rounding = metric.rounding,
-                                     .is_paired = design.is_paired,
-                                     .trials = design.solves}};
-  std::vector<Group>& groups = observed.observations.groups;
+  Observations of{.metric = std::string(metric.slug),
+                  .quantity = std::string(metric.name),
+                  .unit = std::string(metric.unit),
+                  .better = metric.kind == Kind::share ? Better::larger : Better::smaller,
+                  .scale = metric.scale,
+                  .absolute_margin = metric.unit == "cm" ? study.definition.plan.margin_cm : 0,
+                  .floor = metric.floor,
+                  .rounding = metric.rounding,
+                  .is_paired = design.is_paired,
+                  .trials = design.solves};
+  std::vector<Group>& groups = of.groups;
   for (const std::string& solver : study.solvers) groups.push_back(group_of(study, metric, design, solver));
   const auto has_same_blocks = [&](const Group& group) { return group.blocks == groups.front().blocks; };
   if (std::ranges::all_of(groups, has_same_blocks)) {
     for (Group& group : groups) group.blocks.clear();
   }
-  if (metric.kind == Kind::time) observed.doubts = doubts_of_times(study);
-  if (metric.column == "evaluations") observed.doubts = doubts_of_evaluations(study);
-  for (const Doubt& doubt : observed.doubts) {
+  if (metric.kind == Kind::time) of.doubts = doubts_of_times(study);
+  if (metric.column == "evaluations") of.doubts = doubts_of_evaluations(study);
+  for (const Doubt& doubt : of.doubts) {
     if (metric.kind != Kind::time && doubt.who.size() == groups.size()) continue;  // counted by one and the same
     for (Group& group : groups)
       group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
   }
-  return observed;
+  return of;
 }
 
 }  // namespace ikbench::compare

@@ -196,7 +196,7 @@ Observations quantity_of(const std::string& title, bool is_larger_better) {
 }
 
 // The values of each group: means of the rows of a unit.
-void fill(const Layout& layout, const Items& items, Observed& observed) {
+void fill(const Layout& layout, const Items& items, Observations& of) {
   struct Mean {
     Index group, unit, rows;
     long double sum;  // by which the same rows in another order have the same mean
@@ -212,7 +212,6 @@ void fill(const Layout& layout, const Items& items, Observed& observed) {
   std::vector<Index> most(layout.block ? items.units : 1);
   const auto most_of = [&](const Mean& mean) -> Index& { return most[layout.block ? mean.unit : 0]; };
   for (const Mean& each : means) most_of(each) = std::max(most_of(each), each.rows);
-  Observations& of = observed.observations;
   of.is_paired = layout.block.has_value();
   of.trials = static_cast<int>(std::ranges::max(most));
   std::vector<int> without(items.groups.size()), all(items.groups.size());
@@ -244,13 +243,12 @@ void fill(const Layout& layout, const Items& items, Observed& observed) {
   }
   count(unlabelled, "", items.unlabelled, items.unlabelled + items.values.size());
   for (Doubt* doubt : {&none, &fewer, &unlabelled}) {
-    if (doubt->count > 0) observed.doubts.push_back(std::move(*doubt));
+    if (doubt->count > 0) of.doubts.push_back(std::move(*doubt));
   }
 }
 
 // Chooses shares, ratios or differences by all values.
-void settle(const Items& items, Observed& observed, std::vector<std::string>& notes) {
-  Observations& of = observed.observations;
+void settle(const Items& items, Observations& of, std::vector<std::string>& notes) {
   const auto is_outcome = [](const Value& each) {
     return std::isnan(each.value) || each.value == 0 || each.value == 1;
   };
@@ -283,18 +281,17 @@ bool is_constant(const Group& group) {
 }
 
 // Joins the equal values of a solver whose answers, by this quantity, are equal too.
-void join_copies(const Observations& answers, Observed& observed) {
-  Observations& of = observed.observations;
+void join_copies(const Observations& answers, Observations& of) {
   if (of.is_paired || of.scale == Scale::share) return;
   for (std::size_t i = 0; i < of.groups.size(); ++i) {
     Group& group = of.groups[i];
     if (!is_constant(group) || !is_constant(answers.groups[i])) continue;
     group.copies = static_cast<int>(group.values.size());
     group.values.erase(group.values.begin() + 1, group.values.end());
-    observed.doubts.push_back({.kind = DoubtKind::repeats_itself,
-                               .who = {group.name},
-                               .count = static_cast<double>(group.copies),
-                               .what = "value"});
+    of.doubts.push_back({.kind = DoubtKind::repeats_itself,
+                         .who = {group.name},
+                         .count = static_cast<double>(group.copies),
+                         .what = "value"});
   }
 }
 
@@ -317,23 +314,22 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   for (std::size_t i = 0; i < count; ++i) {
     const std::string title = layout.label ? sheet.titles()[layout.values[i]] : "value";
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
-    Observed observed{.observations = quantity_of(title, request.is_larger_better)};
-    Observations& of = observed.observations;
+    Observations of = quantity_of(title, request.is_larger_better);
     const Metric* metric = metric_of(sheet, title);
     if (metric) {
       of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
     } else {
       refuse_mixed(sheet, layout, items);
     }
-    fill(layout, items, observed);
-    settle(items, observed, quantities.notes);
-    Observed answers{.observations = of};
+    fill(layout, items, of);
+    settle(items, of, quantities.notes);
+    Observations answers = of;
     if (metric) {
-      answers.observations.groups.clear();
+      answers.groups.clear();
       fill(layout, items_of(sheet, layout, {sheet.column("position_error_cm")}), answers);
     }
-    join_copies(answers.observations, observed);
-    quantities.observed.push_back(std::move(observed));
+    join_copies(answers, of);
+    quantities.observed.push_back(std::move(of));
   }
   return quantities;
 }
@@ -354,10 +350,9 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
     Observations of = quantity_of(title, request.is_larger_better);
     of.scale = Scale::difference;
-    auto found = std::ranges::find(quantities.observed, of.metric,
-                                   [](const Observed& each) { return each.observations.metric; });
-    if (found == quantities.observed.end()) found = quantities.observed.insert(found, {.observations = of});
-    std::vector<Group>& groups = found->observations.groups;
+    auto found = std::ranges::find(quantities.observed, of.metric, &Observations::metric);
+    if (found == quantities.observed.end()) found = quantities.observed.insert(found, of);
+    std::vector<Group>& groups = found->groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
       sheet.refuse(row, label, "is no name of another group");
@@ -378,7 +373,7 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
   return quantities;
 }
 
-Plan with_margin(Plan plan, const std::string& margin, const Observations& of) {
+Plan with_margin(Plan plan, const std::string& margin, Observations& of) {
   const auto is_negative = [](const Group& group) {
     return group.summary ? group.summary->mean < 0
                          : std::ranges::any_of(group.values, [](double each) { return each < 0; });
@@ -399,7 +394,7 @@ Plan with_margin(Plan plan, const std::string& margin, const Observations& of) {
                                                  : nullptr;
   if (wrong) throw std::invalid_argument(fmt::format("--margin {}: {}", in_quotes(margin), wrong));
   plan.margin = is_relative ? *number / 100 : 0;
-  plan.absolute_margin = is_relative ? 0 : *number;
+  of.absolute_margin = is_relative ? 0 : *number;
   return plan;
 }
 

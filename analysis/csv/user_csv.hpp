@@ -24,7 +24,7 @@ struct Request {
 };
 
 struct Quantities {
-  std::vector<compare::Observed> observed;
+  std::vector<compare::Observations> observed;
   std::vector<std::string> notes = {};  // what the values settled, as sentences; a screen says them first
 };
 
@@ -38,8 +38,8 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
 // where, is_larger_better, separator and decimal count.
 Quantities read_summaries(std::string_view text, std::string_view source, const Request& request);
 
-// The plan with a margin: "5%", or "0.1" in the unit of the values. Empty: the plan's, but none of values that may be
-// negative, of which a share means nothing.
-compare::Plan with_margin(compare::Plan plan, const std::string& margin, const compare::Observations& of);
+// The plan with a margin, "5%"; or "0.1" in the unit of the values, which becomes theirs. Empty: the plan's, but none
+// of values that may be negative, of which a share means nothing.
+compare::Plan with_margin(compare::Plan plan, const std::string& margin, compare::Observations& of);
 
 }  // namespace ikbench::csv

@@ -307,7 +307,7 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
     return std::ranges::count(doubts, DoubtKind::times_not_comparable, &Doubt::kind) > 0;
   };
   const Judged *const times = judged_of(judged, time), *const motions = judged_of(judged, motion);
-  if (times != nullptr && !has_doubt(times->doubts) && !has_doubt(judged.doubts)) {
+  if (times != nullptr && !has_doubt(times->observations.doubts) && !has_doubt(judged.doubts)) {
     add(boxes_of(judged, *times, time, "time-boxes", look));
   } else if (motions != nullptr) {
     add(boxes_of(judged, *motions, motion, "motion-boxes", look));

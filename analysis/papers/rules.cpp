@@ -62,7 +62,7 @@ std::optional<Judged> judged_if_complete(Observations of, Plan plan, const Claim
   const bool has_own = std::ranges::all_of(claim.solvers, is_there) && of.groups.size() > claim.solvers.size();
   if (!has_own || std::ranges::any_of(of.groups, [](const Group& each) { return describe(each).n == 0; })) return {};
   if (!is_there(plan.control)) plan.control.clear();
-  Judged judged = judge({.observations = claim.of == Of::spread ? deviations(of) : of}, plan);
+  Judged judged = judge(claim.of == Of::spread ? deviations(of) : of, plan);
   for (std::size_t i = 0; i < of.groups.size() && claim.of == Of::spread; ++i)
     judged.described[i].mean = describe(of.groups[i]).sd;
   return judged;
@@ -75,9 +75,9 @@ std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
   const JudgedStudy* const others = study_of(asked, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
   if (claim.study.empty() && !is_of_means(asked.repeated.paper, own->study)) return {};
-  Observations all = observe(own->study, metric).observations;
+  Observations all = observe(own->study, metric);
   std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
-  for (Group& group : observe(others->study, metric).observations.groups) {
+  for (Group& group : observe(others->study, metric).groups) {
     if (!is_rival(group.name, claim) || (own == others && has(claim.solvers, group.name))) continue;
     group.name = name_of_rival(group.name, claim);
     all.groups.push_back(std::move(group));
@@ -86,7 +86,7 @@ std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
   for (Group& group : all.groups) {
     if (!all.is_paired) group.blocks.clear();
   }
-  return judged_if_complete(std::move(all), plan_for(asked.repeated.study.study, metric), claim);
+  return judged_if_complete(std::move(all), asked.repeated.study.study.definition.plan, claim);
 }
 
 // The printed numbers of the same solvers, by means; none if they are not about this study.
@@ -98,8 +98,8 @@ std::optional<Judged> judged_print(const Asked& asked, const Metric& metric) {
     return !has(study.solvers, row.solver) || !(has(claim.solvers, row.solver) || is_rival(row.solver, claim));
   });
   if (!claim.study.empty() || claim.of != Of::means || rows.empty()) return {};
-  const Plan plan = plan_for(study, metric);
-  return judged_if_complete(observations_of(rows, observe(study, metric).observations),
+  const Plan& plan = study.definition.plan;
+  return judged_if_complete(observations_of(rows, observe(study, metric)),
                             {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin},
                             claim);
 }
@@ -318,7 +318,7 @@ Found differ(const Asked& asked) {
   for (const Metric* metric : asked.claim.metrics) {
     const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
     if (!found) return {};
-    const double significance = plan_for(asked.repeated.study.study, *metric).significance;
+    const double significance = asked.repeated.study.study.definition.plan.significance;
     const auto verdict = [&](const std::optional<TestOfAll>& anova) {
       return anova ? always_or_on_average(anova->p < significance, false) : Holds::undecided;
     };
@@ -374,7 +374,7 @@ JudgedClaim count_rounding(JudgedClaim claim, Solves solves) {
 
 // Why a study's times are not compared; empty if they are.
 std::string why_apart(const StudyResults& study) {
-  const Observed observed = observe(study, metric_named("seconds"));
+  const Observations observed = observe(study, metric_named("seconds"));
   return observed.doubts.empty() ? "" : words_of(observed.doubts.front());
 }
 
@@ -455,8 +455,7 @@ Found ratios(const Asked& asked) {
   const PrintedRows printed = claim.row.empty() ? printed_rows(paper, judged->study, metric)
                                                 : printed_times(paper.name, claim.table, claim.row);
   std::map<std::string, double> ours;  // medians
-  for (const Group& group : observe(judged->study, metric).observations.groups)
-    ours[group.name] = describe(group).median;
+  for (const Group& group : observe(judged->study, metric).groups) ours[group.name] = describe(group).median;
   Names list;
   for (const std::string& solver : claim.against) {
     const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);

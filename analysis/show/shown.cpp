@@ -18,7 +18,7 @@ void scale(double factor, auto&... values) { ((values *= factor), ...); }
 Judged in_unit(Judged judged, double factor, std::string unit) {
   Observations& of = judged.observations;
   of.unit = std::move(unit);
-  scale(factor, of.floor, of.rounding, judged.plan.absolute_margin);
+  scale(factor, of.floor, of.rounding, of.absolute_margin);
   for (Group& group : of.groups) {
     for (double& value : group.values) scale(factor, value);
     scale(factor, group.at_most);
@@ -39,7 +39,7 @@ Judged in_unit(Judged judged, double factor, std::string unit) {
 std::vector<Doubt> Shown::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const Judged& judged : metrics) {
-    for (const Doubt& doubt : judged.doubts) {
+    for (const Doubt& doubt : judged.observations.doubts) {
       const auto is_same = [&](const Doubt& other) { return words_of(other) == words_of(doubt); };
       if (std::ranges::none_of(all, is_same)) all.push_back(doubt);
     }

@@ -186,7 +186,7 @@ std::string sentence(const Shown& shown) {
 std::string headline(const Shown& shown) { return sentence(shown) + '.'; }
 
 std::string margin_words(const Judged& judged) {
-  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.plan.absolute_margin);
+  const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
   const std::string& unit = judged.observations.unit;
   std::string words = fmt::format("{} {}", number_text(100 * relative), is_share(judged) ? "points" : "%");
   if (absolute == 0 || is_share(judged)) return words;

@@ -233,16 +233,18 @@ TEST_CASE("better by less than the margin needs both intervals within", "[compar
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
   const Lists negative{ramp(20, -5.1, 0.01), ramp(20, -5.15, 0.01)};
   for (const Plan::Test test : {Plan::Test::ranks, Plan::Test::means}) {
-    const Plan within_1{.test = test, .margin = 0, .absolute_margin = 1},
-        within_a_hair{.test = test, .margin = 0, .absolute_margin = 0.01};
-    const Finding same = only(compare(groups_of({negative[0], negative[0]}, Scale::difference), within_1));
-    CHECK(same.verdict == Verdict::same);
-    CHECK(only(compare(groups_of(negative, Scale::difference), within_1)).is_within_margin);
-    CHECK(only(compare(groups_of(negative, Scale::difference), within_a_hair)).verdict != Verdict::same);
-    CHECK_FALSE(only(compare(groups_of(negative, Scale::difference), within_a_hair)).is_within_margin);
+    const auto within = [&](double margin, const Lists& lists, Scale scale, double relative = 0) {
+      Observations of = groups_of(lists, scale);
+      of.absolute_margin = margin;
+      return only(compare(of, {.test = test, .margin = relative}));
+    };
+    CHECK(within(1, {negative[0], negative[0]}, Scale::difference).verdict == Verdict::same);
+    CHECK(within(1, negative, Scale::difference).is_within_margin);
+    CHECK(within(0.01, negative, Scale::difference).verdict != Verdict::same);
+    CHECK_FALSE(within(0.01, negative, Scale::difference).is_within_margin);
     // 0.001 cm and 0.002 cm differ by a factor of two, and by less than 0.01 cm.
     const Lists small{lognormal(20, 0.001, 0.1, 1), lognormal(20, 0.002, 0.1, 2)};
-    const Finding hair = only(compare(groups_of(small), {.test = test, .absolute_margin = 0.01}));
+    const Finding hair = within(0.01, small, Scale::ratio, 0.05);
     CHECK(hair.verdict == Verdict::better);
     CHECK(hair.is_within_margin);
     CHECK_FALSE(hair.is_beyond_margin);
@@ -561,7 +563,8 @@ TEST_CASE("where the means lie the other way nobody is best, one is usually bett
   CHECK(said.best.empty());
   CHECK(said.usual == "A");
   CHECK(said.by_mean == "B");
-  CHECK(headline(of, {.absolute_margin = 0.1}, findings).best == "A");  // 0.03 does not matter
+  of.absolute_margin = 0.1;
+  CHECK(headline(of, by_ranks, findings).best == "A");  // 0.03 does not matter
 }
 
 TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {

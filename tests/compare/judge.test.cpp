@@ -126,7 +126,7 @@ TEST_CASE("Costs are compared on the targets that both solvers of a pair solved"
   CHECK(finding.why == Why::too_few);
   CHECK(finding.needed == 6);
   CHECK(finding.estimate.value() == Approx(1.0 / 3));
-  CHECK(has_doubt(metric(of, "evaluations").doubts, DoubtKind::too_few));
+  CHECK(has_doubt(metric(of, "evaluations").observations.doubts, DoubtKind::too_few));
   // Nothing in common at all.
   const JudgedStudy apart = judge(study(
       {.start = "middle", .targets = "drawn", .runs = 20, .points = 1, .tolerance_cm = 1}, [](SolveRecord& solve) {
@@ -150,16 +150,16 @@ TEST_CASE("Times that are not comparable are described and not tested") {
   CHECK(time.findings[0].verdict == Verdict::better);
   CHECK(time.findings[1].why == Why::apart);
   CHECK(time.findings[2].verdict == Verdict::not_tested);
-  CHECK(has_doubt(time.doubts, DoubtKind::times_not_comparable));
+  CHECK(has_doubt(time.observations.doubts, DoubtKind::times_not_comparable));
 }
 
 TEST_CASE("Too few runs and means that few values decide are told") {
   const JudgedStudy few = judge(study({.runs = 3}, [](SolveRecord& solve) {
     solve.position_error_cm = solve.solver == "A" ? 1 : 2 + 0.01 * solve.run;
   }));
-  CHECK(has_doubt(metric(few, "error").doubts, DoubtKind::too_few));
-  CHECK(metric(few, "error").doubts.front().count == 3);
-  CHECK(metric(few, "error").doubts.front().of == 4);
+  CHECK(has_doubt(metric(few, "error").observations.doubts, DoubtKind::too_few));
+  CHECK(metric(few, "error").observations.doubts.front().count == 3);
+  CHECK(metric(few, "error").observations.doubts.front().of == 4);
   const Asked means{.runs = 8, .rest = R"(, "analysis": {"test": "means", "significance": 0.2})"};
   const Judged error = metric(judge(study(means,
                                           [](SolveRecord& solve) {
@@ -168,8 +168,8 @@ TEST_CASE("Too few runs and means that few values decide are told") {
                                                                                           : 1 + 0.01 * solve.run;
                                           })),
                               "error");
-  REQUIRE(has_doubt(error.doubts, DoubtKind::few_decide_mean));
-  CHECK(error.doubts.front().who == std::vector<std::string>{"B"});
+  REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
+  CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
 }
 
 TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studies") {

@@ -22,7 +22,7 @@ const Asked chained{}, fixed_targets{.start = "middle"}, drawn{.start = "middle"
 const auto as_made = [](SolveRecord&) {};
 
 Observations observed(const StudyResults& study, std::string_view metric = "position_error_cm") {
-  return observe(study, metric_named(metric)).observations;
+  return observe(study, metric_named(metric));
 }
 
 const Group& group(const Observations& of, std::string_view name) {
@@ -190,22 +190,22 @@ TEST_CASE("Where targets have a tolerance, costs are of those that were solved, 
 
 TEST_CASE("Times are compared only where they are clean, of one machine, and of the same kind") {
   const auto times = [](const StudyResults& of) { return observe(of, metric_named("seconds")); };
-  const auto apart = [](const Observed& of) {
+  const auto apart = [](const Observations& of) {
     std::string names;
-    for (const Group& each : of.observations.groups) names += each.is_apart ? each.name : "";
+    for (const Group& each : of.groups) names += each.is_apart ? each.name : "";
     return names;
   };
   CHECK(apart(times(study(chained, as_made))).empty());
   CHECK(times(study(chained, as_made)).doubts.empty());
   for (const Timing timing : {Timing::parallel, Timing::debug_build}) {
-    const Observed all = times(study(chained, [&](SolveRecord& solve) {
+    const Observations all = times(study(chained, [&](SolveRecord& solve) {
       if (solve.solver == "A") solve.timing = timing;
     }));
     CHECK(apart(all) == "AB");
     REQUIRE(all.doubts.size() == 1);
     CHECK(all.doubts.front().kind == DoubtKind::times_not_comparable);
     CHECK(all.doubts.front().who.empty());
-    CHECK(group(all.observations, "A").values.size() == 5);
+    CHECK(group(all, "A").values.size() == 5);
   }
   const auto of_sessions = [](SolveRecord& solve) { solve.session = solve.run % 2; };
   const auto machines = [&](const Session& first, const Session& second) {
@@ -217,13 +217,13 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
                  {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
             .empty());
-  const Observed busy = times(study(chained, [](SolveRecord& solve) {
+  const Observations busy = times(study(chained, [](SolveRecord& solve) {
     if (solve.solver == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
   }));
   CHECK(apart(busy) == "B");
   CHECK(busy.doubts.front().count == 8);
   CHECK(busy.doubts.front().of == 20);
-  const Observed once = times(study(chained, [](SolveRecord& solve) {
+  const Observations once = times(study(chained, [](SolveRecord& solve) {
     if (solve.solver == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
   }));
   CHECK(apart(once).empty());
@@ -245,15 +245,15 @@ TEST_CASE("Evaluations that nobody counted are lost, and a solver's own count is
                    metric_named("evaluations"));
   };
   CHECK(counted(CountedBy::suite).doubts.empty());
-  const Observed nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
-  CHECK(group(nobody.observations, "B").lost == 5);
-  CHECK(group(itself.observations, "B").lost == 0);
-  for (const Observed& of : {nobody, itself}) {
+  const Observations nobody = counted(CountedBy::nobody), itself = counted(CountedBy::solver);
+  CHECK(group(nobody, "B").lost == 5);
+  CHECK(group(itself, "B").lost == 0);
+  for (const Observations& of : {nobody, itself}) {
     REQUIRE(of.doubts.size() == 1);
     CHECK(of.doubts.front().kind == DoubtKind::budgets_differ);
     CHECK(of.doubts.front().who == std::vector<std::string>{"B"});
-    CHECK(group(of.observations, "B").is_apart);
-    CHECK_FALSE(group(of.observations, "A").is_apart);
+    CHECK(group(of, "B").is_apart);
+    CHECK_FALSE(group(of, "A").is_apart);
   }
 }
 

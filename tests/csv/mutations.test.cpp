@@ -27,8 +27,8 @@ TEST_CASE("whatever is in a CSV, it is judged or refused in one sentence", "[mut
     try {
       ikbench::csv::Quantities read = whole == printed ? ikbench::csv::read_summaries(text, "m.csv", request)
                                                        : ikbench::csv::read(text, "m.csv", request);
-      for (ikbench::compare::Observed& each : read.observed) {
-        const ikbench::compare::Plan plan = ikbench::csv::with_margin({}, "", each.observations);
+      for (ikbench::compare::Observations& each : read.observed) {
+        const ikbench::compare::Plan plan = ikbench::csv::with_margin({}, "", each);
         const ikbench::compare::Judged of = ikbench::compare::judge(std::move(each), plan);
         for (const ikbench::compare::Group& group : of.observations.groups) {
           for (const double value : group.values) CHECK(std::isfinite(value));

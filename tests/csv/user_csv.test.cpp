@@ -30,12 +30,13 @@ std::string file_text(const std::string& name) {
 }
 
 Observations observations(const std::string& text, const Request& request = {}) {
-  return csv::read(text, "data.csv", request).observed.front().observations;
+  return csv::read(text, "data.csv", request).observed.front();
 }
 
 Finding finding(const std::string& text, const Request& request = {}, const std::string& margin = "") {
-  const Observations of = observations(text, request);
-  return compare::compare(of, csv::with_margin({}, margin, of)).front();
+  Observations of = observations(text, request);
+  const compare::Plan plan = csv::with_margin({}, margin, of);
+  return compare::compare(of, plan).front();
 }
 
 std::string complaint(const std::string& text, const Request& request = {}) {
@@ -71,7 +72,7 @@ TEST_CASE("values near -5 are the same within 1, on differences") {
   const std::string text = file_text("tests/data/csv/drift.csv");
   const Quantities read = csv::read(text, "drift.csv", {});
   CHECK(read.notes.size() == 1);
-  CHECK(read.observed.front().observations.scale == Scale::difference);
+  CHECK(read.observed.front().scale == Scale::difference);
   const Finding found = finding(text, {}, "1");
   CHECK(found.verdict == Verdict::same);
   CHECK(found.scale == Scale::difference);
@@ -92,11 +93,11 @@ TEST_CASE("ten times smaller errors on 20 problems of 20 scales are better withi
 
 TEST_CASE("a solver that repeats itself is one observation, which the sign test compares") {
   const Quantities read = csv::read(file_text("tests/data/csv/const2.csv"), "const2.csv", {});
-  const Observed& observed = read.observed.front();
-  CHECK(observed.observations.groups.front().copies == 20);
-  CHECK(observed.observations.groups.front().values == std::vector{0.01});
+  const Observations& observed = read.observed.front();
+  CHECK(observed.groups.front().copies == 20);
+  CHECK(observed.groups.front().values == std::vector{0.01});
   CHECK(observed.doubts.front().kind == DoubtKind::repeats_itself);
-  const Finding found = compare::compare(observed.observations, {}).front();
+  const Finding found = compare::compare(observed, {}).front();
   CHECK(found.verdict == Verdict::better);
   CHECK(found.test == "sign test");
 }
@@ -112,8 +113,9 @@ TEST_CASE("a zero in a third group changes no verdict on the two others") {
 }
 
 TEST_CASE("rows without a label are left out and counted") {
-  const Observed observed = csv::read(file_text("tests/data/csv/stray-label.csv"), "stray.csv", {}).observed.front();
-  CHECK(observed.observations.groups.size() == 2);
+  const Observations observed =
+      csv::read(file_text("tests/data/csv/stray-label.csv"), "stray.csv", {}).observed.front();
+  CHECK(observed.groups.size() == 2);
   REQUIRE(observed.doubts.size() == 1);
   CHECK(observed.doubts.front().count == 4);
   CHECK(observed.doubts.front().of == 12);
@@ -175,8 +177,8 @@ TEST_CASE("missing and infinite values are lost, and such a group is not tested"
       continue;
     }
     const std::string text = "s,v\nA," + gap + "\nA,1\nA,2\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
-    const Observed observed = csv::read(text, "data.csv", {}).observed.front();
-    CHECK(observed.observations.groups.front().lost == 1);
+    const Observations observed = csv::read(text, "data.csv", {}).observed.front();
+    CHECK(observed.groups.front().lost == 1);
     CHECK(observed.doubts.front().kind == DoubtKind::without_answer);
     CHECK(observed.doubts.front().of == 5);
     CHECK(finding(text).why == Why::lost);
@@ -205,9 +207,9 @@ TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
   CHECK(has(complaint(text, {.values = {"e"}}), "data.csv:3:2"));
   CHECK(has(complaint(text, {.values = {"e"}, .block = "point"}), "--run COLUMN"));
-  const Observed observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
-  CHECK(observed.observations.groups[0].values == std::vector{2.0, 4.0});
-  CHECK(observed.observations.groups[1].lost == 1);  // a row of its second run is missing
+  const Observations observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
+  CHECK(observed.groups[0].values == std::vector{2.0, 4.0});
+  CHECK(observed.groups[1].lost == 1);  // a row of its second run is missing
   CHECK(observed.doubts.front().kind == DoubtKind::runs_missing);
   const Observations blocks = observations(text, {.values = {"e"}, .block = "point", .run = "run"});
   CHECK(blocks.groups[0].values == std::vector{1.5, 4.5});
@@ -222,15 +224,15 @@ TEST_CASE("rows without a run are observations of their own") {
 }
 
 TEST_CASE("a block without a row of a group is lost to it") {
-  const Observed observed =
+  const Observations observed =
       csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,1\n", "data.csv", {.values = {"v"}, .block = "p"}).observed.front();
-  CHECK(observed.observations.groups[1].lost == 1);
+  CHECK(observed.groups[1].lost == 1);
   CHECK(observed.doubts.front().who == std::vector<std::string>{"B"});
   CHECK(observed.doubts.front().of == 2);
 }
 
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
-  const Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n");
+  Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n");
   CHECK(of.scale == Scale::share);
   CHECK(of.better == Better::larger);
   CHECK(of.trials == 1);
@@ -247,12 +249,12 @@ TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
 }
 
 TEST_CASE("margins are shares or in the unit of the values") {
-  const Observations of = observations(wide);
+  Observations of = observations(wide);
   CHECK(csv::with_margin({}, "", of).margin == 0.05);
   CHECK(csv::with_margin({}, "10%", of).margin == Approx(0.1));
   const compare::Plan plan = csv::with_margin({}, "0.5", of);
   CHECK(plan.margin == 0);
-  CHECK(plan.absolute_margin == 0.5);
+  CHECK(of.absolute_margin == 0.5);
   for (const char* margin : {"x", "-1", "%", "nan", "inf"})
     CHECK_THROWS_AS(csv::with_margin({}, margin, of), std::invalid_argument);
 }
@@ -260,7 +262,7 @@ TEST_CASE("margins are shares or in the unit of the values") {
 TEST_CASE("printed means are compared by means") {
   const Quantities read = csv::read_summaries(file_text("results/published/slim2023/table-3.csv"), "table-3.csv", {});
   REQUIRE(read.observed.size() == 3);
-  const Observations& error = read.observed.front().observations;
+  const Observations& error = read.observed.front();
   CHECK(error.groups.size() == 6);
   CHECK(error.groups.front().summary->sd == 1.7824e-4);
   const std::vector<Finding> found = compare::compare(error, {});
@@ -361,7 +363,7 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
     for (const std::string column : {"position_error_cm", "variation_deg", "evaluations"}) {
       request.values = {column};
       const Observations read = observations(text, request);
-      const Observations reported = observe(made, metric_named(column)).observations;
+      const Observations reported = observe(made, metric_named(column));
       CHECK(read.is_paired == reported.is_paired);
       CHECK(read.metric == reported.metric);
       REQUIRE(read.groups.size() == 2);
@@ -380,7 +382,7 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
 }
 
 TEST_CASE("doubts of a file read as sentences") {
-  const Observed observed =
+  const Observations observed =
       csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,\n,y,3\n", "d.csv", {.values = {"v"}, .label = "s", .block = "p"})
           .observed.front();
   REQUIRE(observed.doubts.size() == 3);

@@ -73,8 +73,7 @@ Shares by_hand(const Multiverse& multiverse, const Claim& claim) {
           if (!is_asked || std::ranges::count(claim.solvers, rival) > 0) continue;
           Observations two = of;
           std::erase_if(two.groups, [&](const Group& group) { return group.name != own && group.name != rival; });
-          const Judged judged =
-              judge({.observations = two}, {.test = compare::Plan::Test::means, .significance = 0.05 / pairs});
+          const Judged judged = judge(two, {.test = compare::Plan::Test::means, .significance = 0.05 / pairs});
           tally.add(verdict_between(judged, own, rival));
         }
       }

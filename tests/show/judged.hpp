@@ -48,7 +48,7 @@ inline compare::Observations numbers(std::string metric, std::string quantity, s
 }
 
 inline compare::Judged judged(compare::Observations of, const compare::Plan& plan = {}) {
-  return compare::judge(compare::Observed{.observations = std::move(of)}, plan);
+  return compare::judge(std::move(of), plan);
 }
 
 inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
@@ -84,11 +84,11 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
   times.groups[0].is_apart = true;
   all.metrics.push_back(judged(std::move(times)));
-  all.metrics.back().doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
-                                       .who = {mine},
-                                       .count = 20,
-                                       .of = 20,
-                                       .what = "the machine was busy"});
+  all.metrics.back().observations.doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
+                                                    .who = {mine},
+                                                    .count = 20,
+                                                    .of = 20,
+                                                    .what = "the machine was busy"});
   all.metrics.push_back(judged(
       numbers("evaluations", "evaluations", "",
               {{mine, values_around(3715, 0.1)}, {"PSO", values_around(2620, 0.1)}, {"DLS", values_around(17, 0.1)}})));

@@ -12,12 +12,7 @@ using compare::Observations;
 namespace {
 
 Shown of(Observations observations, const results::Plan& plan = {}) {
-  const compare::Plan same{
-      .test = plan.test == results::Plan::Test::means ? compare::Plan::Test::means : compare::Plan::Test::ranks,
-      .significance = plan.significance,
-      .margin = plan.margin,
-      .control = plan.control};
-  Shown result = shown({judged(std::move(observations), same)}, plan);
+  Shown result = shown({judged(std::move(observations), plan)}, plan);
   result.noun = "targets";
   return result;
 }

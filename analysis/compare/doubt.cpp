@@ -1,0 +1,55 @@
+#include "analysis/compare/doubt.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ikbench::compare {
+
+namespace {
+
+std::string names_of(const std::vector<std::string>& who) {
+  constexpr std::size_t most = 4;
+  if (who.size() > most)
+    return fmt::format("{} and {} more", fmt::join(who.begin(), who.begin() + 3, ", "), who.size() - 3);
+  return fmt::format("{}", fmt::join(who, ", "));
+}
+
+}  // namespace
+
+std::string words_of(const Doubt& doubt) {
+  const std::string who = names_of(doubt.who), &what = doubt.what;
+  const std::string of_whom = who.empty() ? "" : fmt::format(" ({})", who);
+  const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
+  switch (doubt.kind) {
+    case DoubtKind::runs_missing:
+      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack points" : what, of_whom);
+    case DoubtKind::without_answer:
+      return fmt::format("{} {}{}", share, what.empty() ? "solves gave no answer" : what, of_whom);
+    case DoubtKind::claimed_but_wrong:
+      return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
+    case DoubtKind::outside_limits:
+      return fmt::format("{} answers lie outside the joint limits ({})", share, who);
+    case DoubtKind::budgets_differ:
+      return fmt::format("budgets differ: {} ({})", what, who);
+    case DoubtKind::times_not_comparable:
+      return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
+                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
+    case DoubtKind::out_of_reach:
+      return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
+    case DoubtKind::too_few:
+      return fmt::format("{}{:.0f} observations of {} cannot decide: it takes {:.0f}", who.empty() ? "" : who + ": ",
+                         doubt.count, what, doubt.of);
+    case DoubtKind::few_decide_mean:
+      return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
+    case DoubtKind::plan_changed:
+      return fmt::format("the plan was changed after {} solves were made: {}", share, what);
+    case DoubtKind::repeats_itself:
+      return fmt::format("{} gave the same {} {:.0f} {}, which count as one", who,
+                         what.empty() ? "answers in all" : what, doubt.count, what.empty() ? "runs" : "times");
+    case DoubtKind::other_version:
+      return fmt::format("{:.0f} solves of another version are ignored ({})", doubt.count, who);
+  }
+  return {};
+}
+
+}  // namespace ikbench::compare
