@@ -37,6 +37,8 @@ std::size_t size_of(const Group& group) {
   return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
 }
 
+bool is_empty(const Group& group) { return size_of(group) == 0; }
+
 struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
@@ -97,15 +99,17 @@ struct Two {
 
 // The smallest that data of these sizes can give.
 double smallest_p(Method method, std::size_t m, std::size_t n) {
-  if (is_by_t(method)) return std::min(m, n) < 2 ? 1 : 0;
+  if (is_by_t(method)) return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
   if (is_by_difference(method)) return smallest_p_paired(n);
-  return std::min(m, n) < 2 ? 1 : smallest_p_unpaired(m, n);
+  if (std::min(m, n) < 2) return 1;
+  // The rarest table of Fisher's test is one, or of groups of one size two.
+  return smallest_p_unpaired(m, n) / (method == Method::fisher && m != n ? 2 : 1);
 }
 
-double smallest_p(const Observations& of, const Pair& pair) {
-  if (pair.method != Method::sign) return smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
+// From the value of the solver that repeats itself.
+int runs_that_differ(const Observations& of, const Pair& pair) {
   const std::vector<double> differences = Two(of, pair, false).differences;
-  return smallest_p_paired(differences.size() - static_cast<std::size_t>(std::ranges::count(differences, 0.0)));
+  return static_cast<int>(std::ranges::count_if(differences, [](double each) { return each != 0; }));
 }
 
 Tested tested_by(Method method, const Two& two, const Summary& one, const Summary& other, double alpha) {
@@ -135,6 +139,7 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
     if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);
   }
   if (share_larger) finding.effect = of.better == Better::larger ? *share_larger : 1 - *share_larger;
+  if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
   if (is_share && are_constant && !interval) interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
   if (!is_share && finding.are_all_equal) interval.reset();
 
@@ -152,7 +157,6 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
       (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha).interval));
   if (!interval && finding.are_all_equal)
     finding.is_within_margin = 1 - wilson(1, std::min(one.n, other.n), alpha).low <= plan.margin;
-  finding.is_beyond_margin = interval && (interval->low > margin || interval->high < -margin);
   return tested;
 }
 
@@ -195,12 +199,15 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
       if (!plan.control.empty() && a->name != plan.control && b->name != plan.control) continue;
       Pair& pair = pairs.emplace_back(Pair{.a = *a, .b = *b, .method = method_of(of, plan, *a, *b)});
       keep_common_blocks(pair.a, pair.b);
-      Finding& finding = pair.finding = {.metric = of.metric, .first = a->name, .second = b->name};
+      Finding& finding = pair.finding = {.first = a->name, .second = b->name};
       finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
       if (a->copies > 0 && b->copies > 0) finding.why = Why::fact;
       if (a->is_apart || b->is_apart) finding.why = Why::apart;
       if (a->lost > 0 || b->lost > 0) finding.why = Why::lost;
-      if (finding.why == Why::tested && finding.n > 0) pair.smallest_p = smallest_p(of, pair);
+      if (finding.why != Why::tested || finding.n == 0) continue;
+      if (pair.method == Method::sign) finding.n = runs_that_differ(of, pair);
+      pair.smallest_p = pair.method == Method::sign ? smallest_p_paired(static_cast<std::size_t>(finding.n))
+                                                    : smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
     }
   }
   return pairs;
@@ -244,20 +251,18 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   std::vector<double> p;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
-    if (finding.why == Why::lost || finding.why == Why::apart || finding.n == 0) continue;
+    if (finding.why == Why::lost || finding.why == Why::apart || is_empty(pair.a) || is_empty(pair.b)) continue;
     const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
     const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
     if (are_logs && of.absolute_margin > 0) {
       Finding plain = finding;
       examined(of, plan, pair, false, alpha, plain);
       finding.is_within_margin |= plain.is_within_margin;
-      finding.is_beyond_margin &= plain.is_beyond_margin;
     }
     const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
     finding.scale = of.scale == Scale::ratio && !are_logs ? Scale::difference : of.scale;
     finding.estimate = shown(tested.estimate);
     finding.is_within_margin &= is_tested;
-    finding.is_beyond_margin &= is_tested;
     if (!is_tested) continue;
     finding.test = method_names[static_cast<std::size_t>(pair.method)];
     if (tested.interval) finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};

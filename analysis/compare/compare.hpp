@@ -28,7 +28,7 @@ enum class Why {
 };
 
 struct Finding {
-  std::string metric, first, second;
+  std::string first, second;
   Scale scale = Scale::difference;        // of estimate and interval; means have differences
   std::optional<double> estimate = {};    // none if values are lost
   std::optional<Interval> interval = {};  // at 1 - significance / tested pairs
@@ -36,11 +36,10 @@ struct Finding {
   std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
   std::string_view test = {};
   Verdict verdict = Verdict::not_tested;
-  bool is_beyond_margin = false;  // the interval lies outside the margin
-  bool is_within_margin = false;  // inside: the same, or better by less than the margin
+  bool is_within_margin = false;  // the same, or better by less than the margin
   bool are_all_equal = false;
   Why why = Why::tested;
-  int n = 0;       // observations, or common blocks; of the smaller group
+  int n = 0;       // observations, or common blocks; of the smaller group; of a sign test runs that differ
   int needed = 0;  // if too few: how many, in each group, could decide
 };
 

@@ -1,7 +1,6 @@
 #include "analysis/compare/judge.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -25,17 +24,16 @@ void add_doubt(Judged& judged, Why why, DoubtKind kind) {
   for (std::size_t i = 0; i < of.groups.size(); ++i) {
     const Description& its = judged.described[i];
     const bool has_mean = why == Why::few_decide && 2 * its.largest <= its.n * its.mean;
-    const bool has_enough = why == Why::too_few && its.n > doubt.count;
+    const bool has_enough = why == Why::too_few && (its.n > doubt.count || of.groups[i].copies > 0);
     if (names.contains(of.groups[i].name) && !has_mean && !has_enough) doubt.who.push_back(of.groups[i].name);
   }
   judged.observations.doubts.push_back(std::move(doubt));
 }
 
-// A solve has a value, and if this is no share some value is not 0.
-bool has_meaning(const StudyResults& study, const Metric& metric) {
-  return std::ranges::any_of(study.solves, [&](const results::SolveRecord& solve) {
-    const double value = metric.value(solve, study);
-    return std::isfinite(value) && (value != 0 || metric.kind == Kind::share);
+// Some observation has a value, and if this is no share one is not 0.
+bool has_meaning(const Observations& of) {
+  return std::ranges::any_of(of.groups, [&](const Group& group) {
+    return std::ranges::any_of(group.values, [&](double value) { return value != 0 || of.scale == Scale::share; });
   });
 }
 
@@ -66,9 +64,11 @@ JudgedStudy judge(StudyResults study) {
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;
-    if (!is_deciding && !(metric.is_reported && has_meaning(study, metric))) continue;
+    if (!is_deciding && !metric.is_reported) continue;
+    Observations of = observe(study, metric);
+    if (!is_deciding && !has_meaning(of)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();
-    judged.metrics.push_back(judge(study, metric));
+    judged.metrics.push_back(judge(std::move(of), definition.plan));
   }
   judged.doubts = doubts_of(study);
   judged.study = std::move(study);

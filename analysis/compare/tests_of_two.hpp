@@ -35,7 +35,7 @@ struct Ranks {
 Ranks midranks(Values values);
 Ranks midranks(Values first, Values second);  // of both together
 
-// The smallest p that ranks, Fisher's and McNemar's test can give.
+// The smallest p that ranks and McNemar's test can give.
 double smallest_p_unpaired(std::size_t m, std::size_t n);  // 2 / C(m + n, m)
 double smallest_p_paired(std::size_t n);                   // 2^(1 - n)
 

@@ -40,8 +40,16 @@ std::vector<Doubt> Shown::all_doubts() const {
   std::vector<Doubt> all = doubts;
   for (const Judged& judged : metrics) {
     for (const Doubt& doubt : judged.observations.doubts) {
-      const auto is_same = [&](const Doubt& other) { return words_of(other) == words_of(doubt); };
-      if (std::ranges::none_of(all, is_same)) all.push_back(doubt);
+      const bool names_metric = doubt.kind == DoubtKind::too_few || doubt.kind == DoubtKind::few_decide_mean;
+      const auto known = std::ranges::find_if(all, [&](const Doubt& other) {
+        return other.kind == doubt.kind && other.who == doubt.who && other.count == doubt.count &&
+               other.of == doubt.of && (names_metric || other.what == doubt.what);
+      });
+      if (known == all.end()) {
+        all.push_back(doubt);
+      } else if (names_metric) {
+        known->what += ", " + doubt.what;
+      }
     }
   }
   return all;

@@ -21,7 +21,7 @@ struct Shown {
   std::vector<std::string> notes;      // on the table of results
 
   const compare::Judged& decisive() const { return metrics[deciding]; }
-  // Those of all and of each metric, each once.
+  // Those of all and of each metric, each once; what several metrics have alike, as one.
   std::vector<compare::Doubt> all_doubts() const;
 };
 

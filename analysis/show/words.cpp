@@ -125,10 +125,9 @@ std::string against_control(const Shown& shown) {
 std::string not_tested(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const Finding& finding = judged.findings.front();
-  const int n = judged.described.front().n;
   switch (finding.why) {
     case Why::too_few:
-      return fmt::format("Not tested: {} {} cannot decide it, {} can; {}", n, shown.noun, finding.needed,
+      return fmt::format("Not tested: {} {} cannot decide it, {} can; {}", finding.n, shown.noun, finding.needed,
                          numbers_of(shown, true));
     case Why::fact:
       return fmt::format("A fact of these {}, since the solvers repeat themselves: {}", shown.noun,
@@ -199,6 +198,10 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   if (finding.verdict == Verdict::same) return finding.are_all_equal ? "same: all equal" : "same within " + margin;
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
+  const double none = finding.scale == Scale::ratio ? 1 : 0;
+  if (finding.verdict <= Verdict::worse && finding.interval && finding.interval->low == none &&
+      finding.interval->high == none)
+    words += ", though most are equal";
   switch (finding.why) {
     case Why::tested:
       return words;

@@ -101,7 +101,6 @@ TEST_CASE("constant groups that differ are separated, and their ratio is exact",
   CHECK(found.verdict == Verdict::worse);
   CHECK(*found.p == Approx(2 / 137846528820.0).epsilon(1e-12));
   CHECK(*found.estimate == Approx(2));
-  CHECK(found.is_beyond_margin);
   CHECK_FALSE(found.are_all_equal);
 }
 
@@ -225,9 +224,9 @@ TEST_CASE("better by less than the margin needs both intervals within", "[compar
   const Finding found = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.02, 0.01, 2)}), by_ranks));
   CHECK(found.verdict == Verdict::better);
   CHECK(found.is_within_margin);
-  CHECK_FALSE(found.is_beyond_margin);
   const Finding far = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.2, 0.01, 2)}), by_ranks));
-  CHECK(far.is_beyond_margin);
+  CHECK(far.verdict == Verdict::better);
+  CHECK_FALSE(far.is_within_margin);
 }
 
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
@@ -247,8 +246,7 @@ TEST_CASE("an absolute margin holds for ranks and for means, of differences and 
     const Finding hair = within(0.01, small, Scale::ratio, 0.05);
     CHECK(hair.verdict == Verdict::better);
     CHECK(hair.is_within_margin);
-    CHECK_FALSE(hair.is_beyond_margin);
-    CHECK(only(compare(groups_of(small), {.test = test})).is_beyond_margin);
+    CHECK_FALSE(only(compare(groups_of(small), {.test = test})).is_within_margin);
   }
   const Finding relative = only(compare(groups_of({negative[0], negative[0]}, Scale::difference), by_means));
   CHECK(relative.verdict == Verdict::same);  // 0.25 of -5
@@ -338,6 +336,18 @@ TEST_CASE("by means nothing is better while one value is more than half of its g
   CHECK(only(compare(groups_of({failing, one}), by_ranks)).why == Why::tested);
 }
 
+TEST_CASE("means need three values: of two the larger is more than half of their sum", "[compare]") {
+  for (const bool is_paired : {false, true}) {
+    for (int n = 1; n <= 3; ++n) {
+      Observations of = groups_of({ramp(n, 1, 0.001), ramp(n, 50, 0.01)});
+      of.is_paired = is_paired;
+      const Finding found = only(compare(of, by_means));
+      CHECK(found.verdict == (n < 3 ? Verdict::not_tested : Verdict::better));
+      CHECK(found.needed == (n < 3 ? 3 : 0));
+    }
+  }
+}
+
 TEST_CASE("published summaries are judged by Welch's t and Holm, of differences", "[compare]") {
   // The error of Table 3: Welch's t by hand, (1.6849 - 0.0019) / (0.9069 / sqrt 20) = 8.299 on 19 degrees of freedom.
   Observations of = groups_of({});
@@ -417,6 +427,27 @@ TEST_CASE("two constant shares have Newcombe's interval of that many targets", "
   }
 }
 
+TEST_CASE("an interval of shares ends at 1", "[compare]") {
+  Observations of = groups_of({{1, 1, 0.8}, {0, 0, 0.2}}, Scale::share);
+  of.trials = 5;
+  for (const bool is_paired : {false, true}) {
+    of.is_paired = is_paired;
+    CHECK(only(compare(of, by_ranks)).interval->high == 1);
+    std::swap(of.groups[0].values, of.groups[1].values);
+    CHECK(only(compare(of, by_ranks)).interval->low == -1);
+    std::swap(of.groups[0].values, of.groups[1].values);
+  }
+}
+
+TEST_CASE("Fisher's smallest p is one table of groups of two sizes, two of equal ones", "[compare]") {
+  const Observations unequal = groups_of({solved(3, 3), solved(0, 4)}, Scale::share);
+  CHECK(*only(compare(unequal, by_ranks)).p == Approx(1 / 35.0));
+  CHECK(only(compare(unequal, {.significance = 0.0285})).why == Why::too_few);
+  const Observations equal = groups_of({solved(4, 4), solved(0, 4)}, Scale::share);
+  CHECK(*only(compare(equal, by_ranks)).p == Approx(2 / 70.0));
+  CHECK(only(compare(equal, {.significance = 0.0285})).why == Why::too_few);
+}
+
 TEST_CASE("one target solved among many does not keep shares from a verdict", "[compare]") {
   Observations of = groups_of({solved(1, 40), solved(40, 40)}, Scale::share);
   of.trials = 5;
@@ -449,7 +480,11 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   of.groups[1].values = {1, 1, 2, 3, 4, 5, 6};
   const Finding few = only(compare(of, by_ranks));
   CHECK(few.why == Why::too_few);
+  CHECK(few.n == 5);
   CHECK(few.needed == 6);
+  of.groups[1].values = {1, 1, 1};
+  CHECK(only(compare(of, by_ranks)).n == 0);
+  CHECK(*only(compare(of, by_ranks)).estimate == 1);
 }
 
 // Properties.
@@ -475,7 +510,6 @@ TEST_CASE("swapping the groups reverses the finding", "[compare][property]") {
     CHECK(other.verdict == opposite(one.verdict));
     CHECK(*other.p == Approx(*one.p).epsilon(1e-12));
     CHECK(other.is_within_margin == one.is_within_margin);
-    CHECK(other.is_beyond_margin == one.is_beyond_margin);
     CHECK(*other.effect == Approx(1 - *one.effect));
     const double turned = one.scale == Scale::ratio ? 1 / *one.estimate : -*one.estimate;
     CHECK(*other.estimate == Approx(turned).margin(1e-12));

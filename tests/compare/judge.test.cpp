@@ -68,8 +68,8 @@ TEST_CASE("The plan's test, level, margin and control reach the comparison") {
   CHECK(judged(R"({"test": "means"})").findings.front().test == "Welch's t");
   CHECK(judged(R"({"control": "B"})").findings.size() == 2);
   CHECK(judged(R"({"significance": 0.0001})").findings.front().why == Why::too_few);
-  CHECK(judged(R"({})").findings.front().is_beyond_margin);
-  CHECK_FALSE(judged(R"({"margin_cm": 0.6})").findings.front().is_beyond_margin);
+  CHECK_FALSE(judged(R"({})").findings.front().is_within_margin);
+  CHECK(judged(R"({"margin_cm": 0.6})").findings.front().is_within_margin);
   CHECK(judged(R"({"margin_cm": 0.6})").findings.back().verdict == Verdict::same);
 }
 
@@ -170,6 +170,23 @@ TEST_CASE("Too few runs and means that few values decide are told") {
                               "error");
   REQUIRE(has_doubt(error.observations.doubts, DoubtKind::few_decide_mean));
   CHECK(error.observations.doubts.front().who == std::vector<std::string>{"B"});
+}
+
+TEST_CASE("The doubt of a solver that repeats itself has the runs of the other") {
+  const JudgedStudy of = judge(study({.runs = 5}, [](SolveRecord& solve) {
+    if (solve.solver == "A") solve.answer_rad = {0.5 * solve.point};
+    solve.position_error_cm = solve.solver == "A" ? 1 : 2 + 0.01 * solve.run;
+  }));
+  const std::vector<Doubt>& doubts = metric(of, "error").observations.doubts;
+  REQUIRE(has_doubt(doubts, DoubtKind::too_few));
+  CHECK(doubts.front().who == std::vector<std::string>{"B"});
+  CHECK(doubts.front().count == 5);
+  CHECK(doubts.front().of == 6);
+}
+
+TEST_CASE("Where nothing is solved, no cost is reported") {
+  CHECK(slugs(judge(study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.1},
+                          [](SolveRecord& solve) { solve.status = Status::tolerance_missed; }))) == "solved error ");
 }
 
 TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studies") {

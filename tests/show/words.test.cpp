@@ -40,6 +40,23 @@ std::string table_of_verdicts(const Shown& shown) {
 
 }  // namespace
 
+TEST_CASE("what is better where most values are equal says so", "[show]") {
+  std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
+  for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
+  const compare::Judged error = judged(errors({{"A", at_tolerance}, {"B", some}}));
+  CHECK(verdict_words(error.findings.front(), error) == "better, though most are equal");
+}
+
+TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
+  const auto metric = [](const char* name, double middle) {
+    return judged(numbers(name, name, "", {{"A", {1, 2, middle}}, {"B", {}}}));
+  };
+  Shown all = shown({metric("time", 3), metric("evaluations", 4)}, {});
+  REQUIRE(all.all_doubts().size() == 1);
+  CHECK(all.all_doubts().front().who == std::vector<std::string>{"B"});
+  CHECK(all.all_doubts().front().count == 0);
+}
+
 TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
   std::string all;
   const auto add = [&](const std::string& what, const Shown& shown) {
