@@ -57,8 +57,8 @@ void expect_label(const StudyResults& study, const std::string& label) {
     throw std::invalid_argument(numerics::unknown_name("label", label, study.solvers));
 }
 
-Compared compared(const std::string& label, const Side& baseline, const Side& candidate) {
-  Compared one{.label = label, .gate = gate(baseline, candidate)};
+Compared compared(const std::string& label, const Side& baseline, const Side& candidate, std::size_t labels) {
+  Compared one{.label = label, .gate = gate(baseline, candidate, labels)};
   one.shown = show::shown(one.gate.judged);
   return one;
 }
@@ -77,7 +77,7 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
     for (const std::string& label : {arguments.a, arguments.b}) expect_label(a, label);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
     std::vector<Compared> one;
-    one.push_back(compared("", {a, arguments.a}, {a, arguments.b}));
+    one.push_back(compared("", {a, arguments.a}, {a, arguments.b}, 1));
     return one;
   }
   std::vector<std::string> labels = arguments.labels;
@@ -91,15 +91,17 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
   }
   if (labels.empty()) throw std::invalid_argument("A and B have no label in common; expected at least one");
   std::vector<Compared> all;
-  for (const std::string& label : labels) all.push_back(compared(label, {a, label}, {b, label}));
+  for (const std::string& label : labels) all.push_back(compared(label, {a, label}, {b, label}, labels.size()));
   return all;
 }
 
 std::string verdict_of(const Compared& one) {
   const std::string of = one.label.empty() ? "" : one.label + ": ";
-  const std::string open = one.gate.open.empty() ? "" : fmt::format("; not decided: {}", show::listed(one.gate.open));
+  const std::string open =
+      one.gate.not_decided.empty() ? "" : fmt::format("; not decided: {}", show::listed(one.gate.not_decided));
   if (!one.gate.worse.empty()) return fmt::format("{}worse in {}{}.", of, show::listed(one.gate.worse), open);
-  return fmt::format("{}nothing is worse{}.", of, open);
+  return fmt::format("{}nothing is worse{}{}.", of, one.gate.are_same ? ": all solves are the same, bit for bit" : "",
+                     open);
 }
 
 std::string screen_of(const std::vector<Compared>& all) {
@@ -117,7 +119,7 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
     numerics::OrderedJson of = show::to_json(one.shown);
     of["label"] = one.label;
     of["worse"] = one.gate.worse;
-    of["undecided"] = one.gate.open;
+    of["not_decided"] = one.gate.not_decided;
     json["solvers"].push_back(std::move(of));
   }
   return json;

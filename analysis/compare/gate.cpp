@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -61,7 +62,34 @@ StudyResults study_of_both(const Side& baseline, const Side& candidate) {
       solves.push_back(std::move(solve));
     }
   }
-  return study_of(entry, std::move(solves), sessions);
+  StudyResults study = study_of(entry, std::move(solves), sessions);
+  study.definition.plan = candidate.study.definition.plan;
+  study.definition.plan.control = study.solvers.back();  // shown second
+  return study;
+}
+
+bool are_all_same(const StudyResults& study) {
+  return std::ranges::equal(study.of(study.solvers.front()), study.of(study.solvers.back()),
+                            [](const SolveRecord& one, const SolveRecord& other) {
+                              return one.run == other.run && one.point == other.point && are_same(one, other) &&
+                                     one.evaluations == other.evaluations;
+                            });
+}
+
+// Limits of a solve that the two had, one doubt each.
+std::vector<Doubt> doubts_of_limits(const Side& baseline, const Side& candidate, const StudyResults& both) {
+  const Definition::Stop &a = candidate.study.definition.stop, &b = baseline.study.definition.stop;
+  std::vector<Doubt> doubts;
+  const auto add = [&](const char* unit, auto ours, auto theirs) {
+    if (ours == theirs) return;
+    doubts.push_back({.kind = DoubtKind::budgets_differ,
+                      .who = both.solvers,
+                      .what = fmt::format("{} and {} {} a solve", ours, theirs, unit)});
+  };
+  add("iterations", a.iterations, b.iterations);
+  add("evaluations", a.evaluations, b.evaluations);
+  add("s", a.seconds, b.seconds);
+  return doubts;
 }
 
 bool have_one_session(const StudyResults& study) {
@@ -110,13 +138,14 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 }  // namespace
 
-Gate gate(const Side& baseline, const Side& candidate) {
+Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
-  Gate gate{.are_times_apart = !have_one_session(study)};
+  study.definition.plan.significance /= static_cast<double>(labels);
+  Gate gate{.are_same = are_all_same(study), .are_times_apart = !have_one_session(study)};
   Judged answers = judged_answers(study);
   gate.judged = judge(std::move(study));
-  gate.judged.study.definition.plan.control = gate.judged.study.solvers.back();  // shown second, after it was judged
+  std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
   gate.judged.metrics.push_back(std::move(answers));
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
@@ -124,11 +153,11 @@ Gate gate(const Side& baseline, const Side& candidate) {
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
     if (is_time && gate.are_times_apart) continue;
-    const bool is_equal = finding.are_all_equal && (of.is_paired || of.metric == "answers");
+    const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
     else if (!is_time && !is_equal && finding.why != Why::fact && finding.verdict >= Verdict::undecided)
-      gate.open.push_back(of.quantity);
+      gate.not_decided.push_back(of.quantity);
   }
   return gate;
 }
@@ -146,7 +175,7 @@ std::string sight_of(const Gate& gate) {
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& each) { return !each.worse.empty(); })) return 3;
-  return is_strict && std::ranges::any_of(gates, [](const Gate& each) { return !each.open.empty(); }) ? 4 : 0;
+  return is_strict && std::ranges::any_of(gates, [](const Gate& each) { return !each.not_decided.empty(); }) ? 4 : 0;
 }
 
 }  // namespace ikbench::compare

@@ -61,8 +61,7 @@ bool repeats_itself(const StudyResults& study, std::string_view solver) {
   const std::vector<Run> runs = complete_runs_of(study, solver);
   return runs.size() > 1 && std::ranges::all_of(runs, [&](Run run) {
            return std::ranges::equal(run, runs.front(), [](const SolveRecord& one, const SolveRecord& other) {
-             return one.target_position_m == other.target_position_m && one.target_rotation == other.target_rotation &&
-                    one.status == other.status && !one.answer_rad.empty() && one.answer_rad == other.answer_rad;
+             return !one.answer_rad.empty() && are_same(one, other);
            });
          });
 }
@@ -274,6 +273,11 @@ std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
 
 bool gave_answer(const SolveRecord& solve) {
   return !is_without_answer(solve.status) && solve.status != Status::not_finite;
+}
+
+bool are_same(const SolveRecord& one, const SolveRecord& other) {
+  return one.target_position_m == other.target_position_m && one.target_rotation == other.target_rotation &&
+         one.status == other.status && one.answer_rad == other.answer_rad;
 }
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {

@@ -10,6 +10,8 @@
 namespace ikbench::compare {
 
 bool gave_answer(const results::SolveRecord& solve);
+// The same target, outcome and answer, bit for bit.
+bool are_same(const results::SolveRecord& one, const results::SolveRecord& other);
 
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);

@@ -44,7 +44,7 @@ using Names = std::vector<std::string>;
 TEST_CASE("an unchanged solver passes, also where nothing may be open") {
   const Gate gate = gate_of(version(1), version(1));
   CHECK(gate.worse.empty());
-  CHECK(gate.open.empty());
+  CHECK(gate.not_decided.empty());
   CHECK(exit_code({gate}, true) == 0);
 }
 
@@ -102,10 +102,49 @@ TEST_CASE("times of other sessions are told, and do not fail the gate") {
   const Gate apart = gate_of(version(1), version(1, of_100, slow, "tomorrow"));
   CHECK(apart.are_times_apart);
   CHECK(apart.worse.empty());
-  CHECK(apart.open.empty());
+  CHECK(apart.not_decided.empty());
   const Gate one = gate_of(version(1), version(1, of_100, slow));
   CHECK_FALSE(one.are_times_apart);
   CHECK(one.worse == Names{"time"});
+}
+
+TEST_CASE("labels that are compared share the significance") {
+  int missed = 0;
+  const auto miss_six = [&](SolveRecord& solve) {
+    if (solve.status == Status::ok && missed++ < 6) solve.status = Status::tolerance_missed;
+  };
+  const StudyResults before = version(1), after = version(1, of_100, miss_six);
+  const Side baseline{.study = before, .solver = "mine"}, candidate{.study = after, .solver = "mine"};
+  CHECK(gate(baseline, candidate).worse == Names{"solved"});  // p = 2 / 2^6
+  CHECK(gate(baseline, candidate, 6).worse.empty());
+  CHECK(gate(baseline, candidate, 6).not_decided == Names{"solved"});
+}
+
+TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
+  const Asked chained{.runs = 8, .points = 3};
+  const auto with = [&](double angle) {
+    return study(chained, [=](SolveRecord& solve) { solve.answer_rad.push_back(angle); }, {"mine"});
+  };
+  const Gate same = gate_of(with(1), with(1)), other = gate_of(with(1), with(2));
+  CHECK(same.are_same);
+  CHECK(exit_code({same}, true) == 0);
+  CHECK_FALSE(other.are_same);
+  CHECK(exit_code({other}, true) == 4);
+}
+
+TEST_CASE("other budgets are a doubt, and the margin is the candidate's") {
+  const auto triple = [](SolveRecord& solve) {
+    if (solve.status == Status::ok) solve.evaluations *= 3;
+  };
+  StudyResults after = version(2, of_100, triple);
+  after.definition.stop.evaluations = 3000;
+  after.definition.plan.margin = 9;
+  const Gate gate = gate_of(version(1), after);
+  CHECK(gate.worse.empty());
+  REQUIRE(gate.judged.doubts.size() == 1);
+  CHECK(words_of(gate.judged.doubts.front()) ==
+        "budgets differ: 3000 and 1000 evaluations a solve (candidate, baseline)");
+  CHECK(gate_of(version(1), version(1)).judged.doubts.empty());
 }
 
 TEST_CASE("two labels of one study are compared as two versions are") {
@@ -139,7 +178,7 @@ TEST_CASE("what is not decided fails a strict gate alone") {
   const auto shift = [](SolveRecord& solve) { solve.variation_deg *= 1.02; };
   const Gate gate = gate_of(version(1, few), version(2, few, shift));
   CHECK(gate.worse.empty());
-  CHECK_FALSE(gate.open.empty());
+  CHECK_FALSE(gate.not_decided.empty());
   CHECK(exit_code({gate}, false) == 0);
   CHECK(exit_code({gate}, true) == 4);
 }
