@@ -61,9 +61,9 @@ Figure boxes_of(const JudgedStudy& judged, const Judged& judged_metric, std::str
                   metric.name, observation_of(judged.study, metric)));
   const auto [unit, factor] = drawn_unit(judged.study, metric.unit);
   double tolerance = 0;
-  for (const Group& group : judged_metric.observations.groups) tolerance = std::max(tolerance, group.at_most);
-  if (tolerance > 0)
-    about.caption += fmt::format(" Values up to {0:.3g} {1} count as {0:.3g} {1}.", factor * tolerance, unit);
+  for (const Group& group : judged_metric.observations.groups) tolerance = std::max(tolerance, factor * group.at_most);
+  if (tolerance > 0) about.caption += fmt::format(" Values up to {0:.3g} {1} count as {0:.3g} {1}.", tolerance, unit);
+  about.floor = std::max(about.floor, tolerance);
   return boxes(about, box_rows(judged, judged_metric, look));
 }
 
@@ -82,6 +82,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
   }
   About about = about_of(judged.study, metric_named(error), "overview",
                          "Error against joint motion, medians: best is the lower left.");
+  about.quantity = "median " + about.quantity;
   if (is_share) {
     about = {"overview", "Share solved against joint motion: best is the upper left.", "solved", "%"};
     for (Dot& dot : dots) {
@@ -89,7 +90,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
       dot.y = 100 * describe(*std::ranges::find(groups, dot.label, &Group::name)).mean;
     }
   }
-  return overview(about, "joint motion, median [deg]", dots);
+  return overview(about, "median joint motion [deg]", dots);
 }
 
 std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
@@ -158,8 +159,9 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style) {
   std::vector<NamedSolver> named;
   for (const results::Series& solver : solvers) named.push_back({solver.label, solver.algorithm});
-  std::ranges::stable_partition(
-      named, [&](const NamedSolver& solver) { return std::ranges::count(style.solvers, solver.label) > 0; });
+  std::ranges::stable_sort(named, {}, [&](const NamedSolver& solver) {  // those that are not shown come last
+    return std::ranges::find(style.solvers, solver.label) - style.solvers.begin();
+  });
   Look look{.style = std::move(style), .lines = {}};
   look.lines = line_styles(named, look.style);
   return look;

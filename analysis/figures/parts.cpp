@@ -44,13 +44,6 @@ std::string titled(char letter, const std::string& title) {
                      is_long ? 0.15 : 0.3);
 }
 
-// "1e-5": gnuplot draws exponents of an SVG too high.
-std::string power(double value) {
-  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.4g}", value);
-  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  return fmt::format("{:.2g}e{}", value / std::pow(10, exponent), exponent);
-}
-
 // Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too.
 std::string ticks_between(char letter, double low, double high) {
   const double decades = std::log10(high) - std::log10(low);
@@ -114,6 +107,12 @@ double round_step_of(double span, double places) {
   return 10 * power;
 }
 
+std::string power(double value) {
+  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.4g}", value);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  return fmt::format("{:.2g}e{}", value / std::pow(10, exponent), exponent);
+}
+
 double width_cm_of(std::string_view label) {
   constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -I", wide = "mwMW@%OQGDHN";
   double cm = 0;
@@ -132,10 +131,12 @@ std::string linear_axis(char letter, std::span<const double> values, const std::
                largest = drawn.empty() ? 1 : std::ranges::max(drawn);
   const double span = largest - least, room = span > 0 ? 0.06 * span : largest == 0 ? 1 : 0.1 * std::abs(largest);
   const double low = begins == Begins::at_zero ? std::min(0.0, 1.05 * least) : least - room;
-  const double high = begins == Begins::at_zero ? (largest > 0 ? 1.05 * largest : 1) : largest + room;
-  const std::string ticks = letter == 'x' ? fmt::format("set xtics {}\n", text_of(round_step_of(high - low, 5))) : "";
-  return fmt::format("set {0}range [{1}:{2}]\n{3}line_{0}(v) = v\nedge_{0}(v) = NaN\n{4}{5}", letter, text_of(low),
-                     text_of(high), ticks, titled(letter, title), placed(letter, text_of(low), text_of(high))) +
+  double high = begins == Begins::at_zero ? (largest > 0 ? 1.05 * largest : 1) : largest + room;
+  const double step = round_step_of(high - low, 5), next = step * std::ceil(high / step);
+  if (next - high < 0.05 * step) high = next;  // gnuplot draws the grid, but no label, a little beyond the range
+  const std::string ticks = letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "";
+  return fmt::format("set {}range [{}:{}]\n{}{}{}", letter, text_of(low), text_of(high), ticks, titled(letter, title),
+                     placed(letter, text_of(low), text_of(high))) +
          (drawn.empty() ? "set label 'nothing to show' at graph 0.5, graph 0.5 center\n" : "");
 }
 
@@ -157,17 +158,19 @@ std::string value_axis(char letter, std::span<const double> values, const About&
       std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
     return linear_axis(letter, values, title, begins);
   const bool has_edge = above.size() < drawn.size();
-  const int first = static_cast<int>(std::floor(std::log10(std::ranges::min(above)) + 1e-9)),
-            low = first - (has_edge ? 1 : 0),
-            high = static_cast<int>(std::ceil(std::log10(std::ranges::max(above)) - 1e-9));
-  std::string settings = fmt::format("set logscale {0}\nset {0}range [1e{1}:1e{2}]\n{3}", letter, low, high,
-                                     ticks_between(letter, std::pow(10, first), std::pow(10, high)));
+  const double start = std::pow(10, std::floor(std::log10(std::ranges::min(above)) + 1e-9)),
+               high = std::pow(10, std::ceil(std::log10(std::ranges::max(above)) - 1e-9)),
+               edge = !has_edge              ? start
+                      : about.floor >= start ? about.floor
+                                             : start / 10,
+               low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // what is at the edge stands off the axis
+  std::string settings =
+      fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}", letter, text_of(low), text_of(high),
+                  ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high));
   if (has_edge)
-    settings +=
-        fmt::format("set {}tics add ('{}' 1e{})\n", letter, about.floor > 0 ? "≤ " + power(about.floor) : "0", low);
-  return settings + titled(letter, title) + placed(letter, fmt::format("1e{}", low), fmt::format("1e{}", high)) +
-         fmt::format("line_{0}(v) = v > {1} ? v : NaN\nedge_{0}(v) = v <= {1} ? 1e{2} : NaN\n", letter,
-                     text_of(about.floor), low);
+    settings += fmt::format("set {}tics add ('{}' {})\n", letter, about.floor > 0 ? "≤ " + power(about.floor) : "0",
+                            text_of(edge));
+  return settings + titled(letter, title) + placed(letter, text_of(edge), text_of(high));
 }
 
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {

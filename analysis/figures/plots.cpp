@@ -73,8 +73,8 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
     remarks.emplace_back(row.remark, 0);
     all.insert(all.end(), row.values.begin(), row.values.end());
     all.insert(all.end(), row.box.begin(), row.box.end());
-    std::ranges::copy_if(row.printed, std::back_inserter(all), [](double printed) { return printed > 0; });
-    has_printed = has_printed || std::isfinite(row.printed[1]);
+    all.insert(all.end(), row.printed.begin(), row.printed.end());
+    has_printed = has_printed || !std::isnan(row.printed[1]);
     figure.data += fmt::format("# {}\n{}", one_line(row.label),
                                data_row({y, row.box[0], row.box[1], row.box[2], row.box[3], row.box[4], row.printed[0],
                                          row.printed[1], row.printed[2]}));
@@ -133,7 +133,7 @@ Figure curves(const About& about, const std::string& x_axis, const std::vector<L
     figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
     if (line.rows.empty()) figure.data += "NaN NaN NaN NaN NaN\n";
     const auto has = [&](double CurveRow::*part) {
-      return std::ranges::any_of(line.rows, [&](const CurveRow& row) { return std::isfinite(row.*part); });
+      return std::ranges::any_of(line.rows, [&](const CurveRow& row) { return !std::isnan(row.*part); });
     };
     const bool has_band = has(&CurveRow::high) && all.size() <= most_bands;
     for (const CurveRow& row : line.rows) {
@@ -148,13 +148,11 @@ Figure curves(const About& about, const std::string& x_axis, const std::vector<L
     if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
-    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(line_y($5)) with lines {} lw 0.6 dt 3", rows, style));
+    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(place_y($5)) with lines {} lw 0.6 dt 3", rows, style));
     labels.push_back(label_of(line.label) + (has(&CurveRow::y) ? "" : " (nothing to show)"));
     const std::size_t interval = 1 + line.rows.size() / 25;
-    front.push_back(fmt::format("{}(line_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
+    front.push_back(fmt::format("{}(place_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
                                 gnuplot_text(labels.back())));
-    front.push_back(fmt::format("data index {} every {} using 1:(edge_y($2)) with points {}", i, interval,
-                                line.style > 0 ? style + " dt 1" : fmt::format("pt 6 ps 0.9 {}", grey)));
   }
   figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
   const auto [first, last] = std::ranges::minmax(xs.empty() ? std::vector<double>{1} : xs);
@@ -307,7 +305,7 @@ Figure path(const About& about, const PathRows& rows) {
   const auto see = [&](const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (std::isfinite(corner[axis])) shown[axis].push_back(corner[axis]);
+        if (!std::isnan(corner[axis])) shown[axis].push_back(corner[axis]);
       }
     }
   };
@@ -371,10 +369,10 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
       fmt::format("array name[{0}]\narray lower[{0}]\narray upper[{0}]\narray solver[{1}]\narray style[{1}]\n",
                   std::max<std::size_t>(columns.size(), 1), std::max<std::size_t>(rows.size(), 1));
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const auto limit = [](double degrees) { return std::isfinite(degrees) ? text_of(degrees) : "NaN"; };
-    figure.settings += fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
-                                   gnuplot_text(label_of(columns[i].label) + " [deg]"), limit(columns[i].lower_deg),
-                                   limit(columns[i].upper_deg));
+    const auto limit = [](double degrees) { return std::abs(degrees) <= 1e300 ? text_of(degrees) : "NaN"; };
+    figure.settings +=
+        fmt::format("name[{0}] = {1}\nlower[{0}] = {2}\nupper[{0}] = {3}\n", i + 1,
+                    gnuplot_text(label_of(columns[i].label)), limit(columns[i].lower_deg), limit(columns[i].upper_deg));
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const JointRow& row = rows[i];
@@ -388,7 +386,7 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
       for (std::size_t joint = 0; joint < columns.size(); ++joint) {
         const double angle = joint < row.angles_deg[point].size() ? row.angles_deg[point][joint] : nowhere;
         line.push_back(angle);
-        if (std::isfinite(angle)) all.push_back(angle);
+        if (!std::isnan(angle)) all.push_back(angle);
         is_outside = is_outside || angle < columns[joint].lower_deg || angle > columns[joint].upper_deg;
       }
       figure.data += data_row(line);
@@ -403,23 +401,25 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
   figure.height_cm = top_cm + 1 + n * panel_cm + (n - 1) * gap_cm;
   const double span = all.empty() ? 1 : std::ranges::max(all) - std::ranges::min(all);
   const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
-  figure.settings +=
-      linear_axis('y', all, "", Begins::around) +
-      fmt::format("set xrange [0:{}]\nset ytics {}\nset tics scale 0.4\nunset key\n", points + 1, text_of(step));
+  figure.settings += linear_axis('y', all, "", Begins::around) +
+                     fmt::format("set xrange [0:{}]\nset ytics {}\nset tics scale 0.4\nset samples 2\nunset key\n",
+                                 points + 1, text_of(step));
   const std::string ticks = points <= 2 ? "1" : fmt::format("(1, {}, {})", (points + 1) / 2, points);
   figure.plot = fmt::format(
       "set multiplot layout {0}, {1} rowsfirst margins margin(1), 1 - margin(0.2), up(0.95), 1 - up({2}) spacing margin(0.3), up({3})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
-      "    unset label\n    unset arrow\n    unset title\n    set format ''\n    set xtics {4}\n"
+      "    unset label\n    unset title\n    set format ''\n    set xtics {4}\n"
       "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.55 noenhanced }}\n"
       "    if (r == 1) {{ set title name[c] noenhanced offset 0, {5} }}\n"
-      "    if (r == {0}) {{ set format x '%g'; set label 'point' at graph 0.5, screen up(0.22) center }}\n"
-      "    plot NaN, data index r-1 using 1:(lower[c]) with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
-      "      data index r-1 using 1:(upper[c]) with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
-      "      data index r-1 using 1:(column(c+1)) with linespoints lw 0.9 pt 7 ps 0.2 lc rgb colour_of(style[r]), \\\n"
+      "    if (r == 1 && c == 1) {{ set label '[deg]' at screen margin(0.9), graph 1 right offset 0, {6}; set label 'point' at screen 0.5, up(0.22) center }}\n"
+      "    if (r == {0}) {{ set format x '%g' }}\n"
+      "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+      "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
+      "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
-      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2);
+      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2,
+      rows.size() == 1 ? 0.8 : 1.75);
   return figure;
 }
 
@@ -434,7 +434,7 @@ Figure overview(const About& about, const std::string& x_axis, const std::vector
     const Dot& dot = dots[i];
     xs.insert(xs.end(), {dot.x, dot.printed_x});
     ys.insert(ys.end(), {dot.y, dot.printed_y});
-    has_printed = has_printed || std::isfinite(dot.printed_y);
+    has_printed = has_printed || !std::isnan(dot.printed_y);
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
     labels.push_back(label_of(dot.label));
     const std::string line = fmt::format("data every ::{0}::{0} using", i);

@@ -34,7 +34,7 @@ Figure specifications(const About& about, const Specifications& rows) {
   Figure figure{.name = about.name, .caption = about.caption, .width_cm = two_columns_cm};
   std::vector<std::string> ticks;
   for (double decade = std::ceil(low); decade <= high; decade += high - low > 8 ? 2 : 1)
-    ticks.push_back(fmt::format("'{}' {}", text_of(std::pow(10, decade)), text_of(row_of(std::pow(10, decade)))));
+    ticks.push_back(fmt::format("'{}' {}", power(std::pow(10, decade)), text_of(row_of(std::pow(10, decade)))));
   double place = 0, widest_cm = 1;
   std::vector<std::vector<double>> places;  // of the choices
   for (const std::vector<std::string>& group : rows.groups) {

@@ -85,9 +85,9 @@ Figure overview_figure(const JudgedStudy& judged, const Look& look, const CsvTab
     read(motion, dot.x, dot.printed_x);
     read(error, dot.y, dot.printed_y);
   }
-  return overview(
-      {"overview", "Error against angles variation, means of all runs. Rings: as printed.", "position error", "cm"},
-      "angles variation [deg]", dots);
+  return overview({"overview", "Error against angles variation, means of all runs. Rings: as printed.",
+                   "mean position error", "cm"},
+                  "mean angles variation [deg]", dots);
 }
 
 std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
@@ -106,17 +106,17 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
     if (values == nullptr) continue;
+    About about = about_of(
+        study, metric, metric.boxes,
+        fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
+                    metric.name, metric.column == time ? "median" : "mean"));
+    if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed = box_rows(judged, *values, look);
     for (BoxRow& row : boxed) {
       const auto of = metric.column == time ? std::nullopt : printed_row(printed, row.label, metric.column);
       if (of) row.printed = {printed.number(*of, "min"), printed.number(*of, "median"), printed.number(*of, "max")};
     }
-    all.push_back(boxes(
-        about_of(
-            study, metric, metric.boxes,
-            fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
-                        metric.name, metric.column == time ? "median" : "mean")),
-        boxed));
+    all.push_back(boxes(about, boxed));
   }
   return all;
 }

@@ -145,10 +145,15 @@ TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at 
   };
   CHECK_FALSE(contains(axis({1, 30}), "logscale"));
   CHECK_FALSE(contains(axis({-1, 100}), "logscale"));
-  CHECK(contains(axis({1, 31}), "set yrange [1e0:1e2]"));
+  CHECK(contains(axis({1, 31}), "set yrange [1:100]"));
   CHECK_FALSE(contains(axis({1, 31}), "≤"));
-  CHECK(contains(axis({1e-9, 1e-5, 1}), "set yrange [1e-6:1e0]"));
-  CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 1e-7' 1e-6"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}), "place_y(v) = v < 1e-06 ? 1e-06 : v > 1 ? 1 : v"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 1e-7' 1e-06"));
+  About near = error_in("a");
+  near.floor = 0.1;  // a tolerance, just below the other values
+  const std::string at_tolerance = value_axis('x', std::vector<double>{0.1, 0.11, 90}, near, Begins::around);
+  CHECK(contains(at_tolerance, "set xtics ('' 0.2 1,"));
+  CHECK(contains(at_tolerance, "'≤ 0.1' 0.1"));
   CHECK(contains(axis({0, 2, 10}), "set yrange [0:10.5]"));
   for (const double odd : {1e-320, 1e300, double{INFINITY}}) CHECK(contains(axis({odd, 1}), "set yrange"));
 }
