@@ -97,11 +97,12 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
 
 std::string verdict_of(const Compared& one) {
   const std::string of = one.label.empty() ? "" : one.label + ": ";
-  const std::string open =
-      one.gate.not_decided.empty() ? "" : fmt::format("; not decided: {}", show::listed(one.gate.not_decided));
-  if (!one.gate.worse.empty()) return fmt::format("{}worse in {}{}.", of, show::listed(one.gate.worse), open);
-  return fmt::format("{}nothing is worse{}{}.", of, one.gate.are_same ? ": all solves are the same, bit for bit" : "",
-                     open);
+  const auto told = [](std::string_view what, const std::vector<std::string>& quantities) {
+    return quantities.empty() ? "" : fmt::format("{}{}", what, show::listed(quantities));
+  };
+  return fmt::format("{}{}{}{}{}.", of, one.gate.worse.empty() ? "nothing is worse" : told("worse in ", one.gate.worse),
+                     one.gate.are_same ? ": all solves are the same, bit for bit" : "",
+                     told("; better in ", one.gate.better), told("; not decided: ", one.gate.not_decided));
 }
 
 std::string screen_of(const std::vector<Compared>& all) {
@@ -119,7 +120,8 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
     numerics::OrderedJson of = show::to_json(one.shown);
     of["label"] = one.label;
     of["worse"] = one.gate.worse;
-    of["not_decided"] = one.gate.not_decided;
+    of["better"] = one.gate.better;
+    of["undecided"] = one.gate.not_decided;
     json["solvers"].push_back(std::move(of));
   }
   return json;

@@ -156,6 +156,8 @@ Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
     const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
+    else if (finding.verdict == Verdict::better && !finding.is_within_margin)
+      gate.better.push_back(of.quantity);
     else if (!is_time && !is_equal && finding.why != Why::fact && finding.verdict >= Verdict::undecided)
       gate.not_decided.push_back(of.quantity);
   }

@@ -18,10 +18,10 @@ struct Side {
 struct Gate {
   JudgedStudy
       judged;  // of two solvers, the candidate first; with the share of solves that gave an answer as last metric
-  std::vector<std::string> worse, not_decided;  // quantities; or not tested
-  bool are_same = false;                        // all solves, bit for bit: then nothing is left to decide
-  bool are_times_apart = false;                 // they come from other sessions: told, but neither worse nor undecided
-  std::optional<double> visible_loss;           // smallest loss of the share solved that the test would show
+  std::vector<std::string> worse, better, not_decided;  // quantities; the last also of what is not tested
+  bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
+  bool are_times_apart = false;        // they come from other sessions: told, but neither worse nor undecided
+  std::optional<double> visible_loss;  // smallest loss of the share solved that the test would show
 };
 
 // By the candidate's plan; `labels` that are compared share its significance. Throws std::invalid_argument if the two
