@@ -36,7 +36,7 @@ std::string text_of_file(const std::filesystem::path& file, std::uintmax_t large
     text.append(part.data(), static_cast<std::size_t>(in.gcount()));
     if (text.size() > largest) {
       throw std::invalid_argument(
-          fmt::format("{}: expected a file of at most {} MB", file.string(), largest / 1'000'000));
+          fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(largest) / 1e6));
     }
   }
   if (!in.is_open() || in.bad()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
