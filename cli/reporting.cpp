@@ -221,9 +221,7 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
 }
 
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
-  for (const figures::FigureOutcome& outcome : figures::write_figures({figure}, folder, options)) {
-    if (!outcome.error.empty()) warn(fmt::format("{} was not drawn: {}", outcome.name, outcome.error));
-  }
+  for (const std::string& error : figures::write_figures({figure}, folder, options)) warn(error);
 }
 
 void refuse_store(const std::string& file, const std::string& store) {

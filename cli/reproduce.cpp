@@ -90,6 +90,10 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
   const bool is_slim2023 = paper.name == "slim2023";
   show::Reported reported = show::reported(
       all.front(), is_slim2023 ? slim2023::figures_of(all.front(), look) : figures::of_study(all.front(), look));
+  for (const compare::JudgedStudy* const companion : repeated.companions) {
+    for (const compare::Doubt& doubt : show::shown(*companion).all_doubts())
+      reported.warnings.push_back(fmt::format("{}: {}.", companion->study.entry.name, words_of(doubt)));
+  }
   std::vector<figures::Figure> of_circle;
   std::vector<std::string> sentences;
   if (is_slim2023) {
@@ -100,12 +104,12 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
     reported.additions = slim2023::sections(repeated, claims, of_circle);
     reported.has_own_numbers = true;
   } else {
-    reported.first = {means};
+    reported.first = {show::Heading{means.caption}, means};
     reported.additions = {papers::claims_section(claims)};
   }
   if (!readings.claims.empty()) {
     show::Blocks blocks{show::Heading{"What the paper leaves open"}, readings.figure, readings.table};
-    for (const std::string& sentence : readings.sentences) blocks.emplace_back(show::Text{sentence});
+    for (const std::string& sentence : readings.sentences) blocks.emplace_back(sentence);
     reported.additions.push_back(std::move(blocks));
   }
   announce(reported, folder, arguments.report, style,

@@ -73,7 +73,6 @@ void stats(const StatsArguments& arguments) {
     fmt::print("{}\n", numerics::text_of(json, 1));
     return;
   }
-  for (const std::string& note : reported.shown.notes) fmt::print("{}\n", wrapped(note));
   fmt::print("{}", printable(show::screen(reported.shown, published.page.string())));
 }
 

@@ -25,7 +25,7 @@ struct Request {
 
 struct Quantities {
   std::vector<compare::Observations> observed;
-  std::vector<std::string> notes = {};  // what the values settled, as sentences; a screen says them first
+  std::vector<std::string> notes = {};  // what the values settled, as sentences; they stand below the table of results
 };
 
 // Without labels every column of numbers is a group. Rows without a label are left out and counted. A value that is

@@ -9,6 +9,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -78,8 +79,11 @@ std::string title_of(const Figure& figure) {
   return title;
 }
 
-// What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one.
+// What gnuplot cannot say: a size in units of length, a title, and other fonts for machines that lack the one. Nor can
+// it leave out the groups in which it draws nothing, a third of the file.
 void complete_svg(std::string& svg, const Figure& figure) {
+  static const std::regex empty("\\t?<g [^>]*>\n(\t\t<text></text>\n\t)?</g>\n");
+  svg = std::regex_replace(svg, empty, "");
   const std::size_t box = svg.find("viewBox=\"0 0 "), end = svg.find('"', box + 13);
   if (box == std::string::npos || end == std::string::npos) return;
   std::string size = svg.substr(box + 13, end - box - 13);
@@ -157,43 +161,42 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureS
 
 }  // namespace
 
-std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                                         const RenderOptions& options) {
+std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                       const RenderOptions& options) {
+  if (figures.empty()) return {};
   const std::vector<Source> sources = sources_of(figures, options.style);
   std::set<std::string> changed;  // files
   for (const Source& source : sources) {
     if (!options.render && read_file(folder / source.file) != source.text) changed.insert(source.file);
     write_file(folder / source.file, source.text);
   }
-  std::vector<FigureOutcome> outcomes;
-  for (const Figure& figure : figures) {
-    const auto is_there = [&](Picture type) { return is_own_file(folder / picture_of(figure, type)); };
-    const bool is_same = !changed.contains(std::string(style_file->name)) && !changed.contains(figure.name + ".gp") &&
-                         !changed.contains(figure.name + ".dat");
-    outcomes.push_back(
-        {.name = figure.name,
-         .rendered = !options.render && is_same && std::ranges::all_of(options.style.formats, is_there)});
+  if (!options.render) {
+    for (const Figure& figure : figures) {
+      const bool is_same = !changed.contains(std::string(style_file->name)) && !changed.contains(figure.name + ".gp") &&
+                           !changed.contains(figure.name + ".dat");
+      remove_pictures(figure, folder, is_same ? options.style.formats : std::vector<Picture>());
+    }
+    return {};
   }
-  if (!options.render) return outcomes;
 
   const TemporaryFolder workshop(folder);
   for (const Source& source : sources) write_file(workshop.path() / source.file, source.text);
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::int64_t done = 0;
+  std::vector<std::string> errors(figures.size());
   std::vector<std::exception_ptr> failures(figures.size());  // these end the report, not only a figure
   const auto work = [&] {
     for (std::size_t i = next++; i < figures.size(); i = next++) {
       try {
         draw(figures[i], workshop.path(), options);
-        outcomes[i].rendered = true;
       } catch (const std::invalid_argument& error) {
-        outcomes[i].error = error.what();
+        errors[i] = fmt::format("{} is not drawn: {}", figures[i].name, error.what());
       } catch (...) {
         failures[i] = std::current_exception();
         next = figures.size();
       }
-      remove_pictures(figures[i], folder, outcomes[i].rendered ? options.style.formats : std::vector<Picture>());
+      remove_pictures(figures[i], folder, errors[i].empty() ? options.style.formats : std::vector<Picture>());
       if (!options.progress) continue;
       const std::scoped_lock lock(one_at_a_time);
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
@@ -206,7 +209,8 @@ std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, con
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
-  return outcomes;
+  std::erase(errors, "");
+  return errors;
 }
 
 }  // namespace ikbench::figures

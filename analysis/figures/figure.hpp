@@ -36,23 +36,18 @@ struct About {
 };
 
 struct RenderOptions {
-  bool render = true;               // false: writes only scripts and data, and all pictures stay
-  std::string gnuplot = "gnuplot";  // the program, sought on the PATH
-  int jobs = 2;                     // figures drawn at once
+  bool render = true;                                                       // false: writes only scripts and data
+  std::string gnuplot = "gnuplot";                                          // the program, sought on the PATH
+  int jobs = 2;                                                             // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
 };
 
-struct FigureOutcome {
-  std::string name;
-  bool rendered = false;   // its pictures show its data: they were drawn, or are those of an earlier report
-  std::string error = {};  // gnuplot's message, if drawing failed
-};
-
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says; no
-// script that was there is ever run. Removes old pictures that could not be drawn again. Throws std::invalid_argument
-// if the folder cannot be written to, std::runtime_error if a disk is full.
-std::vector<FigureOutcome> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-                                         const RenderOptions& options);
+// script that was there is ever run. Removes old pictures that do not show these data. Returns a sentence for each
+// figure that could not be drawn. Throws std::invalid_argument if the folder cannot be written to, std::runtime_error
+// if a disk is full.
+std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
+                                       const RenderOptions& options);
 
 }  // namespace ikbench::figures

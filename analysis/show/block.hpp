@@ -23,17 +23,14 @@ struct Marked {
   std::string mark;
   bool is_bound = false;
 };
-// A p-value: "0.0005", "< 0.0001".
-struct P {
-  double value;
-};
 // Readers see "-" for an empty cell (std::monostate) and a number that is not finite.
-using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked, P>;
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;
 
 struct Column {
   std::string name;
   std::string unit = {};
-  int digits = 3;  // significant; CSV and JSON have all
+  int digits = 3;     // significant; CSV and JSON have all
+  bool is_p = false;  // p-values: "0.0005", "< 0.0001"
 };
 
 struct Table {
@@ -56,14 +53,8 @@ numerics::OrderedJson to_json(const Table& table);
 struct Heading {
   std::string text;
 };
-struct Text {
-  std::string text;  // plain; writers escape
-};
-// The moving arm: its data (JSON) for the page; other writers leave it out.
-struct Scene {
-  std::string json;
-};
-using Block = std::variant<Heading, Text, Table, figures::Figure, Scene>;
+// Text is plain; writers escape.
+using Block = std::variant<Heading, std::string, Table, figures::Figure>;
 using Blocks = std::vector<Block>;
 
 }  // namespace ikbench::show

@@ -22,12 +22,10 @@ namespace {
 constexpr std::size_t most_points = 200;
 constexpr std::size_t most_solvers = 24;
 
-// Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m; null if not finite.
+// Rounds to 1e-5, a 30th of a pixel's width for an arm of 1 m. JSON has null for what is not finite.
 Json rounded(const std::vector<double>& values) {
   Json list = Json::array();
-  for (const double value : values) {
-    list.push_back(std::isfinite(value) ? Json(std::round(value * 1e5) / 1e5) : Json(nullptr));
-  }
+  for (const double value : values) list.push_back(std::round(value * 1e5) / 1e5);
   return list;
 }
 
@@ -49,8 +47,6 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
   return list;
 }
 
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 // The first run of a solver, point by point; a start only if it differs from the previous answer.
 Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
   const std::span<const SolveRecord> solves = study.of(solver);
@@ -63,8 +59,8 @@ Json first_run(const StudyResults& study, const std::string& solver, const robot
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
-              {"error", json_number((in_mm ? 10 : 1) * solve.position_error_cm)},
-              {"variation_deg", json_number(solve.variation_deg)},
+              {"error", (in_mm ? 10 : 1) * solve.position_error_cm},
+              {"variation_deg", solve.variation_deg},
               {"outside", joints_outside(solve, arm)}};
     if (!before || before->answer_rad != solve.start_rad) step["start"] = rounded(solve.start_rad);
     steps.push_back(std::move(step));

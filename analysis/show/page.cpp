@@ -70,13 +70,13 @@ std::string upper(std::string text) {
 }
 
 struct PageWriter {
-  const Pictures& pictures;
+  const std::filesystem::path& folder;
 
   std::string operator()(const Heading& heading) const {
     const std::string id = id_of(heading.text);
     return fmt::format("<h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n", id, html_text(heading.text));
   }
-  std::string operator()(const Text& text) const { return fmt::format("<p>{}</p>\n", html_text(text.text)); }
+  std::string operator()(const std::string& text) const { return fmt::format("<p>{}</p>\n", html_text(text)); }
   std::string operator()(const Table& table) const {
     const std::string id = id_of(table.name);
     std::string text = fmt::format(
@@ -90,38 +90,33 @@ struct PageWriter {
   std::string operator()(const figures::Figure& figure) const {
     constexpr std::size_t largest = 1'000'000;  // of a picture in the page [bytes]
     const std::string caption = html_text(figure.caption);
-    const bool is_drawn = !pictures.not_drawn.contains(figure.name);
     std::string picture;
     for (const auto& [type, media] : {std::pair("svg", "svg+xml"), std::pair("png", "png")}) {
       const std::string file = fmt::format("{}.{}", figure.name, type);
-      const auto drawn = results::read_file(pictures.folder / "figures" / file);
-      if (!is_drawn || !drawn || !picture.empty()) continue;
+      const auto drawn = results::read_file(folder / "figures" / file);
+      if (!drawn || !picture.empty()) continue;
       picture = drawn->size() <= largest
                     ? fmt::format("<div class=\"scroll\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n",
                                   caption, media, base64(*drawn))
                     : fmt::format("<p><a href=\"figures/{0}\">{0}</a></p>\n", html_text(file));
     }
     std::vector<std::pair<std::string, std::string>> files;
-    for (const std::string& type : pictures.types) {
-      if (is_drawn) files.emplace_back(upper(type), fmt::format("figures/{}.{}", figure.name, type));
-    }
+    for (const std::string& type : types_of(figure, folder))
+      files.emplace_back(upper(type), fmt::format("figures/{}.{}", figure.name, type));
     return fmt::format("<figure id=\"figure-{}\"{}>\n{}<figcaption>{}</figcaption>\n{}</figure>\n", id_of(figure.name),
                        figure.width_cm > 12 ? " class=\"wide\"" : "", picture, caption,
                        files.empty() ? "" : menu(files));
   }
-  std::string operator()(const Scene&) const { return std::string(template_named("stage.html")); }
 };
 
 // The first section: the sentence, what was studied, and side by side the table and the arm.
-std::string answer(const Blocks& blocks, const PageWriter& write, const std::string& contents) {
-  std::string head, body, stage;
+std::string answer(const Blocks& blocks, const PageWriter& write, const std::string& contents, std::string_view stage) {
+  std::string head, body;
   for (const Block& block : blocks) {
     if (const auto* heading = std::get_if<Heading>(&block); heading && head.empty())
       head = fmt::format("<h1>{}</h1>\n", html_text(heading->text));
-    else if (std::holds_alternative<Scene>(block))
-      stage = std::visit(write, block);
     else
-      (std::holds_alternative<Text>(block) && body.empty() ? head : body) += std::visit(write, block);
+      (std::holds_alternative<std::string>(block) && body.empty() ? head : body) += std::visit(write, block);
   }
   return fmt::format("<header>\n{}{}<div class=\"answer\">\n<div>\n{}</div>\n{}</div>\n</header>\n", head, contents,
                      body, stage);
@@ -148,31 +143,22 @@ std::string contents_of(std::span<const Blocks> sections) {
   return text + "</nav>\n";
 }
 
-const Scene* scene_in(const Blocks& blocks) {
-  const auto found =
-      std::ranges::find_if(blocks, [](const Block& block) { return std::holds_alternative<Scene>(block); });
-  return found == blocks.end() ? nullptr : &std::get<Scene>(*found);
-}
-
 }  // namespace
 
-std::string to_page(const std::string& title, const std::vector<Blocks>& sections, const Pictures& pictures,
+std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
+                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
                     const std::string& program) {
-  const PageWriter write{pictures};
-  Blocks first = sections.front();
-  const Scene* scene = scene_in(first);
-  const auto library = scene ? drawing_library() : std::nullopt;
+  const PageWriter write{folder};
+  const auto library = arm ? drawing_library() : std::nullopt;
   const auto script = [](std::string_view code) { return fmt::format("<script>{}</script>\n", code); };
   std::string scripts = script(template_named("page.js"));
-  if (library) {
+  if (library)
     scripts += std::string(template_named("licence.html")) + script(*library) +
-               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", scene->json) +
+               fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
                script(template_named("moving_arm.js"));
-  } else {
-    std::erase_if(first, [](const Block& block) { return std::holds_alternative<Scene>(block); });
-  }
   const std::span rest(sections.begin() + 1, sections.end());
-  std::string text = answer(first, write, contents_of(rest));
+  std::string text =
+      answer(sections.front(), write, contents_of(rest), library ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
   return filled(template_named("page.html"), {{"title", html_text(title)},
                                               {"style", std::string(template_named("page.css"))},

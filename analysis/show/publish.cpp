@@ -4,6 +4,7 @@
 #include <array>
 #include <system_error>
 
+#include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
 #include "numerics/json.hpp"
 #include "results/export.hpp"
@@ -49,7 +50,8 @@ std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, c
   std::error_code none;
   for (const auto& entry : fs::recursive_directory_iterator(folder / "figures", none)) {
     const auto is_its = [&](const figures::Figure& figure) { return entry.path().stem() == figure.name; };
-    if (entry.is_regular_file(none) && (entry.path().stem() == "style" || std::ranges::any_of(figures, is_its)))
+    const bool is_style = !figures.empty() && entry.path().stem() == "style";
+    if (entry.is_regular_file(none) && (is_style || std::ranges::any_of(figures, is_its)))
       files.push_back(entry.path().lexically_relative(folder));
   }
   return files;
@@ -67,6 +69,15 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 
 }  // namespace
 
+std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
+  std::vector<std::string> types{"svg", "pdf", "png"};
+  std::erase_if(types, [&](const std::string& type) {
+    std::error_code none;
+    return !fs::is_regular_file(folder / "figures" / fmt::format("{}.{}", figure.name, type), none);
+  });
+  return types;
+}
+
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
                   const std::string& program) {
   for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
@@ -74,14 +85,8 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);
   Published published{.page = folder / own_files[0]};
-  Pictures pictures{.folder = folder};
-  for (const results::Picture type : options.style.formats) pictures.types.emplace_back(name_of(type));
   for (const fs::path& place : {folder, folder / "tables", folder / "figures"}) results::remove_litter(place);
-  for (const figures::FigureOutcome& outcome : figures::write_figures(figures, folder / "figures", options)) {
-    if (!outcome.rendered) pictures.not_drawn.insert(outcome.name);
-    if (!outcome.error.empty())
-      published.warnings.push_back(fmt::format("{} is not drawn: {}", outcome.name, outcome.error));
-  }
+  published.warnings = figures::write_figures(figures, folder / "figures", options);
 
   std::vector<std::string>& files = published.files;
   std::ranges::copy(own_files, std::back_inserter(files));
@@ -103,10 +108,10 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   if (is_of_study)
     results::write_csv(folder / own_files[3], [&](const auto& take) { std::ranges::for_each(of.study.solves, take); });
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
-  results::write_file(folder / "report.md", to_markdown(sections, pictures));
+  results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = of.study.definition.title;
-  results::write_file(published.page,
-                      to_page(title.empty() ? of.study.entry.name : title, sections, pictures, program));
+  results::write_file(published.page, to_page(title.empty() ? of.study.entry.name : title, sections,
+                                              is_of_study ? moving_arm(of.study) : std::nullopt, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +19,8 @@ struct Reported {
   // Of a paper: instead of the sentence and the table of results; and sections of its own, each with its heading.
   Blocks first = {};
   std::vector<Blocks> additions = {};
-  bool has_own_numbers = false;  // the additions have the descriptions and the ANOVA
+  bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
+  std::vector<std::string> warnings = {};  // beside the study's own
 };
 Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 
@@ -27,18 +28,14 @@ Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figu
 // first begins with the headline.
 std::vector<Blocks> sections_of(const Reported& reported);
 
-// A report's pictures: those that were drawn in a folder.
-struct Pictures {
-  std::filesystem::path folder;          // of the report
-  std::vector<std::string> types;        // "svg", "pdf"
-  std::set<std::string> not_drawn = {};  // names of figures
-};
-std::string to_page(const std::string& title, const std::vector<Blocks>& sections, const Pictures& pictures,
+// They show the pictures that stand in `figures` of the report's folder. The page also has the moving arm
+// (moving_arm.hpp), if there is one.
+std::string to_page(const std::string& title, const std::vector<Blocks>& sections,
+                    const std::optional<std::string>& arm, const std::filesystem::path& folder,
                     const std::string& program);
-std::string to_markdown(const std::vector<Blocks>& sections, const Pictures& pictures);
-
-// The answer as data: headline, groups, tests, findings and doubts. `files` of a report are added by publish().
-numerics::OrderedJson to_json(const Shown& shown);
+std::string to_markdown(const std::vector<Blocks>& sections, const std::filesystem::path& folder);
+// The types of a figure's pictures that stand there: "svg", "pdf", "png".
+std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
 struct Published {
   std::filesystem::path page;         // report.html

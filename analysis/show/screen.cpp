@@ -5,20 +5,18 @@
 #include <algorithm>
 #include <sstream>
 
-#include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 
 namespace ikbench::show {
 
 using namespace compare;
-using Json = numerics::OrderedJson;
 
 namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t width = 100, most_rows = 7, most_warnings = 3;
+constexpr std::size_t width = 100, most_rows = 7, most_notes = 3, most_warnings = 3, longest_name = 24;
 
 Lines lines_of(const std::string& text) {
   Lines lines;
@@ -51,8 +49,9 @@ Lines pairs_of(const Shown& shown) {
     std::ranges::stable_partition(findings, [&](const Finding& of) { return of.first == judged.headline.best; });
     for (const Finding& of : findings) {
       auto& row = rows.emplace_back();
-      if (has_two) row.push_back("  " + judged.observations.quantity);
-      row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", shortened(of.first, 24), shortened(of.second, 24)));
+      if (has_two) row.push_back("  " + shortened(judged.observations.quantity, longest_name));
+      row.push_back((has_two ? "" : "  ") +
+                    fmt::format("{} vs {}", shortened(of.first, longest_name), shortened(of.second, longest_name)));
       row.push_back(verdict_words(of, judged));
       row.push_back(amount_words(of, judged));
       row.push_back(of.p ? p_sentence(*of.p) : "");
@@ -66,18 +65,22 @@ Lines table_of(const Shown& shown) {
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
-  const std::vector<std::string> notes = std::exchange(table.notes, {});
+  std::vector<std::string> notes = std::exchange(table.notes, {});
+  std::erase_if(notes, [](const std::string& note) { return note.starts_with('!'); });  // a warning says more
   Lines lines = lines_of(to_text(table));
   if (all > most_rows) lines.push_back(fmt::format("  and {} more solvers", all - most_rows + 1));
-  for (std::string& line : wrapped(notes.front(), "")) lines.push_back(std::move(line));  // warnings say the rest
+  for (std::size_t i = 0; i < std::min(notes.size(), most_notes); ++i) {
+    for (std::string& line : wrapped(notes[i], "")) lines.push_back(std::move(line));
+  }
   return lines;
 }
 
 Lines warnings_of(const Shown& shown) {
-  const std::vector<Doubt> doubts = shown.all_doubts();
+  std::vector<Doubt> doubts = shown.all_doubts();
   const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   Lines lines;
   for (std::size_t i = 0; i < shown_doubts; ++i) {
+    for (std::string& name : doubts[i].who) name = shortened(name, longest_name);
     for (std::string& line : wrapped("! " + words_of(doubts[i]), "  ")) lines.push_back(std::move(line));
   }
   if (doubts.size() > shown_doubts)
@@ -101,23 +104,6 @@ std::string screen(const Shown& shown, const std::string& page) {
     for (const std::string& line : part) text += line + '\n';
   }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));
-}
-
-Json to_json(const Shown& shown) {
-  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
-  Json findings = to_json(pairs_table(shown)), doubts = Json::array();
-  std::size_t row = 0;
-  for (const Judged& judged : shown.metrics) {
-    for (const Finding& finding : judged.findings)
-      findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
-  }
-  for (const Doubt& doubt : shown.all_doubts()) doubts.push_back(words_of(doubt));
-  return {{"headline", headline(shown)},
-          {"metric", shown.decisive().observations.quantity},
-          {"groups", to_json(descriptives_table(shown))},
-          {"tests", to_json(anova_table(shown))},
-          {"findings", std::move(findings)},
-          {"doubts", std::move(doubts)}};
 }
 
 }  // namespace ikbench::show

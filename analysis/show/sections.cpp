@@ -4,7 +4,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
 
@@ -13,11 +12,6 @@ namespace ikbench::show {
 using namespace compare;
 
 namespace {
-
-Table with_notes(Table table, const std::vector<std::string>& notes) {
-  table.notes.insert(table.notes.end(), notes.begin(), notes.end());
-  return table;
-}
 
 Blocks with_heading(std::string heading, Blocks blocks) {
   if (!blocks.empty()) blocks.insert(blocks.begin(), Heading{std::move(heading)});
@@ -31,14 +25,10 @@ std::string what_is_studied(const StudyResults& study) {
 }
 
 Blocks first(const Reported& of) {
-  Blocks blocks = of.first;
-  const bool is_of_study = !of.study.entry.series.empty();
-  if (blocks.empty()) {
-    blocks.emplace_back(Heading{headline(of.shown)});
-    if (is_of_study) blocks.emplace_back(Text{what_is_studied(of.study)});
-    blocks.emplace_back(with_notes(results_table(of.shown), of.shown.notes));
-  }
-  if (auto arm = is_of_study ? moving_arm(of.study) : std::nullopt) blocks.emplace_back(Scene{std::move(*arm)});
+  if (!of.first.empty()) return of.first;
+  Blocks blocks{Heading{headline(of.shown)}};
+  if (!of.study.entry.series.empty()) blocks.emplace_back(what_is_studied(of.study));
+  blocks.emplace_back(results_table(of.shown));
   return blocks;
 }
 
@@ -58,7 +48,8 @@ Blocks anova(const Reported& of) {
 
 Blocks warnings(const Reported& of) {
   Blocks blocks;
-  for (const Doubt& doubt : of.shown.all_doubts()) blocks.emplace_back(Text{words_of(doubt) + '.'});
+  for (const Doubt& doubt : of.shown.all_doubts()) blocks.emplace_back(words_of(doubt) + '.');
+  for (const std::string& warning : of.warnings) blocks.emplace_back(warning);
   return with_heading("Warnings", std::move(blocks));
 }
 

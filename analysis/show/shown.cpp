@@ -1,11 +1,14 @@
 #include "analysis/show/shown.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
+#include "analysis/show/text.hpp"
 
 namespace ikbench::show {
 
@@ -75,6 +78,14 @@ Shown shown(const JudgedStudy& judged) {
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
+    const Observations& of = metric.observations;
+    const auto is_below_floor = [&](const Group& group) {
+      return std::ranges::any_of(group.values, [&](double value) { return value < of.floor; });
+    };
+    const auto is_ratio = [](const Finding& finding) { return finding.scale == Scale::ratio; };
+    if (std::ranges::any_of(metric.findings, is_ratio) && std::ranges::any_of(of.groups, is_below_floor))
+      all.notes.push_back(
+          fmt::format("In ratios, {} below {} {} counts as that.", of.quantity, number_text(of.floor), of.unit));
   }
   return all;
 }

@@ -18,7 +18,7 @@ struct Shown {
   results::Plan plan;
   std::vector<compare::Doubt> doubts;  // of all
   std::string noun = "observations";   // what these are
-  std::vector<std::string> notes;      // on the table of results
+  std::vector<std::string> notes;      // of the table of results
 
   const compare::Judged& decisive() const { return metrics[deciding]; }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
@@ -42,6 +42,9 @@ Table results_table(const Shown& shown);  // a row a solver
 Table pairs_table(const Shown& shown);
 Table descriptives_table(const Shown& shown);
 Table anova_table(const Shown& shown);
+
+// The answer as data: headline, groups, tests, findings and doubts.
+numerics::OrderedJson to_json(const Shown& shown);
 
 // How it was made. They have no files.
 Table study_table(const compare::StudyResults& study);

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -38,6 +39,15 @@ std::string_view mark_of(const Judged& judged, std::size_t group, const results:
   return *best != group && finding && finding->verdict == worse ? star : "";
 }
 
+// Its column would say nothing but the tolerance.
+bool is_all_tolerance(const Judged& judged, const results::Plan& plan) {
+  const std::vector<Group>& groups = judged.observations.groups;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].at_most == 0 || told(judged, i, plan) != groups[i].at_most) return false;
+  }
+  return true;
+}
+
 void add_setting(Table& table, std::string what, std::string value) {
   if (!value.empty()) table.rows.push_back({std::move(what), std::move(value)});
 }
@@ -70,8 +80,10 @@ Table results_table(const Shown& shown) {
   for (const std::size_t i : best_first(decisive, shown.plan))
     table.rows.push_back({decisive.observations.groups[i].name});
   const bool are_means = shown.plan.test == results::Plan::Test::means;
+  bool are_shares = true;
   const auto add = [&](const Judged& judged, const std::string& name, bool is_other) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
+    are_shares &= is_share(judged);
     for (auto& row : table.rows) {
       const std::vector<Group>& groups = judged.observations.groups;
       const auto group = std::ranges::find(groups, std::get<std::string>(row[0]), &Group::name);
@@ -90,7 +102,7 @@ Table results_table(const Shown& shown) {
   add(decisive, (is_share(decisive) ? "" : are_means ? "mean " : "median ") + quantity, false);
   if (!is_share(decisive)) add(decisive, (are_means ? "median " : "mean ") + quantity, true);
   for (const Judged& judged : shown.metrics) {
-    if (&judged != &decisive) add(judged, judged.observations.quantity, false);
+    if (&judged != &decisive && !is_all_tolerance(judged, shown.plan)) add(judged, judged.observations.quantity, false);
   }
   bool has_star = false, is_any_apart = false;
   for (const auto& row : table.rows) {
@@ -100,11 +112,13 @@ Table results_table(const Shown& shown) {
       is_any_apart |= marked && marked->mark == not_compared;
     }
   }
-  std::string note = are_means ? "means" : "medians";
+  std::vector<std::string> keys;
+  if (!are_shares) keys.emplace_back(are_means ? "means" : "medians");
   if (has_star)
-    note += fmt::format("; {} worse than the best of the column (p < {}, Holm); no star: not shown to differ", star,
-                        number_text(shown.plan.significance));
-  table.notes.push_back(note);
+    keys.push_back(fmt::format("{} worse than the best of the column (p < {}, Holm); no star: not shown to differ",
+                               star, number_text(shown.plan.significance)));
+  if (!keys.empty()) table.notes.push_back(fmt::format("{}", fmt::join(keys, "; ")));
+  table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   if (is_any_apart) table.notes.push_back(fmt::format("{} not compared", not_compared));
   return table;
 }
@@ -118,22 +132,28 @@ Table pairs_table(const Shown& shown) {
                           {"estimate"},
                           {"interval"},
                           {"unit"},
-                          {"p"},
+                          {.name = "p", .is_p = true},
                           {"A12"},
                           {"test"},
                           {"verdict"}}};
+  bool is_any_apart_from_p = false;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
+      const double equal = finding.scale == Scale::ratio ? 1 : 0;
+      const auto& interval = finding.interval;
+      is_any_apart_from_p |= finding.verdict == Verdict::undecided && finding.why == Why::tested && interval &&
+                             (interval->low > equal || interval->high < equal);
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
-                            cell(finding.interval), unit_of(finding, judged), finding.p ? Cell(P{*finding.p}) : Cell(),
-                            cell(finding.effect), std::string(finding.test), verdict_words(finding, judged)});
+                            cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
+                            std::string(finding.test), verdict_words(finding, judged)});
     }
   }
   table.notes = {
       "Only the metric of the headline was chosen before; all others are exploratory. p by Holm over the pairs "
       "of a metric, whose intervals hold all together and so are wider; A12: share of comparisons in which the first is "
       "better."};
+  if (is_any_apart_from_p) table.notes.emplace_back("Where an interval excludes equality and p does not, p decides.");
   return table;
 }
 
@@ -153,7 +173,7 @@ Table descriptives_table(const Shown& shown) {
                           {"interval"},
                           {"unit"},
                           {"lost"}}};
-  bool is_any_lost = false;
+  bool is_any_lost = false, is_any_share = false;
   for (const Judged& judged : shown.metrics) {
     const Observations& of = judged.observations;
     for (std::size_t i = 0; i < of.groups.size(); ++i) {
@@ -168,6 +188,7 @@ Table descriptives_table(const Shown& shown) {
       if (is_count && its.n > 0) {
         const Interval share = wilson(its.mean / 100, its.n, shown.plan.significance);
         interval = Interval{100 * share.low, 100 * share.high};
+        is_any_share = true;
       }
       row.push_back(interval);
       row.emplace_back(of.unit);
@@ -175,7 +196,8 @@ Table descriptives_table(const Shown& shown) {
       is_any_lost |= group.lost > 0;
     }
   }
-  table.notes = {fmt::format("n: {}. Quartiles as MATLAB's. Interval: Wilson's.", shown.noun)};
+  table.notes = {
+      fmt::format("n: {}. Quartiles as MATLAB's.{}", shown.noun, is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not compared.");
   return table;
 }
@@ -183,16 +205,36 @@ Table descriptives_table(const Shown& shown) {
 Table anova_table(const Shown& shown) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
-              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {"p"}}};
+              .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
+  bool is_any_paired = false;
   for (const Judged& judged : shown.metrics) {
     const std::string& quantity = judged.observations.quantity;
     if (is_share(judged)) continue;
     if (const auto& of = judged.anova)
-      table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), P{of->p}});
+      table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), of->p});
     if (const auto& of = judged.kruskal_wallis)
-      table.rows.push_back({quantity, "Kruskal-Wallis (H)", of->statistic, count(of->df), {}, P{of->p}});
+      table.rows.push_back({quantity, "Kruskal-Wallis (H)", of->statistic, count(of->df), {}, of->p});
+    is_any_paired |= judged.observations.is_paired;
   }
+  if (is_any_paired) table.notes.emplace_back("Both tests are unpaired; those of pairs are paired.");
   return table;
+}
+
+numerics::OrderedJson to_json(const Shown& shown) {
+  constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
+  numerics::OrderedJson findings = to_json(pairs_table(shown)), doubts = numerics::OrderedJson::array();
+  std::size_t row = 0;
+  for (const Judged& judged : shown.metrics) {
+    for (const Finding& finding : judged.findings)
+      findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
+  }
+  for (const Doubt& doubt : shown.all_doubts()) doubts.push_back(words_of(doubt));
+  return {{"headline", headline(shown)},
+          {"metric", shown.decisive().observations.quantity},
+          {"groups", to_json(descriptives_table(shown))},
+          {"tests", to_json(anova_table(shown))},
+          {"findings", std::move(findings)},
+          {"doubts", std::move(doubts)}};
 }
 
 Table study_table(const StudyResults& study) {

@@ -24,15 +24,18 @@ using Number = std::function<std::string(double value, int digits)>;
 // A cell for readers. `unit` stands after a number.
 struct Readable {
   const Number& number;
-  int digits;
+  const Column& column;
   std::string unit = {}, at_most = "≤ ";
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
-  std::string operator()(double value) const { return number(value, digits) + (std::isfinite(value) ? unit : ""); }
+  std::string operator()(double value) const {
+    const std::string text = column.is_p ? p_text(value) : number(value, column.digits);
+    return text == "-" ? text : text + unit;
+  }
   std::string operator()(const compare::Interval& of) const {
-    return fmt::format("{} to {}{}", number(of.low, digits), number(of.high, digits), unit);
+    return fmt::format("{} to {}{}", number(of.low, column.digits), number(of.high, column.digits), unit);
   }
   std::string operator()(const Printed& of) const {
     return fmt::format("{} (printed {})", (*this)(of.ours), of.printed);
@@ -40,7 +43,6 @@ struct Readable {
   std::string operator()(const Marked& of) const {
     return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
   }
-  std::string operator()(P p) const { return p_text(p.value); }
 };
 
 template <class Kind>
@@ -73,7 +75,7 @@ Rows readable(const Table& table, Escape escape) {
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{number, table.columns[c].digits}, cells[c])));
+      row.push_back(escape(std::visit(Readable{number, table.columns[c]}, cells[c])));
   }
   return rows;
 }
@@ -91,7 +93,6 @@ std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
   if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
   if (const auto* of = std::get_if<Marked>(&cell)) value = number(of->value);
-  if (const auto* of = std::get_if<P>(&cell)) value = number(of->value);
   if (has<Printed>(table, c)) return {{"", value}, {"printed", Json()}};
   return {{"", value}};
 }
@@ -116,13 +117,13 @@ std::string latex_number(double value, int digits) {
   return text.size() > 1 && text[0] == '-' ? fmt::format("${}$", text) : text;
 }
 
-std::string latex_cell(const Cell& cell, int digits) {
+std::string latex_cell(const Cell& cell, const Column& column) {
   static const Number number = latex_number;
-  const Readable read{number, digits, "", "$\\le$ "};
+  const Readable read{number, column, "", "$\\le$ "};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (const auto* of = std::get_if<Printed>(&cell)) return read(Printed{of->ours, latex_text(of->printed)});
   if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
-  if (const auto* of = std::get_if<P>(&cell); of && of->value < 0.0001) return "$<$ 0.0001";
+  if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
 }
 
@@ -188,7 +189,7 @@ std::string to_latex(const Table& whole) {
   text += fmt::format("{} \\\\\n\\midrule\n", fmt::join(heads, " & "));
   for (const auto& row : table.rows) {
     std::vector<std::string> cells;
-    for (std::size_t c = 0; c < row.size(); ++c) cells.push_back(latex_cell(row[c], table.columns[c].digits));
+    for (std::size_t c = 0; c < row.size(); ++c) cells.push_back(latex_cell(row[c], table.columns[c]));
     text += fmt::format("{} \\\\\n", fmt::join(cells, " & "));
   }
   std::string notes;
@@ -231,7 +232,7 @@ std::string to_text(const Table& whole) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Column& column = table.columns[c];
-      const Readable read{number, column.digits, column.unit.empty() ? "" : ' ' + column.unit};
+      const Readable read{number, column, column.unit.empty() ? "" : ' ' + column.unit};
       row.push_back(shortened(std::visit(read, cells[c]), longest));
     }
   }

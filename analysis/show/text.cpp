@@ -66,10 +66,7 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
-std::string p_text(double p) {
-  if (!std::isfinite(p)) return "-";
-  return p < 0.0001 ? "< 0.0001" : fmt::format("{:.{}g}", p, p < 0.001 ? 2 : 3);
-}
+std::string p_text(double p) { return p < 0.0001 ? "< 0.0001" : number_text(p, p < 0.001 ? 2 : 3); }
 
 std::string p_sentence(double p) { return (p < 0.0001 ? "p " : "p = ") + p_text(p); }
 

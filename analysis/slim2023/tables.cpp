@@ -230,7 +230,7 @@ show::Blocks first(const Repeated& of, const std::vector<std::string>& sentences
     if (blocks.empty())
       blocks.emplace_back(show::Heading{sentence});
     else
-      blocks.emplace_back(show::Text{sentence});
+      blocks.emplace_back(sentence);
   }
   if (!blocks.empty()) blocks.emplace_back(means_table(of));
   return blocks;

@@ -160,7 +160,7 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   write_file(folder.path / "victim", "precious");
   fs::create_symlink("victim", png);
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {}).empty());
   CHECK(mode_of(svg) == fs::perms{0600});
   CHECK(text_of_file(svg) != "old");
   CHECK_FALSE(fs::is_symlink(png));
@@ -185,7 +185,7 @@ TEST_CASE("a script or a style that lies in the folder is written anew and never
       const std::string written = text_of_file(place);
       write_file(file, written + "system 'touch " + pwned.string() + "'\nset style line 1 lc rgb '#010203'\n");
       if (as_link) fs::remove(place), fs::create_symlink(file, place);
-      REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+      REQUIRE(write_figures({figure}, folder.path, {}).empty());
       CHECK_FALSE(fs::exists(pwned));
       CHECK_FALSE(fs::is_symlink(place));
       CHECK(text_of_file(place) == written);
@@ -197,17 +197,19 @@ TEST_CASE("a script or a style that lies in the folder is written anew and never
 TEST_CASE("a figure that is not drawn is told, and its old picture goes", "[files][figure]") {
   const ScratchFolder folder;
   Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat'", .data = "1 1\n2 2\n"};
-  REQUIRE(write_figures({figure}, folder.path, {})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {}).empty());
   figure.plot = "plot 'f.dat' with nonsense";
   const Figure other{.name = "g", .caption = "g", .settings = "", .plot = "plot 'g.dat'", .data = "1 1\n2 2\n"};
-  const auto outcomes = write_figures({figure, other}, folder.path, {});
-  CHECK_FALSE(outcomes[0].rendered);
-  CHECK(outcomes[0].error.find("nonsense") != std::string::npos);
+  const auto errors = write_figures({figure, other}, folder.path, {});
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].starts_with("f is not drawn: "));
+  CHECK(errors[0].find("nonsense") != std::string::npos);
   CHECK_FALSE(fs::exists(folder.path / "f.svg"));
-  CHECK(outcomes[1].rendered);
+  CHECK(fs::exists(folder.path / "g.svg"));
   const auto without = write_figures({other}, folder.path, {.gnuplot = "no-such-gnuplot"});
-  CHECK_FALSE(without[0].rendered);
-  CHECK(without[0].error.find("no-such-gnuplot") != std::string::npos);
+  REQUIRE(without.size() == 1);
+  CHECK(without[0].find("no-such-gnuplot") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder.path / "g.svg"));
 }
 
 TEST_CASE("a picture has a title, a width in points, and the same bytes each time", "[files][figure]") {
@@ -227,14 +229,18 @@ TEST_CASE("a picture has a title, a width in points, and the same bytes each tim
   CHECK(text_of_file(folder.path / "f.pdf") == pdf);
 }
 
-TEST_CASE("without drawing all pictures stay, and those of the same data are still shown", "[files][figure]") {
+TEST_CASE("without drawing only the pictures of the same data stay", "[files][figure]") {
   const ScratchFolder folder;
   Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  CHECK(write_figures({figure}, folder.path, {.render = false})[0].rendered);
-  figure.data = "1 1\n2 3\n";
-  CHECK(!write_figures({figure}, folder.path, {.render = false})[0].rendered);
+  write_figures({figure}, folder.path, {.render = false});
   for (const char* const type : {".svg", ".pdf", ".png"}) CHECK(fs::exists(folder.path / ("f" + std::string(type))));
+  figure.data = "1 1\n2 3\n";
+  write_figures({figure}, folder.path, {.render = false});
+  for (const char* const type : {".svg", ".pdf", ".png"})
+    CHECK_FALSE(fs::exists(folder.path / ("f" + std::string(type))));
+  write_figures({}, folder.path / "none", {});
+  CHECK_FALSE(fs::exists(folder.path / "none"));
 }
 
 TEST_CASE("a figure has the width, height, font, size of text, colours and formats of the style", "[files][figure]") {
@@ -250,7 +256,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
                           .text_pt = 10,
                           .palette = {"#AA0001"},
                           .formats = {Picture::svg}};
-  REQUIRE(write_figures({figure}, folder.path, {.style = style})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {.style = style}).empty());
   const std::string svg = text_of_file(folder.path / "f.svg");
   for (const char* const part : {"width=\"360pt\" height=\"144pt\"", "font-family=\"Liberation Serif\"",
                                  "font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
@@ -263,7 +269,7 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
 TEST_CASE("an SVG is well-formed whatever a label has", "[files][figure]") {
   const ScratchFolder folder;
   const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot x title 'a]]>b'", .data = ""};
-  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}})[0].rendered);
+  REQUIRE(write_figures({figure}, folder.path, {.style = {.formats = {Picture::svg}}}).empty());
   const std::string svg = text_of_file(folder.path / "f.svg");
   CHECK(svg.find("a]]&gt;b") != std::string::npos);
   CHECK(svg.find("]]>") == std::string::npos);

@@ -65,9 +65,10 @@ Shown of_many(std::size_t solvers) {
 }  // namespace
 
 TEST_CASE("each section has its words", "[show]") {
-  const Pictures pictures{.types = {"svg"}};
+  const ScratchFolder folder;
+  for (const char* name : {"solved.svg", "error-boxes.svg"}) results::write_file(folder.path / "figures" / name, "");
   for (const Blocks& blocks : sections_of(report_of())) {
-    const std::string text = to_markdown({blocks}, pictures);
+    const std::string text = to_markdown({blocks}, folder.path);
     std::string name = std::get<Heading>(blocks.front()).text;
     if (name.ends_with('.')) name = "first";
     for (char& letter : name) letter = letter == ' ' ? '-' : static_cast<char>(std::tolower(letter));
@@ -120,9 +121,15 @@ TEST_CASE("a screen has at most 20 lines, whatever was compared", "[show]") {
     CHECK(lines_in(text) <= screen_lines);
     CHECK(text.find("more warnings") != std::string::npos);
   }
-  const std::string text = screen(shown(judged_study(std::string(300, 'x') + "\x1b[2J\n")));
+  const std::string hostile = std::string(300, 'x') + "\x1b[2J\n";
+  const std::string text = screen(shown(judged_study(hostile)));
   CHECK(text.find('\x1b') == std::string::npos);
   CHECK(lines_in(text) <= screen_lines);
+  CHECK(text.find(std::string(40, 'x')) == std::string::npos);  // nor in a warning
+  const std::string of_two = screen(
+      shown({judged(numbers("v", "a\nb\x1b", "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}))}, {}));
+  CHECK(of_two.find("a b") != std::string::npos);
+  CHECK(of_two.find('\x1b') == std::string::npos);
 }
 
 TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
@@ -174,16 +181,72 @@ TEST_CASE("only files that a report can have written are removed", "[show]") {
 
 TEST_CASE("a report of three solvers is short", "[show]") {
   const std::vector<Blocks> sections = sections_of(report_of());
-  const std::string page = to_page("mine", sections, {.types = {"svg", "pdf", "png"}}, "ikbench 2.0");
+  const std::string page = to_page("mine", sections, std::nullopt, {}, "ikbench 2.0");
   CHECK(words_in(visible(page)) < 900);
-  CHECK(words_in(to_markdown(sections, {.types = {"svg"}})) < 1200);
+  CHECK(words_in(to_markdown(sections, {})) < 1200);
+}
+
+TEST_CASE("a table has no column that says nothing but the tolerance, and no note on what it lacks", "[show]") {
+  compare::Observations errors = numbers("error", "error", "mm", {{"A", solved(0)}, {"B", solved(0)}});
+  for (compare::Group& group : errors.groups) {
+    group.at_most = 0.1;
+    std::ranges::fill(group.values, 0.1);
+  }
+  const std::vector<compare::Judged> metrics{judged(shares({{"A", solved(20)}, {"B", solved(9)}})), judged(errors)};
+  const Table of_shares = results_table(shown(metrics, {}));
+  CHECK(of_shares.columns.size() == 2);
+  REQUIRE(of_shares.notes.size() == 1);
+  CHECK(of_shares.notes[0].starts_with("* worse"));                // no medians
+  const Table of_errors = results_table(shown({metrics[1]}, {}));  // the headline's has its column
+  CHECK(of_errors.columns.size() == 3);
+  CHECK(descriptives_table(shown({metrics[1]}, {})).notes[0].find("Wilson") == std::string::npos);
+  CHECK(descriptives_table(shown({metrics[0]}, {})).notes[0].find("Wilson") != std::string::npos);
+  CHECK(anova_table(shown({metrics[1]}, {})).notes.empty());
+}
+
+TEST_CASE("an interval that excludes equality without p, and unpaired tests beside pairs, are told", "[show]") {
+  // 5 of 5 discordant targets favour A: McNemar's p is 0.0625, and Newcombe's interval begins above 0.
+  const Shown all = shown({judged(shares({{"A", solved(20)}, {"B", solved(15)}}))}, {});
+  const compare::Finding& finding = all.metrics[0].findings[0];
+  REQUIRE(finding.verdict == compare::Verdict::undecided);
+  REQUIRE(finding.interval->low > 0);
+  CHECK(pairs_table(all).notes.size() == 2);
+  CHECK(pairs_table(shown({judged(shares({{"A", solved(20)}, {"B", solved(9)}}))}, {})).notes.size() == 1);
+  compare::Observations paired =
+      numbers("error", "error", "mm", {{"A", values_around(1, 1)}, {"B", values_around(2, 1)}});
+  CHECK(anova_table(shown({judged(paired)}, {})).notes.empty());
+  paired.is_paired = true;
+  CHECK(anova_table(shown({judged(paired)}, {})).notes.size() == 1);
+}
+
+TEST_CASE("values below the floor of a ratio are told once", "[show]") {
+  compare::JudgedStudy study = judged_study();
+  const std::size_t before = shown(study).notes.size();
+  study.metrics[1].observations.floor = 0.0005;  // cm; no value is below it
+  CHECK(shown(study).notes.size() == before);
+  study.metrics[1].observations.floor = 0.005;
+  const Shown all = shown(study);
+  REQUIRE(all.notes.size() == before + 1);
+  CHECK(all.notes.back() == "In ratios, error below 0.05 mm counts as that.");
+  CHECK(screen(all).find(all.notes.back()) != std::string::npos);
+}
+
+TEST_CASE("a report without a picture has no folder of pictures", "[show]") {
+  const ScratchFolder folder;
+  publish(report_of(), folder.path, {.render = false});
+  Reported none = report_of();
+  none.figures.clear();
+  for (const std::string& file : publish(none, folder.path, {}).files) CHECK_FALSE(file.starts_with("figures"));
+  CHECK_FALSE(fs::exists(folder.path / "figures" / "style.gp"));
+  publish(none, folder.path / "other", {});
+  CHECK_FALSE(fs::exists(folder.path / "other" / "figures"));
 }
 
 TEST_CASE("a paper has its own first screen and sections", "[show]") {
   Reported paper = report_of();
   paper.first = {Heading{"The paper's claim holds."},
                  Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
-  paper.additions = {{Heading{"Claims"}, Text{"It holds."}}};
+  paper.additions = {{Heading{"Claims"}, "It holds."}};
   paper.has_own_numbers = true;
   const std::vector<Blocks> sections = sections_of(paper);
   std::vector<std::string> headings;

@@ -18,10 +18,11 @@ const std::string hostile =
 Table with_label(const std::string& label) {
   return {.name = "results",
           .caption = label,
-          .columns = {{"solver"}, {.name = "error", .unit = "mm"}, {"interval"}, {"p"}, {"n"}, {"time"}},
-          .rows = {{label, 0.12345678901234567, compare::Interval{1.0 / 3, 2}, P{1e-7}, std::int64_t{20},
+          .columns =
+              {{"solver"}, {.name = "error", .unit = "mm"}, {"interval"}, {.name = "p", .is_p = true}, {"n"}, {"time"}},
+          .rows = {{label, 0.12345678901234567, compare::Interval{1.0 / 3, 2}, 1e-7, std::int64_t{20},
                     Marked{4200.25, "*"}},
-                   {"plain", Printed{1.5e-7, "0.0000"}, {}, P{0.0005}, {}, Marked{0.1, "", true}}},
+                   {"plain", Printed{1.5e-7, "0.0000"}, {}, 0.0005, {}, Marked{0.1, "", true}}},
           .notes = {label}};
 }
 
