@@ -100,7 +100,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   const MultiverseSize size = size_of(varied, labels);
-  return fmt::format("{} readings of {} questions: {} choices for the study, {} series for a seed\n{}", size.universes,
+  return fmt::format("{} readings of {} questions: {} choices for the study, {} series for a seed\n{}", size.readings,
                      varied.size(), size.studies, size.series, aligned(rows));
 }
 

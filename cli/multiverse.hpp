@@ -21,7 +21,7 @@ struct SeriesArguments {
   const std::atomic<bool>* cancelled = nullptr;
 };
 
-// Shows progress. Returns nothing if it was cancelled: shares need all universes.
+// Shows progress. Returns nothing if it was cancelled: shares need all readings.
 std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
                                                     const std::vector<results::Dimension>& varied,
                                                     experiments::MultiverseRequest request,

@@ -16,7 +16,7 @@ using namespace results;
 
 namespace {
 
-constexpr double most_combinations = 1e5, most_universes = 1e15;
+constexpr double most_combinations = 1e5, most_readings = 1e15;
 
 const Alternative& alternative_of(const std::vector<Dimension>& dimensions, const Choice& choice) {
   return dimensions[choice.dimension].alternatives[choice.alternative];
@@ -120,7 +120,7 @@ void refuse_varied(const Overrides& overrides, const std::vector<Dimension>& dim
 MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vector<std::string>& solvers) {
   const Combinations combinations{dimensions};
   MultiverseSize size;
-  double universes = 0;
+  double readings = 0;
   for (const Branch& branch : combinations.of("", {})) {
     double of_solvers = 1;
     for (const std::string& solver : solvers) {
@@ -128,12 +128,12 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
       size.series += static_cast<std::int64_t>(own);
       of_solvers *= static_cast<double>(own);
     }
-    universes += of_solvers;
+    readings += of_solvers;
     ++size.studies;
     refuse_too_many(dimensions, "series for a seed", static_cast<double>(size.series), most_combinations);
-    refuse_too_many(dimensions, "universes", universes, most_universes);
+    refuse_too_many(dimensions, "readings", readings, most_readings);
   }
-  size.universes = static_cast<std::int64_t>(universes);
+  size.readings = static_cast<std::int64_t>(readings);
   return size;
 }
 

@@ -11,8 +11,8 @@
 
 namespace ikbench::experiments {
 
-// A universe is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
-// each is solved by itself, never a universe as a whole. A dimension is a choice only if an alternative besides its
+// A reading is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
+// each is solved by itself, never a reading as a whole. A dimension is a choice only if an alternative besides its
 // default is possible (Alternative::except). The default comes first. The alternatives of a dimension share the weight
 // of the earlier choices equally, so that a detail of only one alternative changes nothing for the others.
 struct MultiversePlan {
@@ -35,15 +35,15 @@ struct MultiversePlan {
 };
 
 // Counts before anything is loaded or solved. Throws std::invalid_argument for more than 100000 choices or series per
-// seed, or more than 10^15 universes.
+// seed, or more than 10^15 readings.
 struct MultiverseSize {
-  std::int64_t studies = 0, series = 0, universes = 0;
+  std::int64_t studies = 0, series = 0, readings = 0;
 };
 MultiverseSize size_of(const std::vector<results::Dimension>& dimensions, const std::vector<std::string>& solvers);
 
 struct MultiverseRequest {
   int seeds = 1;                                 // seeds 1, 2, ...
-  Overrides overrides = {};                      // apply in every universe
+  Overrides overrides = {};                      // apply in every reading
   const std::atomic<bool>* cancelled = nullptr;  // set: the plan is incomplete and of no use
 };
 

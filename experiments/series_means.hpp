@@ -1,4 +1,4 @@
-// The means of series by run, which decide between interpretations. A file keeps them, so that a series is solved once
+// The means of series by run, which decide between readings. A file keeps them, so that a series is solved once
 // for all commands that need it.
 #pragma once
 

@@ -160,7 +160,7 @@ TEST_CASE("the series of a universe are solved with what its choices say, defaul
       Catch::Matchers::StartsWith("--set population=20: population is a dimension that varies"));
 }
 
-TEST_CASE("too many universes are refused with their number", "[multiverse]") {
+TEST_CASE("too many readings are refused with their number", "[multiverse]") {
   std::vector<std::string> names;
   for (const Dimension& each : dimensions("slim2023")) names.push_back(each.name);
   CHECK_THROWS_WITH(plan_multiverse("slim2023", named(names, dimensions("slim2023"))),
