@@ -12,7 +12,7 @@
 
 namespace ikbench::show {
 
-// Our number beside a printed one, with the paper's digits.
+// Our number beside a printed one, with the paper's digits; a column of such cells is two for readers.
 struct Printed {
   double ours;
   std::string printed;

@@ -37,9 +37,7 @@ struct Readable {
   std::string operator()(const compare::Interval& of) const {
     return fmt::format("{} to {}{}", number(of.low, column.digits), number(of.high, column.digits), unit);
   }
-  std::string operator()(const Printed& of) const {
-    return fmt::format("{} (printed {})", (*this)(of.ours), of.printed);
-  }
+  std::string operator()(const Printed& of) const { return of.printed; }
   std::string operator()(const Marked& of) const {
     return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
   }
@@ -55,9 +53,19 @@ std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
-// Readers see no column that is empty in every row.
-Table without_empty_columns(Table table) {
+// Readers see printed numbers in a column of their own, and no column that is empty in every row.
+Table for_readers(Table table) {
   for (std::size_t c = table.columns.size(); c-- > 0;) {
+    if (has<Printed>(table, c)) {
+      const auto next = static_cast<std::ptrdiff_t>(c + 1);
+      table.columns.insert(table.columns.begin() + next, {"printed"});
+      for (auto& row : table.rows) {
+        const bool is_printed = std::holds_alternative<Printed>(row[c]);
+        const Cell ours = is_printed ? Cell(std::get<Printed>(row[c]).ours) : row[c];
+        row.insert(row.begin() + next, is_printed ? row[c] : Cell());
+        row[c] = ours;
+      }
+    }
     const auto is_empty = [=](const auto& row) { return std::holds_alternative<std::monostate>(row[c]); };
     if (table.rows.empty() || !std::ranges::all_of(table.rows, is_empty)) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
@@ -121,7 +129,7 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   static const Number number = latex_number;
   const Readable read{number, column, "", "$\\le$ "};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
-  if (const auto* of = std::get_if<Printed>(&cell)) return read(Printed{of->ours, latex_text(of->printed)});
+  if (const auto* of = std::get_if<Printed>(&cell)) return latex_text(of->printed);
   if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
@@ -165,7 +173,7 @@ Json to_json(const Table& table) {
 }
 
 std::string to_markdown(const Table& whole) {
-  const Table table = without_empty_columns(whole);
+  const Table table = for_readers(whole);
   std::string text;
   const Rows rows = readable(table, markdown_text);
   for (const auto& row : rows) {
@@ -179,7 +187,7 @@ std::string to_markdown(const Table& whole) {
 }
 
 std::string to_latex(const Table& whole) {
-  const Table table = without_empty_columns(whole);
+  const Table table = for_readers(whole);
   std::string letters, text;
   std::vector<std::string> heads;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -204,7 +212,7 @@ std::string to_latex(const Table& whole) {
 
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 28;  // breaks anywhere
-  const Table table = without_empty_columns(whole);
+  const Table table = for_readers(whole);
   const Rows rows = readable(table, html_text);
   const auto line = [&](const std::vector<std::string>& row, std::string_view tag) {
     std::string text;
@@ -223,7 +231,7 @@ std::string to_html(const Table& whole) {
 }
 
 std::string to_text(const Table& whole) {
-  const Table table = without_empty_columns(whole);
+  const Table table = for_readers(whole);
   constexpr std::size_t longest = 32;
   static const Number number = number_text;
   Rows rows(1);
