@@ -14,8 +14,8 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -34,6 +34,8 @@ struct MultiverseArguments {
   bool list = false, small = false, without_figures = false, is_json = false;
 };
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 // The mean of each run; infinite where an answer is not finite.
 RunMeans run_means(const Study& study, const std::vector<SolveRecord>& solves) {
   RunMeans means;
@@ -48,7 +50,7 @@ RunMeans run_means(const Study& study, const std::vector<SolveRecord>& solves) {
   for (std::vector<double>* values : {&means.error_cm, &means.variation_deg}) {
     for (double& value : *values) {
       value /= study.path->points();
-      if (!std::isfinite(value)) value = std::numeric_limits<double>::infinity();
+      if (!std::isfinite(value)) value = endless;
     }
   }
   return means;
@@ -65,6 +67,18 @@ std::vector<RunMeans> solved(const std::vector<Study>& series, const SeriesArgum
                        .cancelled = arguments.cancelled});
 }
 
+// The door of these numbers: a run with an answer that is not finite is lost.
+compare::Group group_of(const std::vector<double>& runs) {
+  compare::Group group;
+  for (const double value : runs) {
+    if (value < endless)
+      group.values.push_back(value);
+    else
+      ++group.lost;
+  }
+  return group;
+}
+
 Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
   Multiverse multiverse{.dimensions = plan.dimensions, .solvers = plan.solvers, .studies = {}};
   for (const MultiversePlan::OfStudy& each : plan.studies) {
@@ -75,8 +89,8 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
         Multiverse::ChosenSolver& own = solver.emplace_back();
         own.chosen = from.chosen;
         for (const std::size_t part : from.parts) {
-          own.means[0].push_back(means[part].error_cm);
-          own.means[1].push_back(means[part].variation_deg);
+          own.means[0].push_back(group_of(means[part].error_cm));
+          own.means[1].push_back(group_of(means[part].variation_deg));
         }
       }
     }
@@ -106,8 +120,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
           const std::filesystem::path& folder) {
-  write_file(folder / "multiverse.csv", show::to_csv(judged.table));
-  write_file(folder / "multiverse.md", show::to_markdown(judged.table));
+  show::write_table(judged.table, folder / "tables", program_name());
   draw(judged.figure, folder / "figures", {.render = !arguments.without_figures});
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));
@@ -116,20 +129,20 @@ void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arg
 }
 
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
-                    const std::vector<Dimension>& varied, Invocation& invocation) {
-  const std::string& study = arguments.paper;
+                    const std::vector<Dimension>& varied, const Plan& plan, Invocation& invocation) {
   const std::filesystem::path folder =
-      arguments.out.empty() ? default_folder(study + "-multiverse") : std::filesystem::path(arguments.out);
+      arguments.out.empty() ? default_folder(paper.name + "-multiverse") : std::filesystem::path(arguments.out);
   CancelOnSignal signals;
-  const auto multiverse = solved_multiverse(study, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
-                                            {"multiverse", folder, arguments.jobs, &signals.requested()});
+  const auto multiverse =
+      solved_multiverse(paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
+                        {"multiverse", folder, arguments.jobs, &signals.requested()});
   if (signals.end() || !multiverse) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
     invocation.exit_code = cancelled_exit_code();
     return;
   }
-  tell(papers::judged(paper, *multiverse, load_study(study).analysis), arguments, folder);
+  tell(papers::judged(paper, *multiverse, plan), arguments, folder);
 }
 
 }  // namespace
@@ -169,7 +182,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--out", arguments->out,
                    "folder for tables, figure and series.csv, which keeps what is solved; default: "
-                   "out/STUDY-multiverse")
+                   "out/PAPER-multiverse")
       ->check(not_empty());
   command->add_flag("--no-figures", arguments->without_figures, "do not draw the figure");
   add_json_option(*command, arguments->is_json);
@@ -188,12 +201,11 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
     const std::vector<Dimension> varied = arguments->dimensions.empty()
                                               ? within(arguments->small ? Scope::small : Scope::usual, all)
                                               : named(arguments->dimensions, all);
-    if (arguments->list) {
-      refuse_varied(arguments->overrides, varied);
-      fmt::print("{}", dimension_list(load_study(arguments->paper, arguments->overrides), all, varied));
-      return;
-    }
-    solve_and_tell(paper, *arguments, varied, invocation);
+    refuse_varied(arguments->overrides, varied);
+    const Study study = load_study(paper.name, arguments->overrides);
+    check_plan(study);
+    if (arguments->list) return fmt::print("{}", dimension_list(study, all, varied));
+    solve_and_tell(paper, *arguments, varied, study.analysis, invocation);
   });
 }
 

@@ -9,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
@@ -44,23 +43,15 @@ struct Counted {
   std::vector<std::vector<Shares>> alternatives;  // by dimension; of the readings that make the choice
 };
 
-Group group_of(const std::vector<double>& runs) {
-  Group group;
-  std::ranges::copy_if(runs, std::back_inserter(group.values), [](double value) { return std::isfinite(value); });
-  group.lost = static_cast<int>(runs.size() - group.values.size());
-  return group;
-}
-
 // By Welch's t of this pair alone.
-Verdict verdict_of(const std::vector<double>& own, const std::vector<double>& theirs, const Claim& claim,
-                   const Plan& plan) {
+Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
   const Metric& metric = *claim.metrics.front();
   Observations of{.metric = std::string(metric.slug),
                   .quantity = std::string(metric.name),
                   .scale = metric.scale,
                   .floor = metric.floor,
                   .rounding = metric.rounding,
-                  .groups = {group_of(own), group_of(theirs)}};
+                  .groups = {own, theirs}};
   return compare::compare(claim.of == Of::spread ? deviations(of) : of, plan).front().verdict;
 }
 
@@ -203,14 +194,12 @@ std::string words_of(const Dimension& dimension, const std::vector<Shares>& alte
 show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& claims) {
   show::Table table{.name = "multiverse",
                     .caption = "The claims in every reading of what the paper leaves open",
-                    .columns = {{"claim"},
-                                {"holds", "%"},
-                                {"fails", "%"},
-                                {"not decided", "%"},
-                                {"near: holds", "%"},
-                                {"near: fails", "%"},
-                                {"near: not decided", "%"},
-                                {"decided most by"}}};
+                    .columns = {{"claim"}}};
+  for (const std::string near : {"", "near: "}) {
+    for (const Holds part : {Holds::holds, Holds::fails, Holds::undecided})
+      table.columns.push_back({near + std::string(name_of(part)), "%"});
+  }
+  table.columns.push_back({"decided most by"});
   double readings = 0;
   for (const OfStudy& study : multiverse.studies) readings += study.readings();
   for (const auto& [shares, sentence, alternatives] : claims) {
@@ -229,16 +218,21 @@ show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& c
       row.back() = words_of(multiverse.dimensions[static_cast<std::size_t>(most - alternatives.begin())], *most);
   }
   table.notes = {fmt::format(
-      "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own.",
+      "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own. Each pair "
+      "is judged alone, at significance / pairs.",
       readings, multiverse.studies.size())};
   return table;
 }
 
 // The printed numbers.
 
+// The runs of all seeds; none if some are lost.
 std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
   std::vector<double> all;
-  for (const std::vector<double>& seed : own.means[metric]) all.insert(all.end(), seed.begin(), seed.end());
+  for (const Group& seed : own.means[metric]) {
+    if (seed.lost > 0) return {};
+    all.insert(all.end(), seed.values.begin(), seed.values.end());
+  }
   return all;
 }
 
@@ -343,22 +337,25 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
       before += (study++)->weight;
     std::vector<Summary> means;
     std::vector<std::size_t> choices(groups.size() + 1);
-    std::size_t rival = own == 0 ? 1 : 0;
     Chosen chosen = study->chosen;
     for (const std::vector<ChosenSolver>& of_solver : study->solvers) {
       const ChosenSolver& each = of_solver[engine() % of_solver.size()];
       if (means.size() == own) chosen.insert(chosen.end(), each.chosen.begin(), each.chosen.end());
-      means.push_back(summarise(pooled(each, 0)));
+      const std::vector<double> errors = pooled(each, 0);
+      means.push_back(errors.empty() ? Summary() : summarise(errors));
     }
+    std::size_t rival = own;
     for (std::size_t s = 0; s < means.size(); ++s) {
-      if (s != own && means[s].mean < means[rival].mean) rival = s;
+      const bool is_smaller = rival == own || means[s].mean < means[rival].mean;
+      if (s != own && means[s].mean > 0 && is_smaller) rival = s;
     }
+    if (rival == own || means[own].mean == 0) continue;
     choices.back() = rival < own ? rival : rival - 1;
     for (const auto& [dimension, alternative] : chosen) choices[groups.at(dimension)] = alternative;
     const auto error = [](const Summary& of) { return of.sd / std::sqrt(of.n) / of.mean; };
     const double ratio = means[own].mean / means[rival].mean;
     const double factor = std::exp(1.96 * std::hypot(error(means[own]), error(means[rival])));
-    if (std::isfinite(std::log(ratio))) rows.all.push_back({ratio, ratio / factor, ratio * factor, choices});
+    rows.all.push_back({ratio, ratio / factor, ratio * factor, choices});
   }
   std::ranges::stable_sort(rows.all, {}, &figures::Specification::estimate);
   return figures::specifications(
@@ -385,9 +382,6 @@ bool hangs_on_reading(const Claim& claim) {
 }
 
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
-  if (multiverse.studies.empty()) throw std::invalid_argument("no reading; expected the default first");
-  if (place_of(multiverse.solvers, paper.solver) == multiverse.solvers.size())
-    throw std::invalid_argument(fmt::format("no reading has the solver {}", paper.solver));
   PrintedMetrics printed;
   std::size_t numbers = 0;
   int printed_runs = 0;
@@ -399,8 +393,9 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
       printed_runs = row.numbers.n;
     }
   }
-  const std::size_t runs = multiverse.studies[0].solvers[0][0].means[0].front().size();
-  const bool can_compare = numbers > 0 && std::cmp_equal(runs, printed_runs);
+  const Group& first = multiverse.studies[0].solvers[0][0].means[0].front();
+  const int runs = static_cast<int>(first.values.size()) + first.lost;
+  const bool can_compare = numbers > 0 && runs == printed_runs;
   const ExplainedReadings explained = can_compare ? explained_in(multiverse, printed) : ExplainedReadings();
   std::vector<Counted> claims;
   JudgedMultiverse result{.claims = {}, .sentences = {}, .table = {}, .figure = curve(multiverse, paper.solver)};

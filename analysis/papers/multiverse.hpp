@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 2> metrics_of_readings{"position_error_cm
 struct Multiverse {
   struct ChosenSolver {
     results::Chosen chosen;
-    // By metric, seed and run: the mean over its targets; infinite where an answer is not finite.
-    std::array<std::vector<std::vector<double>>, metrics_of_readings.size()> means;
+    // By metric and seed: the mean of each run over its targets.
+    std::array<std::vector<compare::Group>, metrics_of_readings.size()> means;
   };
   // Its readings share its weight evenly.
   struct OfStudy {
@@ -45,7 +45,6 @@ struct JudgedMultiverse {
   figures::Figure figure;              // "multiverse": the specification curve
 };
 
-// Throws std::invalid_argument if there is no reading, or the paper's own solver is not in it.
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan);
 
 // The range of each statistic in 95 % of studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms

@@ -25,8 +25,7 @@ Ranges predicted_ranges(const std::vector<double>& values, int runs) {
   constexpr std::size_t studies = 500, least = 12, most = 487;  // of the sorted ones: 2.5 and 97.5 %
   Ranges ranges;
   ranges.fill({compare::unknown, compare::unknown});
-  const auto is_usable = [](double value) { return value > 0 && std::isfinite(value); };
-  if (values.size() < 5 || !std::ranges::all_of(values, is_usable)) return ranges;
+  if (values.size() < 5 || std::ranges::min(values) <= 0) return ranges;
   std::vector<double> logs;
   for (const double value : values) logs.push_back(std::log(value));
   std::ranges::sort(logs);

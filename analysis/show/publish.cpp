@@ -37,13 +37,6 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   return files;
 }
 
-void write_table(const Table& table, const fs::path& folder, const std::string& program) {
-  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
-  results::write_file(folder / (table.name + ".csv"), to_csv(table));
-  results::write_file(folder / (table.name + ".md"), to_markdown(table));
-  results::write_file(folder / (table.name + ".tex"), to_latex(table) + made);
-}
-
 // Files of these figures, wherever they stand below the folder.
 std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, const fs::path& folder) {
   std::vector<std::string> files;
@@ -76,6 +69,13 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
     return !fs::is_regular_file(folder / "figures" / fmt::format("{}.{}", figure.name, type), none);
   });
   return types;
+}
+
+void write_table(const Table& table, const fs::path& folder, const std::string& program) {
+  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
+  results::write_file(folder / (table.name + ".csv"), to_csv(table));
+  results::write_file(folder / (table.name + ".md"), to_markdown(table));
+  results::write_file(folder / (table.name + ".tex"), to_latex(table) + made);
 }
 
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,

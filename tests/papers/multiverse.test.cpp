@@ -21,7 +21,8 @@ std::vector<double> around(double middle, int runs) {
 }
 
 Multiverse::ChosenSolver chosen(results::Chosen choices, double error, double variation, int runs) {
-  return {.chosen = std::move(choices), .means = {{{around(error, runs)}, {around(variation, runs)}}}};
+  return {.chosen = std::move(choices),
+          .means = {{{{.values = around(error, runs)}}, {{.values = around(variation, runs)}}}}};
 }
 
 results::Dimension dimension(std::string name, std::string solver) {
@@ -61,8 +62,8 @@ Shares by_hand(const Multiverse& multiverse, const Claim& claim) {
     for (std::size_t reading = 0; reading < 16; ++reading) {
       Observations of{.metric = "x", .quantity = "x", .rounding = claim.metrics.front()->rounding, .groups = {}};
       for (std::size_t s = 0; s < 4; ++s) {
-        of.groups.push_back(
-            {.name = multiverse.solvers[s], .values = study.solvers[s][(reading >> s) & 1].means[metric].front()});
+        of.groups.push_back({.name = multiverse.solvers[s],
+                             .values = study.solvers[s][(reading >> s) & 1].means[metric].front().values});
       }
       if (claim.of == Of::spread) of = deviations(of);
       Tally tally;
@@ -126,8 +127,8 @@ TEST_CASE("print is compared only where the study has the paper's number of runs
   Multiverse as_printed_by_one = small(20);
   for (std::size_t run = 0; run < 20; ++run) {
     auto& means = as_printed_by_one.studies[1].solvers[0][1].means;
-    means[0][0][run] = as_printed("IK-BA", "position_error_cm", static_cast<int>(run));
-    means[1][0][run] = as_printed("IK-BA", "variation_deg", static_cast<int>(run));
+    means[0][0].values[run] = as_printed("IK-BA", "position_error_cm", static_cast<int>(run));
+    means[1][0].values[run] = as_printed("IK-BA", "variation_deg", static_cast<int>(run));
   }
   const JudgedMultiverse all = judged(paper_named("slim2023"), as_printed_by_one, {});
   REQUIRE(all.sentences.size() == 2);
@@ -148,13 +149,14 @@ TEST_CASE("the range of another study holds what such studies have, and widens w
   CHECK(std::isnan(predicted_ranges({1, 2, 3, 4, 0}, 20)[0].low));
 }
 
-TEST_CASE("a solver that diverges is not tested, and a paper needs its solver", "[papers]") {
+TEST_CASE("a solver that diverges is not tested", "[papers]") {
   Multiverse multiverse = small(few_runs);
   for (auto& study : multiverse.studies) {
-    for (auto& own : study.solvers[3]) own.means[0][0][0] = std::numeric_limits<double>::infinity();
+    for (auto& own : study.solvers[3]) {
+      own.means[0][0].values.pop_back();
+      own.means[0][0].lost = 1;
+    }
   }
   const JudgedMultiverse result = judged(paper_named("slim2023"), multiverse, {});
   CHECK(result.claims.front().all.holds == 0);
-  multiverse.solvers[0] = "another";
-  CHECK(contains(refusal([&] { judged(paper_named("slim2023"), multiverse, {}); }), "IK-BA"));
 }
