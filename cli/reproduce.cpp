@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -32,7 +34,7 @@ namespace {
 struct Arguments {
   std::string paper;
   std::int64_t seed = 1;
-  int runs = 20, seeds = 3;
+  int runs = 0, seeds = 3;  // 0 runs: as in the paper
   RunArguments run;
   ReportArguments report;
 };
@@ -53,6 +55,10 @@ std::string fingerprints_of(const Store& store, const std::vector<std::string>& 
                      different.empty() ? "" : "; different: ", fmt::join(different, ", "));
 }
 
+Overrides overridden_runs(const Arguments& arguments) {
+  return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
+}
+
 // It measures no time, so all processors may work. Nothing if it was stopped.
 std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& arguments, const Paper& paper,
                                                         const std::filesystem::path& folder) {
@@ -60,10 +66,9 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
   if (arguments.seeds == 0 || all.empty()) return papers::JudgedMultiverse{};
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   CancelOnSignal signals;
-  const auto solved =
-      solved_multiverse(paper.name, within(Scope::small, all),
-                        {.seeds = arguments.seeds, .overrides = {fmt::format("runs={}", arguments.runs)}},
-                        {"readings", folder, jobs, &signals.requested()});
+  const auto solved = solved_multiverse(paper.name, within(Scope::small, all),
+                                        {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)},
+                                        {"readings", folder, jobs, &signals.requested()});
   if (!solved || signals.end()) return std::nullopt;
   return papers::judged(paper, *solved, load_study(paper.name).analysis);
 }
@@ -99,21 +104,24 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
   if (is_slim2023) {
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
-    sentences = slim2023::sentences(repeated, claims);
-    reported.first = slim2023::first(repeated, sentences);
+    sentences = slim2023::sentences(claims);
     reported.additions = slim2023::sections(repeated, claims, of_circle);
     reported.has_own_numbers = true;
+    std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
+                  [](const compare::Judged& each) { return each.observations.metric == "evaluations"; });
   } else {
-    reported.first = {show::Heading{means.caption}, means};
     reported.additions = {papers::claims_section(claims)};
   }
+  if (sentences.empty()) sentences = {papers::tally_words(claims)};
+  reported.first = papers::beginning(paper, sentences, means);
   if (!readings.claims.empty()) {
     show::Blocks blocks{show::Heading{"What the paper leaves open"}, readings.figure, readings.table};
     for (const std::string& sentence : readings.sentences) blocks.emplace_back(sentence);
     reported.additions.push_back(std::move(blocks));
   }
+  for (std::string& sentence : sentences) sentence = wrapped(sentence);
   announce(reported, folder, arguments.report, style,
-           papers::screen(sentences, means, claims, {fingerprints_of(store, paper.studies)}));
+           fmt::format("{}{}\n", papers::screen(sentences, means, claims), fingerprints_of(store, paper.studies)));
 }
 
 }  // namespace
@@ -125,14 +133,14 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
-  command->add_option("--runs", arguments->runs, "slim2023: runs of each solver on the helix")
-      ->check(whole_number({1, 1'000'000}))
-      ->capture_default_str();
-  command
-      ->add_option("--readings", arguments->seeds,
-                   "slim2023: number of seeds for the readings of what the paper leaves open; 0: skip them")
-      ->check(whole_number({0, 1000}))
-      ->capture_default_str();
+  command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
+      ->check(whole_number({1, 1'000'000}));
+  const CLI::Option* readings_option =
+      command
+          ->add_option("--readings", arguments->seeds,
+                       "number of seeds for the readings of what the paper leaves open; 0: skip them")
+          ->check(whole_number({0, 1000}))
+          ->capture_default_str();
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
@@ -140,9 +148,12 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
-  command->callback([arguments, &invocation] {
+  command->callback([arguments, &invocation, readings_option] {
     static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Paper& paper = papers::paper_named(arguments->paper);
+    if (readings_option->count() > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
+      throw std::invalid_argument(
+          fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
     const auto stop = [&](const char* words) {
@@ -151,7 +162,8 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     };
     for (const std::string& name : paper.studies) {
       Overrides overrides{fmt::format("seed={}", arguments->seed)};
-      if (std::ranges::count(paper.runs, name) > 0) overrides.push_back(fmt::format("runs={}", arguments->runs));
+      if (std::ranges::count(paper.runs, name) > 0)
+        std::ranges::copy(overridden_runs(*arguments), std::back_inserter(overrides));
       const Study study = load_study(name, overrides);
       Solved solved;
       const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};

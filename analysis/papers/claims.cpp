@@ -15,8 +15,8 @@ using namespace compare;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part",  "fails",
-                                                   "not decided", "not comparable", "not tested"};
+constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part", "fails",
+                                                   "not decided", "not compared",  "not tested"};
 
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
   std::vector<JudgedClaim> group;
@@ -26,15 +26,34 @@ std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool ar
   return group;
 }
 
-show::Table claims_table(const std::vector<JudgedClaim>& claims, std::string name, std::string caption) {
+// "not decided: 0.0648 cm, DE 0.103"
+std::string words_of(std::optional<Holds> holds, const std::string& number) {
+  if (!holds) return "";
+  return fmt::format("{}{}{}", name_of(*holds), number.empty() ? "" : ": ", number);
+}
+
+show::Table claims_table(const std::vector<JudgedClaim>& claims, std::string name) {
   show::Table table{.name = std::move(name),
-                    .caption = std::move(caption),
-                    .columns = {{"verdict"}, {"claim"}, {"where"}, {"number"}, {"printed"}, {"all readings"}, {"why"}}};
+                    .caption = "Claims",
+                    .columns = {{"verdict"},
+                                {"claim"},
+                                {"where"},
+                                {"number"},
+                                {"by the printed numbers"},
+                                {"by the other reading"},
+                                {"holds in", "% of readings"},
+                                {"why"}}};
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
-    table.rows.push_back({std::string(name_of(claim.holds)), claim.sentence, cell(claim.section), cell(claim.number),
-                          cell(claim.printed ? std::string(name_of(*claim.printed)) : ""), cell(shares_words(claim)),
+    const Shares shares = claim.shares ? claim.shares->all : Shares();
+    const bool is_default = claim.holds == Holds::holds && shares.part(shares.holds) < 1;
+    table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), is_default ? " by default" : ""), claim.sentence,
+                          cell(claim.section), cell(claim.number), cell(words_of(claim.printed, "")),
+                          cell(words_of(claim.otherwise, claim.number_otherwise)),
+                          shares.all() > 0 ? show::Cell(100 * shares.part(shares.holds)) : show::Cell(),
                           cell(claim.evidence)});
+    if (claim.holds == Holds::not_compared && table.notes.empty())
+      table.notes.emplace_back("not compared: times of another program and machine. Here are ratios of our medians.");
   }
   return table;
 }
@@ -50,26 +69,30 @@ void Shares::operator+=(const Shares& more) {
 }
 
 std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<SharesOfClaim>& shares) {
-  const StudyResults& study = of.study.study;
+  const JudgedStudy* const other = of.part(of.paper.other_reading);
+  const std::vector<JudgedClaim> otherwise =
+      other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = of.paper, .study = *other});
   std::vector<JudgedClaim> all;
   for (const Claim& claim : of.paper.claims) {
     const Rule* const rule = rule_named(claim.rule);
     Found found = rule ? rule->judge({claim, of}) : Found();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;
-    if (found.empty() && !claim.is_ours && !is_of_many && is_of_means(of.paper, study)) {
+    if (found.empty() && !claim.is_ours && !is_of_many) {
       found.push_back(begun(claim));
       found.back().evidence = claim.decides;
     }
     for (JudgedClaim& judged : found) {
-      if (!claim.note.empty()) judged.evidence += ' ' + claim.note;
+      if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
       if (const auto own = std::ranges::find(shares, judged.id, &SharesOfClaim::id); own != shares.end())
         judged.shares = *own;
+      const JudgedClaim* const same = claim_named(otherwise, judged.id);
+      if (same != nullptr && same->holds < Holds::not_compared) {
+        judged.otherwise = same->holds;
+        judged.number_otherwise = same->number;
+      }
       all.push_back(std::move(judged));
     }
   }
-  // What another study could test is no fault of the paper.
-  if (!study.definition.departures.empty() || !study.definition.missing_solvers.empty())
-    std::erase_if(all, [](const JudgedClaim& claim) { return claim.holds == Holds::not_tested; });
   return all;
 }
 
@@ -86,12 +109,30 @@ std::string percent(double share) {
 
 std::string shares_words(const JudgedClaim& claim) {
   if (!claim.shares || claim.shares->all.all() == 0) return "";
-  const auto words = [](const Shares& of) {
-    return fmt::format("holds in {}, fails in {}", percent(of.holds / of.all()), percent(of.fails / of.all()));
-  };
-  const Shares& near = claim.shares->near;
-  return words(claim.shares->all) +
-         (near.all() > 0 ? fmt::format(" (of those that fit the print: {})", words(near)) : "");
+  const auto [id, all, near] = *claim.shares;
+  std::string words =
+      fmt::format("holds in {} and fails in {}", percent(all.part(all.holds)), percent(all.part(all.fails)));
+  if (near.all() > 0)
+    words +=
+        fmt::format("; near the print in {} and {}", percent(near.part(near.holds)), percent(near.part(near.fails)));
+  return words;
+}
+
+std::string tally_words(const std::vector<JudgedClaim>& claims) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const auto count = std::ranges::count(claims, static_cast<Holds>(i), &JudgedClaim::holds);
+    if (count > 0) parts.push_back(fmt::format("{} {}", verdicts[i], count));
+  }
+  return fmt::format("{} claims: {}.", claims.size(), show::listed(parts, ", "));
+}
+
+show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table) {
+  show::Blocks blocks{show::Heading{sentences.front()}};
+  for (std::size_t i = 1; i < sentences.size(); ++i) blocks.emplace_back(sentences[i]);
+  blocks.emplace_back(fmt::format("{} Not repeated: {}.", paper.citation, paper.not_repeated));
+  blocks.emplace_back(table);
+  return blocks;
 }
 
 show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
@@ -100,33 +141,28 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
     const std::vector<JudgedClaim> group = grouped(claims, are_ours);
     if (group.empty()) continue;
     blocks.emplace_back(show::Heading{are_ours ? "Our own questions" : "The claims"});
-    blocks.emplace_back(are_ours ? claims_table(group, "questions", "Questions that the paper does not answer")
-                                 : claims_table(group, "claims", "What the paper claims, and what is found here"));
+    blocks.emplace_back(claims_table(group, are_ours ? "questions" : "claims"));
   }
   return blocks;
 }
 
 std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
-                   const std::vector<JudgedClaim>& claims, const std::vector<std::string>& rest) {
+                   const std::vector<JudgedClaim>& claims) {
   std::string text;
   for (const std::string& sentence : sentences) text += sentence + '\n';
   if (!table.rows.empty()) text += '\n' + show::to_text(table);
   for (const bool are_ours : {false, true}) {
     std::vector<std::vector<std::string>> rows;
-    std::optional<Holds> last;
+    std::string last;
     for (const JudgedClaim& claim : grouped(claims, are_ours)) {
-      if (last != claim.holds)
-        rows.push_back({fmt::format("{}{}", are_ours ? "our questions, " : "", name_of(claim.holds))});
-      last = claim.holds;
-      const std::string shares =
-          claim.shares ? fmt::format("all readings: {}", percent(claim.shares->all.holds / claim.shares->all.all()))
-                       : "";
-      rows.push_back({"  " + show::shortened(claim.sentence, 56), claim.number, shares});
+      const std::string verdict(name_of(claim.holds));
+      const Shares shares = claim.shares ? claim.shares->all : Shares();
+      rows.push_back({verdict == last ? "" : verdict, show::shortened(claim.sentence, 46), claim.number,
+                      shares.all() > 0 ? percent(shares.part(shares.holds)) : ""});
+      last = verdict;
     }
-    if (!rows.empty()) text += '\n' + show::aligned(rows);
+    if (!rows.empty()) text += (are_ours ? "Our own questions:\n" : "\n") + show::aligned(rows);
   }
-  if (!rest.empty()) text += '\n';
-  for (const std::string& line : rest) text += show::one_line(line) + '\n';
   return text;
 }
 

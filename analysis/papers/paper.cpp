@@ -47,7 +47,6 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
                                    {"study", &claim.study},
                                    {"that", &claim.that},
                                    {"table", &claim.table},
-                                   {"row", &claim.row},
                                    {"note", &claim.note}})
     reader.text(key, *field, "");
   reader.choice("by", claim.is_ours, {{"paper", false}, {"us", true}}, "");
@@ -129,12 +128,15 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   const toml::table table = parse_toml(toml, source);
   TomlReader reader(table, source, "");
   Paper paper{.name = std::string(name)};
-  for (const auto& [key, field] :
-       {std::pair("in_short", &paper.in_short), {"solver", &paper.solver}, {"means", &paper.means}})
+  for (const auto& [key, field] : {std::pair("in_short", &paper.in_short),
+                                   {"citation", &paper.citation},
+                                   {"not_repeated", &paper.not_repeated},
+                                   {"solver", &paper.solver},
+                                   {"means", &paper.means},
+                                   {"other_reading", &paper.other_reading}})
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");
-  reader.texts("not_on", paper.not_on, "");
   reader.whole("near", paper.near, {0, 1000}, "");
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
@@ -151,21 +153,29 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   return paper;
 }
 
-PrintedRows printed_rows(const Paper& paper, const StudyResults& study, const Metric& metric) {
-  const auto& path = study.definition.path;
-  if (paper.means.empty() || std::ranges::find(paper.not_on, path) != paper.not_on.end()) return {};
-  return printed_means(paper.name, paper.means, metric.column);
+PrintedRows printed_rows(const Paper& paper, const Metric& metric) {
+  return paper.means.empty() ? PrintedRows() : printed_means(paper.name, paper.means, metric.column);
 }
 
-bool is_of_means(const Paper& paper, const StudyResults& study) {
-  return paper.means.empty() || std::ranges::any_of(metrics(), [&](const Metric& metric) {
-           return !printed_rows(paper, study, metric).empty();
-         });
+Description numbers_of(const Judged& judged, std::string_view solver) {
+  const std::vector<Group>& groups = judged.observations.groups;
+  const auto group = std::ranges::find(groups, solver, &Group::name);
+  if (group == groups.end() || group->lost > 0) return {};
+  return judged.described[static_cast<std::size_t>(group - groups.begin())];
 }
 
-bool is_reached(const results::SolveRecord& solve, const StudyResults& study) {
+Timed timed(const StudyResults& study, std::string_view solver, double limit_ms) {
   constexpr double verifier_rounding_cm = 1e-7;
-  return solve.position_error_cm <= study.definition.stop.tolerance_cm + verifier_rounding_cm;
+  Timed timed;
+  for (const results::SolveRecord& solve : study.of(solver)) {
+    const double ms = 1000 * solve.seconds;
+    const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm + verifier_rounding_cm;
+    timed.ms.values.push_back(ms);
+    timed.reached += is_near;
+    timed.in_time += ms < limit_ms;
+    timed.both += is_near && ms < limit_ms;
+  }
+  return timed;
 }
 
 std::vector<const JudgedStudy*> Repeated::all() const {
@@ -175,10 +185,8 @@ std::vector<const JudgedStudy*> Repeated::all() const {
 }
 
 const JudgedStudy* Repeated::part(std::string_view part) const {
-  const std::string& name = study.study.entry.name;
-  if (name.ends_with(fmt::format("-{}", part))) return &study;
   for (const JudgedStudy* companion : companions) {
-    if (companion->study.entry.name == fmt::format("{}-{}", name, part)) return companion;
+    if (companion->study.entry.name == fmt::format("{}-{}", study.study.entry.name, part)) return companion;
   }
   return nullptr;
 }
@@ -208,11 +216,11 @@ show::Table means_table(const Repeated& of) {
   for (const Judged& judged : of.study.metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
-    const PrintedRows printed = printed_rows(of.paper, study, *metric);
+    const PrintedRows printed = printed_rows(of.paper, *metric);
     if (printed.empty()) continue;
     table.columns.push_back({observations.quantity, observations.unit});
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      table.rows[i].push_back(beside(judged.described[i].mean, row_of(printed, study.solvers[i])));
+      table.rows[i].push_back(beside(numbers_of(judged, study.solvers[i]).mean, row_of(printed, study.solvers[i])));
   }
   if (table.columns.size() == 1) table.rows.clear();
   return table;

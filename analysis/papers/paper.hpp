@@ -28,8 +28,8 @@ struct Claim {
   Of of = Of::means;
   std::string study = {};  // "limits": of the companion NAME-limits
   From from = From::both;
-  std::string that = {};             // what is counted
-  std::string table = {}, row = {};  // of printed times; names a row's solver: "{bats} bats"
+  std::string that = {};   // what is counted
+  std::string table = {};  // of printed times
   double limit_ms = 0;
   std::string note = {};  // added to the evidence
 };
@@ -45,12 +45,12 @@ struct Rates {
 
 struct Paper {
   std::string name;  // in a study's `published` and in results/published
-  std::string in_short = {};
+  std::string in_short = {}, citation = {}, not_repeated = {};
   std::vector<std::string> studies = {};  // the first is its own, "first-part" its companion
   std::vector<std::string> runs = {};     // those that take --runs
   std::string solver = {};                // that it proposes
   std::string means = {};                 // its table of means; empty: none is printed
-  std::vector<std::string> not_on = {};   // kinds of path that this table is not about
+  std::string other_reading = {};         // "all-joints": the companion by it
   int near = 0;                           // a reading is near the print if it explains so many printed numbers
   Rates rates = {};
   std::vector<Claim> claims = {};
@@ -62,11 +62,18 @@ const Paper& paper_named(std::string_view name);
 // Throws std::invalid_argument with `source` and line for what is missing, unknown or repeated.
 Paper read_paper(std::string_view name, std::string_view toml, std::string_view source);
 
-// The rows that are about such a study; none on a path that they are not about.
-PrintedRows printed_rows(const Paper& paper, const compare::StudyResults& study, const compare::Metric& metric);
-bool is_of_means(const Paper& paper, const compare::StudyResults& study);
-// Within the study's tolerance, wherever the joints are.
-bool is_reached(const results::SolveRecord& solve, const compare::StudyResults& study);
+// Of its table of means.
+PrintedRows printed_rows(const Paper& paper, const compare::Metric& metric);
+
+// Of a solver; unknown where it is not among the judged, or values are lost.
+compare::Description numbers_of(const compare::Judged& judged, std::string_view solver);
+
+// A solver's solves against a limit of time, and within the study's tolerance, wherever the joints are.
+struct Timed {
+  compare::Group ms = {};
+  std::int64_t reached = 0, in_time = 0, both = 0;
+};
+Timed timed(const compare::StudyResults& study, std::string_view solver, double limit_ms);
 
 // A solver's share of solved targets on an arm.
 struct Rate {
@@ -90,7 +97,7 @@ struct Repeated {
   std::vector<const compare::JudgedStudy*> companions = {};
 
   std::vector<const compare::JudgedStudy*> all() const;
-  // The companion NAME-part, or the study itself if it is that; null if there is none.
+  // The companion NAME-part; null if there is none.
   const compare::JudgedStudy* part(std::string_view part) const;
 };
 

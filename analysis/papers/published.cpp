@@ -78,18 +78,11 @@ PrintedRows printed_means(std::string_view paper, std::string_view name, std::st
   return rows;
 }
 
-PrintedRows printed_times(std::string_view paper, std::string_view name, std::string_view solver) {
+PrintedRows printed_times(std::string_view paper, std::string_view name) {
   PrintedRows rows;
   const CsvTable table = printed_table(paper, name);
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    std::string label(solver);
-    for (std::size_t c = 0; c < table.header.size(); ++c) {
-      const std::string word = fmt::format("{{{}}}", table.header[c]);
-      if (const std::size_t at = label.find(word); at != std::string::npos)
-        label.replace(at, word.size(), table.rows[i][c]);
-    }
-    rows.push_back(read_row(table, i, std::move(label), "_ms"));
-  }
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    rows.push_back(read_row(table, i, fmt::format("{} {}", table.rows[i][0], table.header[0]), "_ms"));
   return rows;
 }
 

@@ -42,8 +42,8 @@ const PrintedRow* row_of(const PrintedRows& rows, std::string_view solver);  // 
 results::CsvTable printed_table(std::string_view paper, std::string_view name);
 // Of a table with the columns algorithm, metric, n and the statistics.
 PrintedRows printed_means(std::string_view paper, std::string_view table, std::string_view metric);
-// Of a table with n, mean_ms, median_ms and so on; its solvers are named "{bats} bats" from a column bats.
-PrintedRows printed_times(std::string_view paper, std::string_view table, std::string_view name);
+// Of a table with n, mean_ms, median_ms and so on; its solvers are named "12 bats" from its first column, bats.
+PrintedRows printed_times(std::string_view paper, std::string_view table);
 
 // Groups that are compared by their means, of the same quantity as ours.
 compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours);

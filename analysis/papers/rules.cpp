@@ -25,12 +25,6 @@ using Solves = std::span<const SolveRecord>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
-std::string with_unit(double value, const Observations& of, bool has_unit = true) {
-  const bool is_time = of.unit == "s";
-  const std::string unit = is_time ? "ms" : of.unit;
-  return number_text(is_time ? 1000 * value : value) + (unit.empty() || !has_unit ? "" : ' ' + unit);
-}
-
 std::string sentence(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + '.';
@@ -74,7 +68,6 @@ std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
   const JudgedStudy* const own = study_of(asked, claim.from != From::others);
   const JudgedStudy* const others = study_of(asked, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
-  if (claim.study.empty() && !is_of_means(asked.repeated.paper, own->study)) return {};
   Observations all = observe(own->study, metric);
   std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
   for (Group& group : observe(others->study, metric).groups) {
@@ -93,7 +86,7 @@ std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
 std::optional<Judged> judged_print(const Asked& asked, const Metric& metric) {
   const Claim& claim = asked.claim;
   const StudyResults& study = asked.repeated.study.study;
-  PrintedRows rows = printed_rows(asked.repeated.paper, study, metric);
+  PrintedRows rows = printed_rows(asked.repeated.paper, metric);
   std::erase_if(rows, [&](const PrintedRow& row) {
     return !has(study.solvers, row.solver) || !(has(claim.solvers, row.solver) || is_rival(row.solver, claim));
   });
@@ -110,11 +103,16 @@ double mean_of(const Judged& judged, std::string_view solver) {
       .mean;
 }
 
-// "at most 1e-06 cm" where the study ends its solves there.
-std::string mean_words(const Judged& judged, std::string_view solver, bool has_unit = true) {
-  const auto& groups = judged.observations.groups;
-  const double mean = mean_of(judged, solver), bound = std::ranges::find(groups, solver, &Group::name)->at_most;
-  return (bound > 0 && mean <= bound ? "at most " : "") + with_unit(mean, judged.observations, has_unit);
+// "at most 1e-06" where the study ends its solves there.
+std::string mean_words(const Judged& judged, const std::string& solver) {
+  const Group& group = *std::ranges::find(judged.observations.groups, solver, &Group::name);
+  const double mean = mean_of(judged, solver);
+  if (group.lost > 0) return "not known";
+  return (group.at_most > 0 && mean <= group.at_most ? "at most " : "") + number_text(mean);
+}
+std::string with_unit(std::string words, const Judged& judged) {
+  const std::string& unit = judged.observations.unit;
+  return words + (unit.empty() ? "" : ' ' + unit);
 }
 
 // The others by their means, the smallest first.
@@ -135,25 +133,25 @@ Tally tally_of(const Judged& judged, const Names& own, const Names& rivals) {
   return tally;
 }
 
-// "IK-BA 0.00168 cm (not decided: MO-PSO 0.73)": those than which it is not better.
+// "IK-BA 27.2 deg (not decided: MO-PSO 28.1)": those than which it is not better; empty if there are none.
 std::string relations(const Judged& judged, const std::string& solver, const Names& rivals) {
   std::map<Verdict, Names> by_verdict;
   for (const std::string& rival : rivals)
     by_verdict[verdict_between(judged, solver, rival)].push_back(
-        fmt::format("{} {}", rival, mean_words(judged, rival, false)));
+        fmt::format("{} {}", rival, mean_words(judged, rival)));
   Names parts;
   for (const auto& [verdict, list] : by_verdict) {
     if (verdict != Verdict::better)
       parts.push_back(fmt::format("{}: {}", compare::name_of(verdict), fmt::join(list, ", ")));
   }
-  if (parts.empty()) parts.emplace_back("better");
-  return fmt::format("{} {} ({})", solver, mean_words(judged, solver), fmt::join(parts, "; "));
+  if (parts.empty()) return "";
+  return fmt::format("{} {} ({})", solver, with_unit(mean_words(judged, solver), judged), fmt::join(parts, "; "));
 }
 
 // Solvers of the companion that give the claim's solver's answers to the last bit.
 Names same_there(const Asked& asked) {
   Names same;
-  if (asked.claim.from != From::others) return same;
+  if (asked.claim.from != From::others || study_of(asked) == nullptr) return same;
   const Solves ours = study_of(asked, false)->study.of(asked.claim.solvers.front());
   const StudyResults& there = study_of(asked)->study;
   for (const std::string& rival : there.solvers) {
@@ -169,7 +167,6 @@ Names same_there(const Asked& asked) {
 Found better_at_each_point(const Asked& asked) {
   const StudyResults& study = asked.repeated.study.study;
   const std::string& own = asked.claim.solvers.front();
-  if (!is_of_means(asked.repeated.paper, study) || !has(study.solvers, own) || study.solvers.size() < 2) return {};
   std::map<int, std::map<std::string, std::vector<double>>> values;  // by point and solver
   for (const SolveRecord& solve : study.solves)
     values[solve.point][solve.solver].push_back(asked.claim.metrics.front()->value(solve, study));
@@ -213,36 +210,35 @@ Found better_in_each_study(const Asked& asked) {
 Found better(const Asked& asked) {
   if (asked.claim.of == Of::points) return better_at_each_point(asked);
   if (asked.claim.of == Of::each_study) return better_in_each_study(asked);
-  const bool is_spread = asked.claim.of == Of::spread;
   const Names& own = asked.claim.solvers;
   JudgedClaim claim = begun(asked.claim);
   std::vector<Holds> here, in_print;
   Names lists;
+  const Names same = same_there(asked);
   for (const Metric* metric : asked.claim.metrics) {
     const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
     if (!found) return {};
-    const Names same = same_there(asked);
-    Names rivals = rivals_of(*found, own), words, means;
+    Names rivals = rivals_of(*found, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
     here.insert(here.end(), same.size(), Holds::fails);
-    if (!same.empty())
-      claim.evidence = fmt::format("All answers of {} are the same to the last bit. ", show::listed(same));
     if (!rivals.empty()) here.push_back(holds_of(tally_of(*found, own, rivals)));
     if (printed) in_print.push_back(holds_of(tally_of(*printed, own, rivals_of(*printed, own))));
     for (const std::string& solver : own) {
-      words.push_back(relations(*found, solver, rivals));
       means.push_back(mean_words(*found, solver));
+      if (const std::string words = relations(*found, solver, rivals); !words.empty())
+        lists.push_back(fmt::format("{} of {}", metric->name, words));
     }
-    lists.push_back(fmt::format("{} of {}", metric->name, show::listed(words)));
     if (!claim.number.empty()) continue;
-    claim.number = fmt::format("{} {}", is_spread ? "sd" : "mean", show::listed(means));
+    claim.number = (asked.claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *found);
     if (rivals.empty()) continue;
-    claim.number += fmt::format(", {} {}", rivals[0], mean_words(*found, rivals[0], false));
+    claim.rival = fmt::format("{} {}", rivals[0], mean_words(*found, rivals[0]));
+    claim.number += ", " + claim.rival;
   }
   claim.holds = holds_of(here);
   if (!in_print.empty()) claim.printed = holds_of(in_print);
-  claim.evidence +=
-      sentence(fmt::format("{}{}", is_spread ? "standard deviation over the runs of " : "", fmt::join(lists, "; ")));
+  if (!same.empty())
+    claim.evidence = fmt::format("All answers of {} are the same to the last bit.", show::listed(same));
+  if (!lists.empty()) claim.evidence += (same.empty() ? "" : " ") + sentence(fmt::format("{}", fmt::join(lists, "; ")));
   return {claim};
 }
 
@@ -314,7 +310,7 @@ Found ahead(const Asked& asked) {
 
 Found differ(const Asked& asked) {
   std::vector<Holds> here, in_print;
-  Names list;
+  Names not_tested;
   for (const Metric* metric : asked.claim.metrics) {
     const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
     if (!found) return {};
@@ -324,17 +320,13 @@ Found differ(const Asked& asked) {
     };
     here.push_back(verdict(found->anova));
     if (printed) in_print.push_back(verdict(printed->anova));
-    const auto& its = found->anova;
-    list.push_back(fmt::format("{} {}", metric->name,
-                               its ? fmt::format("F({}, {}) = {}, {}", its->df, its->df_within,
-                                                 number_text(its->statistic), show::p_sentence(its->p))
-                                   : "not tested"));
+    if (!found->anova) not_tested.emplace_back(metric->name);
   }
   JudgedClaim claim = begun(asked.claim);
   claim.holds = holds_of(here);
   if (!in_print.empty()) claim.printed = holds_of(in_print);
   claim.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
-  claim.evidence = sentence(fmt::format("{}", fmt::join(list, "; ")));
+  if (!not_tested.empty()) claim.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
   return {claim};
 }
 
@@ -367,42 +359,25 @@ JudgedClaim count_rounding(JudgedClaim claim, Solves solves) {
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
   claim.holds = always_or_on_average(largest <= most, mean <= most);
   claim.number = fmt::format("mean {} cm", number_text(mean));
-  claim.evidence = fmt::format("The largest error is {} cm; ten times the spacing of doubles at {} cm is {} cm.",
-                               number_text(largest), number_text(farthest_cm), number_text(most));
+  claim.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
+                               number_text(largest), number_text(most));
   return claim;
 }
 
-// Why a study's times are not compared; empty if they are.
-std::string why_apart(const StudyResults& study) {
-  const Observations observed = observe(study, metric_named("seconds"));
-  return observed.doubts.empty() ? "" : words_of(observed.doubts.front());
-}
-
-JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResults& study, Solves solves) {
+// Not compared if the study's times are not clean.
+JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResults& study) {
   const double limit = asked.claim.limit_ms;
-  std::vector<double> times;
-  std::size_t reached = 0, in_time = 0, both = 0;
-  for (const SolveRecord& solve : solves) {
-    times.push_back(1000 * solve.seconds);
-    const bool is_near = is_reached(solve, study), is_fast = times.back() < limit;
-    reached += is_near;
-    in_time += is_fast;
-    both += is_near && is_fast;
-  }
-  const Description its = describe({.name = {}, .values = times});
-  const PrintedRows rows = printed_times(asked.repeated.paper.name, asked.claim.table, asked.claim.row);
-  if (const PrintedRow* printed = row_of(rows, asked.claim.solvers.front()))
+  const std::string& solver = asked.claim.solvers.front();
+  const auto [ms, reached, in_time, both] = timed(study, solver, limit);
+  const auto n = std::ssize(ms.values);
+  const PrintedRows rows = printed_times(asked.repeated.paper.name, asked.claim.table);
+  if (const PrintedRow* printed = row_of(rows, solver))
     claim.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
-  const std::size_t n = solves.size();
-  claim.number = fmt::format("{} of {} within {:g} cm", reached, n, study.definition.stop.tolerance_cm);
-  if (const std::string why = why_apart(study); !why.empty()) {
-    claim.holds = Holds::not_comparable;
-    claim.evidence = sentence(why);
-    return claim;
-  }
-  claim.holds = always_or_on_average(both == n, its.median < limit);
+  claim.number = fmt::format("{} of {} reached", reached, n);
+  claim.holds = Holds::not_compared;
+  if (!observe(study, metric_named("seconds")).doubts.empty()) return claim;
+  claim.holds = always_or_on_average(both == n, describe(ms).median < limit);
   claim.number += fmt::format(", {} in time", in_time == n ? "all" : fmt::to_string(in_time));
-  claim.evidence = fmt::format("Median {} ms, slowest {} ms.", number_text(its.median), number_text(its.largest));
   return claim;
 }
 
@@ -438,10 +413,10 @@ Found count(const Asked& asked) {
   const JudgedStudy* const judged = study_of(asked);
   if (!found.empty() || judged == nullptr) return found;
   const Solves solves = judged->study.of(asked.claim.solvers.front());
-  if (solves.empty() || (asked.claim.study.empty() && !is_of_means(asked.repeated.paper, judged->study))) return {};
+  if (solves.empty()) return {};
   const JudgedClaim claim = begun(asked.claim);
   return {asked.claim.that == "at_rounding" ? count_rounding(claim, solves)
-          : asked.claim.that == "in_time"   ? count_in_time(claim, asked, judged->study, solves)
+          : asked.claim.that == "in_time"   ? count_in_time(claim, asked, judged->study)
                                             : count_inside(claim, solves)};
 }
 
@@ -452,27 +427,24 @@ Found ratios(const Asked& asked) {
   const Paper& paper = asked.repeated.paper;
   const std::string& base = claim.solvers.front();
   const Metric& metric = *claim.metrics.front();
-  const PrintedRows printed = claim.row.empty() ? printed_rows(paper, judged->study, metric)
-                                                : printed_times(paper.name, claim.table, claim.row);
+  const PrintedRows printed =
+      claim.table.empty() ? printed_rows(paper, metric) : printed_times(paper.name, claim.table);
+  if (printed.empty()) return {};
   std::map<std::string, double> ours;  // medians
-  for (const Group& group : observe(judged->study, metric).groups) ours[group.name] = describe(group).median;
+  for (const Group& group : observe(judged->study, metric).groups) {
+    if (!group.is_apart && group.lost == 0) ours[group.name] = describe(group).median;
+  }
+  JudgedClaim result = begun(claim);
+  result.holds = Holds::not_compared;
   Names list;
   for (const std::string& solver : claim.against) {
     const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);
-    const double ratio = ours[solver] / ours[base];
-    if (row == nullptr || of_base == nullptr || !std::isfinite(ratio) || ratio == 0) continue;
-    list.push_back(fmt::format("{} {} (printed {})", solver, number_text(ratio),
+    if (row == nullptr || of_base == nullptr || !ours.contains(solver) || !ours.contains(base)) continue;
+    list.push_back(fmt::format("{} {} (printed {})", solver, number_text(ours[solver] / ours[base]),
                                number_text(row->numbers.median / of_base->numbers.median)));
   }
-  if (list.empty()) return {};
-  JudgedClaim result = begun(claim);
-  result.holds = Holds::not_comparable;
-  if (const std::string why = why_apart(judged->study); !why.empty()) {
-    result.evidence = sentence(why);
-    return {result};
-  }
-  result.number = fmt::format("{} times {}", list.front(), base);
-  if (list.size() > 1) result.evidence = fmt::format("Median times by that of {}: {}.", base, fmt::join(list, ", "));
+  if (!list.empty()) result.number = list.front();
+  if (list.size() > 1) result.evidence = fmt::format("{}.", fmt::join(list, "; "));
   return {result};
 }
 

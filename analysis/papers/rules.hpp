@@ -24,7 +24,7 @@ struct Rule {
 };
 // better: its solvers are better than the others in each metric. order: each pair is in the printed order. ahead: its
 // solver is better than each other in some metric, and worse in none. differ: all differ, by one-way ANOVA. count: all
-// of its solver's solves are as the claim says. ratios: of times, which are not comparable.
+// of its solver's solves are as the claim says. ratios: of times, which are not compared.
 const Rule* rule_named(std::string_view name);  // null if there is none
 std::vector<std::string> rule_names();
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,25 +34,15 @@ About about_of(const StudyResults& study, const PaperMetric& of, int number, con
   return about;
 }
 
-std::string_view text_at(const CsvTable& table, std::size_t row, std::string_view column) {
-  return table.rows[row][table.column(column)];
-}
-
-// The row of the printed Table 3.
-std::optional<std::size_t> printed_row(const CsvTable& table, std::string_view solver, std::string_view column) {
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (text_at(table, row, "algorithm") == solver && text_at(table, row, "metric") == column) return row;
-  }
-  return std::nullopt;
-}
+papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
 
 // The printed times are of another machine: only their ratios can be compared.
-std::string times_in_print(const CsvTable& table) {
+std::string times_in_print() {
+  const papers::PrintedRows rows = in_print(time);
+  const double own = papers::row_of(rows, own_solver)->numbers.mean;
   std::vector<std::string> ratios;
-  const double own = table.number(printed_row(table, own_solver, time).value(), "mean");
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (text_at(table, row, "metric") != time || text_at(table, row, "algorithm") == own_solver) continue;
-    ratios.push_back(fmt::format("{} {:.3g}", text_at(table, row, "algorithm"), table.number(row, "mean") / own));
+  for (const auto& [solver, numbers, digits] : rows) {
+    if (solver != own_solver) ratios.push_back(fmt::format("{} {:.3g}", solver, numbers.mean / own));
   }
   return fmt::format(" Printed mean times, in multiples of {}'s: {}.", own_solver, fmt::join(ratios, ", "));
 }
@@ -70,17 +58,14 @@ Figure path_figure(const StudyResults& study, int number, std::size_t arms, cons
 }
 
 // The means of Table 3, ours and printed.
-Figure overview_figure(const JudgedStudy& judged, const Look& look, const CsvTable& printed) {
+Figure overview_figure(const JudgedStudy& judged, const Look& look) {
   std::vector<Dot> dots;
   for (const std::string& solver : shown_solvers(judged.study, look)) {
     Dot& dot = dots.emplace_back(Dot{.label = solver, .style = style_of(look, solver)});
     const auto read = [&](std::string_view column, double& ours, double& beside) {
-      if (const Judged* const metric = judged_of(judged, column)) {
-        const auto& groups = metric->observations.groups;
-        const auto group = std::ranges::find(groups, solver, &Group::name);
-        if (group != groups.end()) ours = describe(*group).mean;
-      }
-      if (const auto row = printed_row(printed, solver, column)) beside = printed.number(*row, "mean");
+      if (const Judged* const metric = judged_of(judged, column)) ours = papers::numbers_of(*metric, solver).mean;
+      const papers::PrintedRows rows = in_print(column);
+      if (const auto* const row = papers::row_of(rows, solver)) beside = row->numbers.mean;
     };
     read(motion, dot.x, dot.printed_x);
     read(error, dot.y, dot.printed_y);
@@ -92,12 +77,11 @@ Figure overview_figure(const JudgedStudy& judged, const Look& look, const CsvTab
 
 std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
-  const CsvTable printed = results::published::table("slim2023", "table-3");
-  std::vector<Figure> all{overview_figure(judged, look, printed), path_figure(study, 5, 1, look)};
+  std::vector<Figure> all{overview_figure(judged, look), path_figure(study, 5, 1, look)};
   for (const PaperMetric& metric : paper_metrics) {
     About about = about_of(study, metric, metric.curves,
                            fmt::format("The {} at each point, mean of the runs. Dotted: the median.", metric.name));
-    if (metric.column == time) about.caption += times_in_print(printed);
+    if (metric.column == time) about.caption += times_in_print();
     all.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
@@ -112,9 +96,10 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
                     metric.name, metric.column == time ? "median" : "mean"));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
     std::vector<BoxRow> boxed = box_rows(judged, *values, look);
+    const papers::PrintedRows printed = metric.column == time ? papers::PrintedRows() : in_print(metric.column);
     for (BoxRow& row : boxed) {
-      const auto of = metric.column == time ? std::nullopt : printed_row(printed, row.label, metric.column);
-      if (of) row.printed = {printed.number(*of, "min"), printed.number(*of, "median"), printed.number(*of, "max")};
+      if (const auto* const of = papers::row_of(printed, row.label))
+        row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
     }
     all.push_back(boxes(about, boxed));
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -21,28 +20,15 @@ using show::Table;
 
 namespace {
 
-Cell text(std::string of) { return of.empty() ? Cell() : Cell(std::move(of)); }
-
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
-std::array<std::array<double, 5>, 3> rows_of(const TestOfAll& of) {
+std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& anova) {
+  TestOfAll none{.statistic = unknown, .df = unknown, .df_within = unknown, .p = unknown};
+  none.ss_between = none.ss_within = unknown;
+  const TestOfAll of = anova.value_or(none);
   const double between = of.ss_between, within = of.ss_within;
   return {{{between, of.df, between / of.df, of.statistic, of.p},
            {within, of.df_within, within / of.df_within, unknown, unknown},
            {between + within, of.df + of.df_within, unknown, unknown, unknown}}};
-}
-
-// Printed about the same solvers.
-bool is_about(const StudyResults& study, const PrintedRows& rows) {
-  std::set<std::string> ours(study.solvers.begin(), study.solvers.end()), theirs;
-  for (const PrintedRow& row : rows) theirs.insert(row.solver);
-  return ours == theirs;
-}
-
-// The companion by the other reading of what is searched.
-std::optional<Repeated> all_joints(const Repeated& of) {
-  const JudgedStudy* const companion = of.part("all-joints");
-  if (companion == nullptr || companion == &of.study) return {};
-  return Repeated{.paper = of.paper, .study = *companion};
 }
 
 }  // namespace
@@ -51,16 +37,17 @@ Table table_3(const Repeated& of) {
   Table table{.name = "table-3",
               .caption = "Table 3: position error, angles variation and computing time",
               .columns = {{"solver"}, {"metric"}, {"unit"}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}},
-              .notes = {"Printed times are of another machine and language: they are not compared."}};
+              .notes = {"Printed times are of another machine and language. Our time of a run is the median of its "
+                        "points; Figure 8 has means of the runs."}};
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = figures::judged_of(of.study, column);
-    const PrintedRows printed = printed_rows(of.paper, of.study.study, metric);
+    const PrintedRows printed = printed_rows(of.paper, metric);
     for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
       const std::string& solver = judged->observations.groups[i].name;
       auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::string(name), std::string(metric.unit)});
       for (std::size_t s = 0; s < statistics.size(); ++s)
-        row.push_back(beside(judged->described[i].*statistics[s].of, row_of(printed, solver), s));
+        row.push_back(beside(numbers_of(*judged, solver).*statistics[s].of, row_of(printed, solver), s));
     }
   }
   return table;
@@ -70,21 +57,19 @@ std::vector<Table> anova_tables(const Repeated& of) {
   std::vector<Table> tables;
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const std::string number = fmt::format("table-{}", anova);
-    const Metric& metric = metric_named(column);
     const Judged* const judged = figures::judged_of(of.study, column);
-    const PrintedRows rows = printed_rows(of.paper, of.study.study, metric);
-    if (judged == nullptr || !judged->anova || rows.empty()) continue;
+    if (judged == nullptr) continue;
     Table& table = tables.emplace_back(Table{.name = number,
                                              .caption = fmt::format("Table {}: ANOVA of the {}", anova, name),
                                              .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const results::CsvTable printed = printed_table(of.paper.name, number);
-    const auto ours = rows_of(*judged->anova);
+    if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
+    const auto ours = rows_of(judged->anova);
     for (std::size_t r = 0; r < ours.size(); ++r) {
       auto& row = table.rows.emplace_back(std::vector<Cell>{printed.rows[r][0]});
       for (std::size_t c = 0; c < ours[r].size(); ++c) {
         const std::string& digits = printed.rows[r][c + 1];
-        const bool is_printed = !digits.empty() && is_about(of.study.study, rows);
-        row.push_back(is_printed ? Cell(show::Printed{ours[r][c], digits}) : Cell(ours[r][c]));
+        row.push_back(!digits.empty() ? Cell(show::Printed{ours[r][c], digits}) : Cell(ours[r][c]));
       }
     }
   }
@@ -94,7 +79,7 @@ std::vector<Table> anova_tables(const Repeated& of) {
 std::optional<Table> table_7(const Repeated& of) {
   constexpr double limit_ms = 50;
   const StudyResults& study = of.study.study;
-  const PrintedRows printed = printed_times(of.paper.name, "table-7", "{bats} bats");
+  const PrintedRows printed = printed_times(of.paper.name, "table-7");
   if (study.definition.path != "random" || study.solves.empty()) return {};
   const double tolerance = study.definition.stop.tolerance_cm;
   Table table{.name = "table-7",
@@ -104,19 +89,13 @@ std::optional<Table> table_7(const Repeated& of) {
   for (const Statistic& each : statistics) table.columns.push_back({std::string(each.column), "ms"});
   table.columns.push_back({"median iterations"});
   for (const std::string& solver : study.solvers) {
-    Group times, iterations;
-    std::int64_t reached = 0, in_time = 0;
-    for (const SolveRecord& solve : study.of(solver)) {
-      const bool is_near = is_reached(solve, study);
-      times.values.push_back(1000 * solve.seconds);
+    const auto [ms, reached, in_time, both] = timed(study, solver, limit_ms);
+    Group iterations;
+    for (const SolveRecord& solve : study.of(solver))
       iterations.values.push_back(static_cast<double>(solve.iterations));
-      reached += is_near;
-      in_time += is_near && times.values.back() < limit_ms;
-    }
-    auto& row = table.rows.emplace_back(
-        std::vector<Cell>{solver, static_cast<std::int64_t>(times.values.size()), reached, in_time});
+    auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms.values), reached, both});
     for (std::size_t s = 0; s < statistics.size(); ++s)
-      row.push_back(beside(describe(times).*statistics[s].of, row_of(printed, solver), s));
+      row.push_back(beside(describe(ms).*statistics[s].of, row_of(printed, solver), s));
     row.emplace_back(describe(iterations).median);
   }
   return table;
@@ -158,82 +137,50 @@ std::optional<Table> table_8(const Repeated& of) {
   return table;
 }
 
-std::vector<Table> reading_tables(const Repeated& wrist, const Repeated& all_joints) {
-  Table means{.name = "table-3-readings",
+Table reading_table(const Repeated& of, const JudgedStudy& other) {
+  Table table{.name = "table-3-readings",
               .caption = "Means by both readings of what is searched: the joints before the wrist, or all seven",
               .columns = {{"solver"}}};
-  Table claims{
-      .name = "claims-readings",
-      .caption = "The claims by both readings",
-      .columns = {{"claim"}, {"printed"}, {"wrist"}, {"number by wrist"}, {"all joints"}, {"number by all joints"}}};
-  for (const std::string& solver : wrist.study.study.solvers) means.rows.push_back({solver});
+  for (const std::string& solver : of.study.study.solvers) table.rows.push_back({solver});
   for (const auto& [column, name, anova, curves, boxes] : {paper_metrics[0], paper_metrics[1]}) {
     const Metric& metric = metric_named(column);
-    const PrintedRows printed = printed_rows(wrist.paper, wrist.study.study, metric);
-    means.columns.push_back({fmt::format("{}, printed", name)});
-    for (auto& row : means.rows) {
-      const PrintedRow* const its = row_of(printed, std::get<std::string>(row[0]));
-      row.push_back(text(its ? its->digits[0] : ""));
-    }
-    for (const auto& [of, reading] : {std::pair(&wrist, "wrist"), std::pair(&all_joints, "all joints")}) {
-      means.columns.push_back({fmt::format("{}, {}", name, reading), std::string(metric.unit)});
-      const Judged* const judged = figures::judged_of(of->study, column);
-      for (auto& row : means.rows) {
-        Cell& mean = row.emplace_back();
-        for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
-          if (judged->observations.groups[i].name == std::get<std::string>(row[0])) mean = judged->described[i].mean;
-        }
+    const PrintedRows printed = printed_rows(of.paper, metric);
+    table.columns.push_back({fmt::format("{}, wrist", name), std::string(metric.unit)});
+    table.columns.push_back({fmt::format("{}, all joints", name), std::string(metric.unit)});
+    for (auto& row : table.rows) {
+      const std::string solver = std::get<std::string>(row[0]);
+      for (const JudgedStudy* study : {&of.study, &other}) {
+        const Judged* const judged = figures::judged_of(*study, column);
+        const double mean = judged == nullptr ? unknown : numbers_of(*judged, solver).mean;
+        row.push_back(study == &of.study ? beside(mean, row_of(printed, solver)) : Cell(mean));
       }
     }
   }
-  const std::vector<JudgedClaim> by_other = judged_claims(all_joints);
-  for (const JudgedClaim& claim : judged_claims({.paper = wrist.paper, .study = wrist.study})) {
-    const JudgedClaim* const other = claim_named(by_other, claim.id);
-    if (other == nullptr || claim.holds >= Holds::not_comparable) continue;
-    claims.rows.push_back({claim.sentence, text(claim.printed ? std::string(name_of(*claim.printed)) : ""),
-                           std::string(name_of(claim.holds)), text(claim.number), std::string(name_of(other->holds)),
-                           text(other->number)});
-  }
-  return {means, claims};
+  return table;
 }
 
-std::vector<std::string> sentences(const Repeated& of, const std::vector<JudgedClaim>& claims) {
-  const auto words = [](const JudgedClaim& claim) {
-    return fmt::format("{}{} ({})", claim.holds > Holds::fails ? "is " : "", name_of(claim.holds), claim.number);
+std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
+  const auto words = [](Holds holds, const std::string& number) {
+    return fmt::format("{}{} ({})", holds > Holds::fails ? "is " : "", name_of(holds), number);
   };
   const JudgedClaim* const most = claim_named(claims, "most_accurate");
   if (most == nullptr || most->number.empty()) return {};
-  std::string first = fmt::format("\"{}\" {}", most->sentence, words(*most));
-  if (const auto other = all_joints(of)) {
-    const std::vector<JudgedClaim> by_other = judged_claims(*other);
-    const JudgedClaim* const same = claim_named(by_other, most->id);
-    if (same && !same->number.empty())
-      first += fmt::format(" if the joints before the wrist are searched, and {} if all seven are", words(*same));
-  }
+  std::string first = fmt::format("\"{}\" {}", most->sentence, words(most->holds, most->number));
+  if (most->otherwise)
+    first += fmt::format(" if the joints before the wrist are searched, and {} if all seven are",
+                         words(*most->otherwise, most->number_otherwise));
   std::vector<std::string> all{first + '.'};
   if (const std::string shares = shares_words(*most); !shares.empty())
-    all.push_back(fmt::format("Over all readings of what the paper leaves open it {}.", shares));
+    all.push_back(fmt::format("Over all readings of the paper it {}.", shares));
   std::vector<std::string> better;
-  for (const auto& [id, who] : {std::pair("better_than_classical", "damped least squares"),
-                                std::pair("accurate_none_clamped", "a rival, if no solver is clamped"),
-                                std::pair("accurate_inside_limits", "a rival, if all limits are enforced")}) {
+  for (const auto& [id, when] :
+       {std::pair("better_than_classical", ""), std::pair("accurate_none_clamped", ", if no solver is clamped"),
+        std::pair("accurate_inside_limits", ", if all limits are enforced")}) {
     const JudgedClaim* const claim = claim_named(claims, id);
-    if (claim && claim->holds == Holds::fails) better.push_back(fmt::format("{} ({})", who, claim->number));
+    if (claim && claim->holds == Holds::fails) better.push_back(fmt::format("{} cm{}", claim->rival, when));
   }
   if (!better.empty()) all.push_back(fmt::format("Better than it: {}.", show::listed(better, "; ")));
   return all;
-}
-
-show::Blocks first(const Repeated& of, const std::vector<std::string>& sentences) {
-  show::Blocks blocks;
-  for (const std::string& sentence : sentences) {
-    if (blocks.empty())
-      blocks.emplace_back(show::Heading{sentence});
-    else
-      blocks.emplace_back(sentence);
-  }
-  if (!blocks.empty()) blocks.emplace_back(means_table(of));
-  return blocks;
 }
 
 std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedClaim>& claims,
@@ -245,12 +192,9 @@ std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedC
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  if (is_of_means(of.paper, of.study.study)) add("Table 3", {table_3(of)});
-  if (const auto other = all_joints(of)) {
-    show::Blocks blocks;
-    for (Table& table : reading_tables(of, *other)) blocks.emplace_back(std::move(table));
-    add("Both readings of what is searched", std::move(blocks));
-  }
+  add("Table 3", {table_3(of)});
+  if (const JudgedStudy* const other = of.part(of.paper.other_reading))
+    add("Both readings of what is searched", {reading_table(of, *other)});
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(of)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));

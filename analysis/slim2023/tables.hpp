@@ -29,15 +29,13 @@ std::vector<show::Table> anova_tables(const papers::Repeated& of);
 std::optional<show::Table> table_7(const papers::Repeated& of);
 std::optional<show::Table> table_8(const papers::Repeated& of);
 
-// Means and claims by both readings: the joints before the wrist are searched (Sec. 4.3), or all seven (Sec. 5.1).
-// Claims on times, and on other studies, are left out.
-std::vector<show::Table> reading_tables(const papers::Repeated& wrist, const papers::Repeated& all_joints);
+// Means by both readings: the joints before the wrist are searched (Sec. 4.3), or all seven (Sec. 5.1).
+show::Table reading_table(const papers::Repeated& of, const compare::JudgedStudy& all_joints);
 
 // Is IK-BA the most accurate? By which reading? What beats it? At most three, of which each has its numbers.
-std::vector<std::string> sentences(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims);
+std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims);
 
-// The beginning of the report, and its further sections; `figures_of_circle` stand by Table 8.
-show::Blocks first(const papers::Repeated& of, const std::vector<std::string>& sentences);
+// Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
@@ -665,7 +665,8 @@ TEST_CASE("wrist_turns = nearest turns a wrist angle by whole turns, to at most 
     const double turns = (nearest.answer_rad[j] - principal.answer_rad[j]) / (2 * std::numbers::pi);
     CHECK(turns == Approx(std::round(turns)).margin(1e-12));
     CHECK(std::abs(principal.answer_rad[j]) <= std::numbers::pi + 1e-12);
-    if (j > 3) CHECK(std::abs(nearest.answer_rad[j] - study.initial[static_cast<Eigen::Index>(j)]) <= std::numbers::pi + 1e-12);
+    if (j > 3)
+      CHECK(std::abs(nearest.answer_rad[j] - study.initial[static_cast<Eigen::Index>(j)]) <= std::numbers::pi + 1e-12);
   }
   CHECK(std::abs(nearest.answer_rad[6]) > std::numbers::pi);
 }

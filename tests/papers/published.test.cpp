@@ -25,7 +25,7 @@ TEST_CASE("printed rows have their digits, and the names that a table gives by i
   CHECK(errors[0].numbers.n == 20);
   CHECK(errors[0].numbers.sd == 1.7824e-4);
   CHECK(errors[0].digits[2] == "1.7824e-4");
-  const PrintedRows times = printed_times("slim2023", "table-7", "{bats} bats");
+  const PrintedRows times = printed_times("slim2023", "table-7");
   REQUIRE(row_of(times, "30 bats") != nullptr);
   CHECK(row_of(times, "30 bats")->numbers.largest == 448.44);
   CHECK(row_of(times, "13 bats") == nullptr);

@@ -57,8 +57,7 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
         "mine\n");
   const std::string latex = to_latex(with_label("mine"));
   CHECK(latex.find("mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200 {*} \\\\") != std::string::npos);
-  CHECK(latex.find("plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\") !=
-        std::string::npos);
+  CHECK(latex.find("plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\") != std::string::npos);
   CHECK(number_text(3715.4) == "3715");
   CHECK(number_text(0.00042, 3) == "0.00042");
 }
