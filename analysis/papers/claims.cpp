@@ -153,6 +153,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   if (!table.rows.empty()) text += '\n' + show::to_text(table);
   for (const bool are_ours : {false, true}) {
     std::vector<std::vector<std::string>> rows;
+    if (!are_ours) rows.push_back({"", "claim", "here", "in readings"});
     std::string last;
     for (const JudgedClaim& claim : grouped(claims, are_ours)) {
       const std::string verdict(name_of(claim.holds));
@@ -161,7 +162,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
                       shares.all() > 0 ? percent(shares.part(shares.holds)) : ""});
       last = verdict;
     }
-    if (!rows.empty()) text += (are_ours ? "Our own questions:\n" : "\n") + show::aligned(rows);
+    if (rows.size() > (are_ours ? 0U : 1U)) text += (are_ours ? "Our own questions:\n" : "\n") + show::aligned(rows);
   }
   return text;
 }

@@ -35,8 +35,9 @@ succeeds export made/store.sqlite -o pipe
 wait $!
 [ -p pipe ] && cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
 ends 2 export made/store.sqlite -o /dev/full
-(ulimit -f 1 && "$program" export made/store.sqlite -o limited.csv 2>.err)
-equal "code beyond ulimit -f, which said $(<.err)" $? 2
+code=0
+(ulimit -f 1 && "$program" export made/store.sqlite -o limited.csv 2>.err) || code=$?
+equal "code beyond ulimit -f, which said $(<.err)" $code 2
 [ ! -e limited.csv ] || fail "half a file beyond ulimit -f"
 echo before >log
 "$program" export made/store.sqlite -o /dev/stdout >>log

@@ -279,7 +279,7 @@ TEST_CASE("printed means without a spread decide nothing") {
   const Quantities read =
       csv::read_summaries("name,n,mean,sd\nA,20,1,0\nB,20,1.1,0\nC,20,1,0.1\nD,20,2,0.1\n", "s.csv", {});
   CHECK(read.observed.front().doubts.size() == 2);
-  const std::vector<Finding> found = compare::compare(read.observed.front().observations, {});
+  const std::vector<Finding> found = compare::compare(read.observed.front(), {});
   for (const Finding& each : found)
     CHECK((each.verdict == Verdict::not_tested) == (each.first == "A" || each.first == "B"));
   CHECK(found.back().verdict == Verdict::better);

