@@ -39,9 +39,9 @@ struct Chained {
 // The work of a study. Runs are the outer loop, solvers the inner one, so that a drift of the machine touches all
 // solvers alike. A chain takes one bit, and more only if the store has some of its points.
 struct Plan {
-  explicit Plan(const Study& of, int repeats = 1, Shard of_it = {})
+  Plan(const Study& of, int repeats, int jobs, Shard of_it = {})
       : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
-    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats);
+    for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
   }
   Plan(const Plan&) = delete;  // solve_runners refer to the arm
@@ -161,7 +161,6 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
     solve_runner.warm_up(*solver, target(point), start(point));
     for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
       SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
-      if (jobs > 1 && record.timing != Timing::debug_build) record.timing = Timing::parallel;
       move_on(chain, record, plan.study.start);
       record_queue.hand_in(std::move(record));
     }
@@ -258,7 +257,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
-  Plan plan(study, times_count ? study.repeats : 1, request.shard);
+  Plan plan(study, times_count ? study.repeats : 1, request.jobs, request.shard);
   store.save_study(entry_of(plan));
   Progress progress{.total = solves_of(request.shard, plan.size)};
   progress.done = progress.reused = move_past_stored(plan, store);
@@ -293,7 +292,7 @@ void check_is_stored(const Study& study, const Store& store) {
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
-  const Plan plan(study);
+  const Plan plan(study, 1, jobs);
   solve_rest(plan, jobs, cancelled, [&](std::vector<SolveRecord> records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
@@ -301,7 +300,7 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {
   const Robot arm = arm_of(study);
-  const SolveRunner solve_runner(study, entry, arm, 1);
+  const SolveRunner solve_runner(study, entry, arm);
   return solve_runner.solve(*solve_runner.make_solver(), target, study.initial, 1, 1);
 }
 

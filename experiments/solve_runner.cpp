@@ -111,7 +111,7 @@ bool same_answer(const Solution& a, const Solution& b) {
 
 }  // namespace
 
-SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats)
+SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Robot& arm, int repeats, int jobs)
     : study_(study),
       entry_(entry),
       arm_(arm),
@@ -122,6 +122,10 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
               .algorithm = entry.solver,
               .options = options_text(options_, entry)},
       repeats_(study.stop.seconds > 0 || entry.program ? 1 : repeats),
+      timing_(is_debug_build() ? Timing::debug_build
+              : jobs > 1       ? Timing::parallel
+              : entry.program  ? Timing::process
+                               : Timing::clean),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
   sessions_ = std::make_unique<Sessions>(
@@ -202,6 +206,12 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
     answer = start;
     verified = verify(arm_, target, start, answer);
   }
+  const Account* const account = median.account ? &*median.account : nullptr;
+  const bool has_failed = account != nullptr && account->failure.has_value();
+  const Solved* const word = account != nullptr && entry_.program->mode == Mode::solve ? &account->word : nullptr;
+  const double claimed = word != nullptr ? word->error
+                         : has_failed    ? std::numeric_limits<double>::quiet_NaN()
+                                         : solution.position_error;
   SolveRecord record{.study = study_.name,
                      .robot = arm_.name,
                      .solver = entry_.label,
@@ -212,33 +222,52 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
                      .target_rotation = by_rows(target.linear()),
                      .start_rad = to_vector(start),
                      .answer_rad = to_vector(answer),
-                     .claimed_error_cm = solution.position_error / centimetre,
+                     .reached_position_m = to_vector(verified.reached),
+                     .position_error_cm = verified.position_error / centimetre,
+                     .claimed_error_cm = claimed / centimetre,
+                     .orientation_error = verified.orientation_error,
+                     .variation_deg = verified.variation / degree,
+                     .largest_move_deg = verified.largest_move / degree,
+                     .limit_violation_deg = verified.limit_violation / degree,
                      .evaluations = is_counted_ ? solution.evaluations : 0,
                      .iterations = solution.iterations,
-                     .stop_reason = recorded(solution.stopped),
+                     .stop_reason = stop_reason_of(median),
                      .status = status,
                      .seconds = median.seconds,
                      .cpu_seconds = median.cpu_seconds,
-                     .timing = is_debug_build() ? Timing::debug_build : Timing::clean,
+                     .timing = timing_,
                      .repeats = repeats_,
                      .smallest_seconds = all.front().seconds,
                      .largest_seconds = all.back().seconds,
                      .interruptions = interruptions,
-                     .counted_by = is_counted_ ? CountedBy::suite : CountedBy::nobody,
+                     .variation_m = verified.variation_m,
+                     .limit_violation_m = verified.limit_violation_m,
+                     .claimed_seconds = word != nullptr ? word->seconds : std::numeric_limits<double>::quiet_NaN(),
+                     .counted_by = word != nullptr && word->evaluations >= 0 ? CountedBy::solver
+                                   : word == nullptr && is_counted_          ? CountedBy::suite
+                                                                             : CountedBy::nobody,
                      .restarts = solution.restarts};
-  write_verified(verified, record);
-  for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
-  if (is_counted_) {
+  for (const double error : solution.trace) {
+    if (!has_failed) record.trace_cm.push_back(error / centimetre);
+  }
+  if (is_counted_ && !has_failed && word == nullptr) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
     for (const double error : solution.improved.to) record.improved_to_cm.push_back(error / centimetre);
   }
-  if (!median.account) return record;
-  add_account(record, *median.account);
   const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
-  if (is_in_order && is_over(record, {study_.stop.seconds, static_cast<double>(study_.stop.evaluations)})) {
+  if (entry_.program && is_in_order &&
+      is_over(record, {study_.stop.seconds, static_cast<double>(study_.stop.evaluations)}))
     record.status = Status::over_budget;
-  }
   return record;
+}
+
+StopReason SolveRunner::stop_reason_of(const Timed& timed) const {
+  if (timed.account && timed.account->failure)
+    return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
+  const StopReason ours = recorded(timed.solution.stopped);
+  if (!timed.account || entry_.program->mode == Mode::ask) return ours;
+  const StopReason theirs = timed.account->word.reason.value_or(ours);
+  return ours == StopReason::not_finite || theirs == StopReason::not_finite ? ours : theirs;
 }
 
 Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {
@@ -255,26 +284,6 @@ Status SolveRunner::status_of(const Timed& timed, const Verification& verified, 
                           .angle_tolerance = study_.stop.angle_tolerance,
                           .orientation_is_exact = study_.search == Search::wrist,
                           .limits_are_enforced = study_.limits == Limits::enforced});
-}
-
-void SolveRunner::add_account(SolveRecord& record, const Account& account) const {
-  if (record.timing == Timing::clean) record.timing = Timing::process;
-  if (account.failure) {
-    record.stop_reason = *account.failure == Status::timed_out ? StopReason::time : StopReason::finished;
-    record.claimed_error_cm = std::numeric_limits<double>::quiet_NaN();
-    record.trace_cm.clear();
-  }
-  if (account.failure || entry_.program->mode == Mode::solve) {
-    record.improved_at.clear();
-    record.improved_to_cm.clear();
-  }
-  if (entry_.program->mode == Mode::ask) return;
-  const Solved& word = account.word;
-  record.counted_by = word.evaluations >= 0 ? CountedBy::solver : CountedBy::nobody;
-  record.claimed_seconds = word.seconds;
-  record.claimed_error_cm = word.error / centimetre;
-  const bool is_finite = record.stop_reason != StopReason::not_finite && word.reason != StopReason::not_finite;
-  if (!account.failure && is_finite) record.stop_reason = word.reason.value_or(record.stop_reason);
 }
 
 }  // namespace ikbench::experiments

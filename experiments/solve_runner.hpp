@@ -17,8 +17,8 @@ namespace ikbench::experiments {
 // Study, entry and arm outlive it. It may be used by several threads at once, each with a solver of its own.
 class SolveRunner {
  public:
-  // `repeats` is the number of timed solves per problem; 1 if a solve ends by its wall time.
-  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm, int repeats);
+  // `repeats` is the number of timed solves per problem, 1 if a solve ends by its wall time; `jobs` of solves at once.
+  SolveRunner(const Study& study, const SolverEntry& entry, const robots::Robot& arm, int repeats = 1, int jobs = 1);
 
   const results::Series& series() const { return series_; }
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
@@ -44,11 +44,10 @@ class SolveRunner {
   Posed posed(const robots::Pose& target, const robots::Configuration& start, int run, int point) const;
   Timed timed(solvers::Solver& solver, const Posed& given) const;
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
+  results::StopReason stop_reason_of(const Timed& timed) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
   // Copies the program's own numbers into a solve.
   void add_word(Timed& timed, const Account& account) const;
-  // Adds the facts about a program's solve that only its account has.
-  void add_account(results::SolveRecord& record, const Account& account) const;
 
   const Study& study_;
   const SolverEntry& entry_;
@@ -57,6 +56,7 @@ class SolveRunner {
   solvers::Settings options_;
   results::Series series_;
   int repeats_;
+  results::Timing timing_;
   bool is_counted_;                     // we count its evaluations; false if the program does
   std::unique_ptr<Sessions> sessions_;  // null if no program solves
 };

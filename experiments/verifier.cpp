@@ -187,17 +187,6 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
 }
 
-void write_verified(const Verification& verified, SolveRecord& solve) {
-  solve.reached_position_m = {verified.reached.begin(), verified.reached.end()};
-  solve.position_error_cm = verified.position_error / centimetre;
-  solve.orientation_error = verified.orientation_error;
-  solve.variation_deg = verified.variation / degree;
-  solve.largest_move_deg = verified.largest_move / degree;
-  solve.limit_violation_deg = verified.limit_violation / degree;
-  solve.variation_m = verified.variation_m;
-  solve.limit_violation_m = verified.limit_violation_m;
-}
-
 bool is_over(const SolveRecord& solve, const Budget& budget) {
   const bool is_late = budget.seconds > 0 && solve.seconds > most_of_budget * budget.seconds;
   return is_late || (budget.evaluations > 0 && solve.counted_by == CountedBy::solver &&

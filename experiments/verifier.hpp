@@ -30,9 +30,6 @@ Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer);
 
-// Writes the verification's columns.
-void write_verified(const Verification& verified, results::SolveRecord& solve);
-
 // The budget of a program that stops by itself; 0: none.
 struct Budget {
   double seconds = 0;
