@@ -26,36 +26,8 @@ constexpr std::size_t most_dimensions = 100, most_alternatives = 20;
 // "path.tool=eq27" has the key "path.tool".
 std::string key_of_setting(std::string_view set) { return std::string(set.substr(0, set.find('='))); }
 
-// The tables of a list; the key must exist.
 std::vector<const toml::table*> tables_of(TomlReader& reader, std::string_view key, std::size_t most) {
-  const std::string expected = fmt::format("a list of 1 to {} tables", most);
-  const toml::node* node = reader.find(key);
-  if (node == nullptr) {
-    throw std::invalid_argument(fmt::format(
-        "{}{}{} is missing; expected {}", reader.where(reader.table().source(), key), reader.prefix(), key, expected));
-  }
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->empty() || array->size() > most) reader.fail(key, *node, expected);
-  std::vector<const toml::table*> tables;
-  for (const toml::node& element : *array) {
-    if (!element.is_table()) reader.fail(key, element, "a table");
-    tables.push_back(element.as_table());
-  }
-  return tables;
-}
-
-std::vector<std::string> exceptions(TomlReader& reader) {
-  std::vector<std::string> texts;
-  const toml::node* node = reader.find("except");
-  if (node == nullptr) return texts;
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() > most_alternatives) reader.fail("except", *node, "a short list of texts");
-  for (const toml::node& element : *array) {
-    const std::string text = element.value<std::string>().value_or("");
-    if (text.find('=') == std::string::npos) reader.fail("except", element, "what another alternative sets");
-    texts.push_back(text);
-  }
-  return texts;
+  return reader.tables(key, most, fmt::format("a list of 1 to {} tables", most));
 }
 
 Alternative read_alternative(TomlReader reader, bool is_default) {
@@ -63,14 +35,14 @@ Alternative read_alternative(TomlReader reader, bool is_default) {
   reader.text("set", one.set, "");
   reader.text("where", one.where, "");
   for (const auto& [key, text] : {std::pair("set", &one.set), std::pair("where", &one.where)}) {
-    if (!text->empty() && (key != std::string_view("set") || text->find('=', 1) != std::string::npos)) continue;
-    throw std::invalid_argument(fmt::format("{}{}{} is missing or has no value; expected {}",
-                                            reader.where(reader.table().source(), key), reader.prefix(), key,
-                                            key == std::string_view("set") ? "what --set takes" : "a clause"));
+    const bool is_set = key == std::string_view("set");
+    if (!text->empty() && (!is_set || text->find('=', 1) != std::string::npos)) continue;
+    throw reader.mistake(key, fmt::format("{}{} is missing or has no value; expected {}", reader.prefix(), key,
+                                          is_set ? "what --set takes" : "a clause"));
   }
   if (!is_default) {
     reader.choice("in", one.scope, {{"small", Scope::small}, {"default", Scope::usual}}, "");
-    one.except = exceptions(reader);
+    reader.texts("except", one.except);
   }
   reader.refuse_unknown_keys();
   return one;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/series_key.hpp"
+#include "experiments/study_writer.hpp"
 
 namespace ikbench::experiments {
 

@@ -5,11 +5,13 @@
 
 namespace ikbench::experiments {
 
+using namespace numerics;
+
 void HeldTool::list_fields(Fields& io) {
   io.choice("tool", tool, Choices<Tool>{{"down", Tool::down}, {"eq27", Tool::eq27}},
             "how the tool is held: straight down, or as Eq. 27 prints it (horizontal)");
-  io.number("tool_roll_deg", roll, numerics::degree, {-360, 360}, "turns it about its own axis");
-  io.number("tool_yaw_deg", yaw, numerics::degree, {-360, 360}, "then turns it about the vertical");
+  io.number("tool_roll_deg", roll, degree, {-360, 360}, "turns it about its own axis");
+  io.number("tool_yaw_deg", yaw, degree, {-360, 360}, "then turns it about the vertical");
 }
 
 Eigen::Matrix3d HeldTool::rotation() const {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "experiments/fields.hpp"
+#include "numerics/fields.hpp"
 
 namespace ikbench::experiments {
 
@@ -19,14 +19,14 @@ struct HeldTool {
   Tool tool = Tool::down;
   double roll = 0, yaw = 0;  // [rad]
 
-  void list_fields(Fields& io);
+  void list_fields(numerics::Fields& io);
   Eigen::Matrix3d rotation() const;
 };
 
 // Point k of n, k = 0 ... n - 1, lies at the fraction k/n or k/(n - 1) of the path.
 enum class Spacing { k_over_n, k_over_n_minus_1 };
 
-void list_spacing(Fields& io, Spacing& spacing);
+void list_spacing(numerics::Fields& io, Spacing& spacing);
 
 // The nine elements of a rotation, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);

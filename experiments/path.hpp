@@ -7,11 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/fields.hpp"
+#include "numerics/fields.hpp"
 #include "numerics/random.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
+
+using numerics::Choices, numerics::Fields, numerics::InKey;
 
 // A kind of path, with the fields of one path of it. The file NAME.cpp defines NAME_path(), a path with the defaults.
 class PathKind {

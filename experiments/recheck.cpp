@@ -12,6 +12,7 @@
 
 #include "experiments/verifier.hpp"
 #include "numerics/units.hpp"
+#include "results/definition.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::experiments {
@@ -57,7 +58,7 @@ void check(const Robot& arm, const SolveRecord& solve) {
 }  // namespace
 
 SolveCheck recheck_of(const StudyEntry& study) {
-  std::optional<Robot> stored = stored_arm(study.definition);
+  std::optional<Robot> stored = stored_arm(definition_of(study.definition).arm);
   if (!stored) return nullptr;
   return [arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) { check(*arm, solve); };
 }

@@ -13,7 +13,6 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
-#include "experiments/series_key.hpp"
 #include "experiments/solve_runner.hpp"
 #include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"

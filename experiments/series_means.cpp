@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/series_key.hpp"
+#include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"

@@ -15,7 +15,7 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
-#include "experiments/series_key.hpp"
+#include "experiments/study_writer.hpp"
 #include "numerics/json.hpp"
 #include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"

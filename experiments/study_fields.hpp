@@ -1,32 +1,35 @@
 // The fields of a study, listed once: name, member, range, meaning, and whether it decides a number of a solve. Readers
-// and writers of studies (table_reader.hpp, study_writer.cpp) and the key of a series (series_key.cpp) follow this
-// list. A new option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those
-// of the analysis plan in results/plan.hpp.
+// and writers of studies (study_reader.cpp, study_writer.cpp) follow this list, and so does the key of a series. A new
+// option of a study is a member in study.hpp and an entry here. The fields of a path are in paths/, those of the
+// analysis plan in results/plan.hpp.
 #pragma once
 
 #include <cstdint>
 #include <utility>
 
-#include "experiments/fields.hpp"
 #include "experiments/study.hpp"
+#include "numerics/fields.hpp"
 #include "numerics/units.hpp"
 #include "results/plan.hpp"
 
 namespace ikbench::experiments {
 
 inline void list_fields(Fields& io, solvers::StopRule& stop) {
-  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations", InKey::in_text);
+  io.whole("iterations", stop.iterations, {0, 1'000'000'000}, "maximum number of iterations, 200 unless given",
+           InKey::in_text);
   io.number("tolerance_cm", stop.tolerance, numerics::centimetre, {0, 1e6},
             "a solve stops at this position error; 0: no tolerance", InKey::in_text);
   io.number(
       "tolerance_deg", stop.angle_tolerance, numerics::degree, {0, 180},
       "with search = \"pose\": a solve stops where the tool is also turned no further than this from its target; 0: "
       "no tolerance");
-  io.whole("evaluations", stop.evaluations, {0, no_limit}, "maximum number of evaluations; 0: no maximum",
+  io.whole("evaluations", stop.evaluations, {0, numerics::no_limit}, "maximum number of evaluations; 0: no maximum",
            InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},
             "maximum wall time of a solve; results then depend on the machine; 0: no maximum", InKey::in_text);
 }
+
+inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 
 // The key has the chain and the limits that result from these.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
@@ -108,7 +111,7 @@ inline void list_fields(Fields& io, Study& study) {
       "repeats", study.repeats, {1, 1000},
       "how often each solve is timed; its time is the median. 1 with --jobs above 1, stop.seconds or a debug build",
       InKey::no);
-  io.whole("seed", study.seed, {0, no_limit}, "seed of all random numbers", InKey::in_text);
+  io.whole("seed", study.seed, {0, numerics::no_limit}, "seed of all random numbers", InKey::in_text);
   io.choice("trace", study.trace,
             Choices<solvers::Trace>{{"none", solvers::Trace::none}, {"best_error", solvers::Trace::best_error}},
             "whether to store the best error after every iteration", InKey::in_text);

@@ -4,17 +4,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
-#include "experiments/entries_reader.hpp"
-#include "experiments/study_checks.hpp"
+#include "experiments/foreign/program.hpp"
 #include "experiments/study_fields.hpp"
-#include "experiments/study_overrides.hpp"
-#include "experiments/table_reader.hpp"
+#include "experiments/task.hpp"
 #include "numerics/embedded_file.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
 #include "results/published.hpp"
+#include "robots/rotation.hpp"
+#include "robots/spherical_wrist.hpp"
 
 namespace ikbench::experiments {
 
@@ -30,6 +38,573 @@ constexpr EmbeddedFile study_files[]{
 };
 
 std::string source_of(const EmbeddedFile& file) { return fmt::format("built-in study {}", file.stem()); }
+
+// ---- overrides ----------------------------------------------------------------------------------------------------
+
+// Inserts the text as a TOML value, or else as a string: people type both `runs=5` and `path.tool=eq27`.
+void insert(toml::table& table, std::string_view key, const std::string& text) {
+  refuse_deep_keys(text, override_source);
+  try {
+    toml::table parsed = toml::parse(std::string_view("value = " + text), override_source);
+    if (parsed.size() == 1) {
+      parsed.get("value")->visit([&](auto& value) { table.insert_or_assign(key, std::move(value)); });
+      return;
+    }
+  } catch (const toml::parse_error&) {
+  }
+  table.insert_or_assign(key, text);
+}
+
+toml::table& subtable(toml::table& table, std::string_view key) {
+  if (!table.contains(key)) table.insert(key, toml::table{});
+  toml::table* found = table.get(key)->as_table();
+  if (found == nullptr) throw std::invalid_argument(fmt::format("--set {}: {} of the study is not a table", key, key));
+  return *found;
+}
+
+constexpr std::string_view population_key = "population";
+
+// Applies one override to a study's table.
+void override_one(toml::table& study, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  constexpr std::size_t longest_key = 300;
+  if (equals == std::string::npos || equals == 0 || equals > longest_key) {
+    throw std::invalid_argument(
+        fmt::format("--set {}: expected key=value, such as runs=5 or ik_bat.bounds=clamp", text.substr(0, 100)));
+  }
+  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  const bool is_swept = key.starts_with("sweep.");
+  const std::size_t dot = is_swept ? key.find('.') : key.rfind('.');
+  if (dot == std::string::npos) return insert(study, key, value);
+  const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
+  if (owner.empty() || field.empty()) {
+    throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
+  }
+  std::vector<std::string> owners{"analysis", "figures", "path", "stop", "urdf"};
+  if (is_swept || std::ranges::find(owners, owner) != owners.end()) return insert(subtable(study, owner), field, value);
+  bool found = false;
+  if (toml::array* const entries = study["solvers"].as_array()) {
+    for (toml::node& element : *entries) {
+      toml::table* const entry = element.as_table();
+      if (entry == nullptr) continue;
+      const std::string label = (*entry)["label"].value_or(std::string());
+      const std::string solver = (*entry)["solver"].value_or(std::string());
+      if (owner == label || owner == solver) {
+        insert(field == population_key || field == "colour" ? *entry : subtable(*entry, "options"), field, value);
+        found = true;
+      }
+      for (const std::string& name : {label, solver}) {
+        if (!name.empty() && std::ranges::find(owners, name) == owners.end()) owners.push_back(name);
+      }
+    }
+  }
+  if (!found) throw std::invalid_argument(fmt::format("--set {}: {}", key, unknown_name("solver", owner, owners)));
+}
+
+// ---- parts of a study ---------------------------------------------------------------------------------------------
+
+// The folder of a file that a key names: the study's, or the current one if --set gave the key.
+std::filesystem::path folder_of(const TomlReader& reader, std::string_view key) {
+  const toml::node* const node = reader.table().get(key);
+  const bool is_of_file = node != nullptr && node->source().begin.line > 0 && !node->source().path;
+  return is_of_file ? reader.source().parent_path() : std::filesystem::path();
+}
+
+class PathReader final : public TomlReader {
+ public:
+  explicit PathReader(TomlReader reader) : TomlReader(std::move(reader)) {}
+
+ private:
+  // This key is required: a study needs targets.
+  void on_poses(Name name, std::vector<Pose>& field) override {
+    constexpr std::string_view expected =
+        "a list of 1 to 100000 poses such as { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
+    field.clear();
+    for (const toml::table* const table : tables(name.key, point_counts.second, expected)) {
+      if (table->contains("position_cm") == table->contains("position_m"))
+        fail(name.key, *table, "a pose with either a position_cm or a position_m");
+      field.push_back(pose_in(nested(*table, fmt::format("{}{}.", prefix(), name.key))));
+    }
+  }
+
+  static Pose pose_in(TomlReader reader) {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero(), rpy = Eigen::Vector3d::Zero();
+    reader.numbers("position_cm", position, centimetre, 3);
+    reader.numbers("position_m", position, 1, 3);
+    reader.numbers("rpy_deg", rpy, degree, 3);
+    Eigen::VectorXd rotation(9);
+    rotation << rotation_from_rpy(rpy).transpose().reshaped();
+    reader.numbers("rotation", rotation, 1, 9);
+    reader.refuse_unknown_keys();
+    Pose pose = Pose::Identity();
+    pose.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
+    if (!pose.linear().isUnitary(1e-9) || pose.linear().determinant() < 0)
+      reader.fail("rotation", reader.table(), "a rotation matrix, row by row");
+    pose.translation() = position;
+    return pose;
+  }
+};
+
+Path read_path(PathReader reader) {
+  const std::vector<Path> kinds = paths();
+  Choices<std::size_t> names;
+  for (const Path& kind : kinds) names.emplace_back(kind->name(), names.size());
+  std::size_t chosen = 0;
+  reader.choice("kind", chosen, names);
+  Path path = kinds[chosen];
+  list_fields(reader, path);
+  reader.refuse_unknown_keys();
+  try {
+    path->load(folder_of(reader, "file"));
+  } catch (const std::invalid_argument& error) {
+    throw reader.mistake("file", error.what());
+  }
+  return path;
+}
+
+// Reads all keys of a table.
+template <class Part>
+void read_part(TomlReader reader, Part& part) {
+  list_fields(reader, part);
+  reader.refuse_unknown_keys();
+}
+
+// Reads the study's arm: a built-in one, or a file in the study's folder (for --set in the current one).
+Robot read_arm(const TomlReader& reader, Study& study) {
+  if (!is_arm_file(study.robot)) {
+    try {
+      return robot(study.robot);
+    } catch (const std::invalid_argument& error) {
+      throw reader.mistake("robot", error.what());
+    }
+  }
+  const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw reader.mistake(
+        "robot", fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
+  }
+  study.robot_of_file = std::make_shared<const Robot>(load_robot(file, study.urdf));
+  return *study.robot_of_file;
+}
+
+// ---- entries ------------------------------------------------------------------------------------------------------
+
+const Choices<IfMissing> if_missing_choices{{"refuse", IfMissing::refuse}, {"leave_out", IfMissing::leave_out}};
+
+// An entry that may be left out and whose solver this program was built without.
+std::optional<LeftOut> left_out_of(TomlReader entry) {
+  IfMissing if_missing = IfMissing::refuse;
+  const std::string solver = entry.table()["solver"].value_or(std::string());
+  const std::vector<MissingPeer> missing = missing_peers();
+  const auto peer = std::ranges::find(missing, solver, &MissingPeer::name);
+  if (peer == missing.end()) return std::nullopt;
+  entry.choice("if_missing", if_missing, if_missing_choices);
+  if (if_missing == IfMissing::refuse) return std::nullopt;
+  LeftOut left_out{solver, peer->how};
+  entry.text("label", left_out.label);
+  return left_out;
+}
+
+// Starts the program to read its name and options.
+std::shared_ptr<const Program> read_program(TomlReader& reader) {
+  constexpr std::string_view key = "process";
+  ProgramChoice choice;
+  list_fields(reader, choice);
+  if (choice.process.empty()) reader.fail(key, *reader.find(key), "a program, and its arguments");
+  const auto wrong = [&](const std::exception& error) {
+    return reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
+  };
+  try {
+    return meet(choice, folder_of(reader, key));
+  } catch (const std::runtime_error& error) {
+    throw wrong(error);
+  } catch (const std::invalid_argument& error) {
+    throw wrong(error);
+  }
+}
+
+// Reads what an entry is: a built-in solver or a program.
+void read_kind(TomlReader& reader, SolverEntry& entry) {
+  reader.text("solver", entry.solver);
+  const bool is_program = reader.find("process") != nullptr;
+  if (is_program == (reader.find("solver") != nullptr)) {
+    throw std::invalid_argument(
+        reader.where(reader.table().source(), "solver") +
+        (is_program ? "an entry of [[solvers]] has a `process` and a `solver`; expected one of them"
+                    : "an entry of [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
+  }
+  if (is_program) {
+    entry.program = read_program(reader);
+    entry.solver = entry.program->hello.name;
+    return;
+  }
+  try {
+    static_cast<void>(solver(entry.solver));
+  } catch (const std::invalid_argument& error) {
+    throw reader.mistake("solver", error.what());
+  }
+}
+
+// Returns whether the default of an option is a number.
+bool is_of_numbers(const SolverEntry& entry, const std::string& option) {
+  const Settings defaults = options_with(entry, {});
+  const auto by_default = defaults.find(option);
+  return by_default != defaults.end() && number_from(by_default->second);
+}
+
+// A value of a setting, the population or an option, as text. `settings` has the entry's label before its keys.
+std::string value_in(const TomlReader& settings, const SolverEntry& entry, const std::string& setting,
+                     const toml::node& node) {
+  if (setting == population_key) {
+    const toml::value<std::int64_t>* value = node.as_integer();
+    if (value == nullptr || value->get() < populations.first || value->get() > populations.second) {
+      settings.fail_number(setting, node,
+                           fmt::format("a whole number from {} to {}", populations.first, populations.second));
+    }
+    return fmt::format("{}", value->get());
+  }
+  std::string text;
+  if (const auto quoted = node.value<std::string>()) {
+    if (!TomlReader::is_plain(*quoted)) settings.fail(setting, node, TomlReader::plain);
+    if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
+      settings.fail(setting, node,
+                    std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
+    text = *quoted;
+  } else if (node.is_integer()) {
+    text = fmt::format("{}", *node.value<std::int64_t>());
+  } else if (node.is_floating_point()) {
+    text = fmt::format("{}", *node.value<double>());
+  } else {
+    settings.fail(setting, node, "a number or a quoted string, or a list of them");
+  }
+  try {
+    options_with(entry, {{setting, text}});
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(settings.where(node.source(), setting) + error.what());
+  }
+  return text;
+}
+
+void give(SolverEntry& entry, const std::string& setting, const std::string& value) {
+  if (setting == population_key)
+    entry.population = std::stoi(value);
+  else
+    entry.options[setting] = value;
+}
+
+// Swept settings, each with its values.
+using Axes = std::map<std::string, std::vector<std::string>>;
+
+// Reads a list of values into `axes`.
+void read_values(const TomlReader& settings, const SolverEntry& entry, Axes& axes, const std::string& setting,
+                 const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->empty() || list->size() > most_swept)
+    settings.fail(setting, node, fmt::format("a list of 1 to {} values", most_swept));
+  std::vector<std::string> values;
+  for (const toml::node& element : *list) {
+    values.push_back(value_in(settings, entry, setting, element));
+    if (std::ranges::count(values, values.back()) > 1) settings.fail(setting, element, "each value once");
+  }
+  axes[setting] = std::move(values);
+}
+
+// A setting of the entry: one value, or a list of them.
+void read_setting(const TomlReader& settings, SolverEntry& entry, Axes& axes, const std::string& setting,
+                  const toml::node& node) {
+  if (node.is_array())
+    read_values(settings, entry, axes, setting, node);
+  else
+    give(entry, setting, value_in(settings, entry, setting, node));
+}
+
+// A key of [sweep].
+struct SweptKey {
+  std::string owner;  // a label or a solver's name; empty: every solver that has the setting
+  std::string setting;
+  const toml::node* values;
+  bool is_used = false;
+};
+
+std::vector<SweptKey> swept_keys(TomlReader& study) {
+  std::vector<SweptKey> keys;
+  const toml::table* sweep = study.subtable("sweep");
+  if (sweep == nullptr) return keys;
+  for (const auto& [key, node] : *sweep) {
+    const std::string name(key.str());
+    if (const toml::table* of_owner = node.as_table()) {  // IK-BA.alpha, without quotes
+      for (const auto& [setting, values] : *of_owner) keys.push_back({name, std::string(setting.str()), &values});
+      continue;
+    }
+    const std::size_t dot = name.rfind('.');
+    const bool has_owner = dot != std::string::npos;
+    keys.push_back({has_owner ? name.substr(0, dot) : "", has_owner ? name.substr(dot + 1) : name, &node});
+  }
+  return keys;
+}
+
+// The way in which a key names the entry. A later one replaces the values of an earlier one.
+enum class Names { not_it, every_solver, its_solver, its_label };
+
+Names names_of(const SweptKey& key, const SolverEntry& entry) {
+  if (key.owner == entry.label) return Names::its_label;
+  if (key.owner == entry.solver) return Names::its_solver;
+  const bool has_setting = key.setting == population_key || options_with(entry, {}).contains(key.setting);
+  return key.owner.empty() && has_setting ? Names::every_solver : Names::not_it;
+}
+
+void refuse_unused(const TomlReader& reader, const std::vector<SweptKey>& keys, const Study& study) {
+  for (const SweptKey& key : keys) {
+    if (key.is_used || std::ranges::find(study.left_out, key.owner, &LeftOut::label) != study.left_out.end()) continue;
+    std::set<std::string> owners, settings{std::string(population_key)};
+    for (const SolverEntry& entry : study.solvers) {
+      owners.insert({entry.family.empty() ? entry.label : entry.family, entry.solver});
+      for (const auto& [option, value] : options_with(entry, {})) settings.insert(option);
+    }
+    const bool has_owner = !key.owner.empty();
+    const std::string& name = has_owner ? key.owner : key.setting;
+    const std::set<std::string>& known = has_owner ? owners : settings;
+    throw std::invalid_argument(
+        reader.where(key.values->source(), "sweep." + name) +
+        unknown_name(has_owner ? "solver" : "setting to sweep", name, {known.begin(), known.end()}));
+  }
+}
+
+// One entry per combination of the values; the last setting varies fastest. The entry itself if nothing is swept.
+std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntry& entry, const Axes& axes) {
+  if (axes.empty()) return {entry};
+  const auto wrong = [&](const std::string& message) {
+    return std::invalid_argument(fmt::format("{}the sweep of {} makes {}",
+                                             reader.where(reader.table().source(), "solvers"), entry.label, message));
+  };
+  std::vector<std::size_t> counts;
+  double product = 1;
+  for (const auto& [setting, values] : axes) {
+    counts.push_back(values.size());
+    product *= static_cast<double>(values.size());
+  }
+  if (product > most_swept)
+    throw wrong(fmt::format("{} = {:.0f} entries; expected at most {}", fmt::join(counts, " x "), product, most_swept));
+  std::vector<SolverEntry> entries{entry};
+  entries.front().family = entry.label;
+  for (const auto& [setting, values] : axes) {
+    std::vector<SolverEntry> longer;
+    for (const SolverEntry& shorter : entries) {
+      for (const std::string& value : values) {
+        SolverEntry& one = longer.emplace_back(shorter);
+        give(one, setting, value);
+        one.swept[setting] = value;
+        one.label += fmt::format(" {}={}", setting, value);
+      }
+    }
+    entries = std::move(longer);
+  }
+  if (!std::ranges::all_of(entries, TomlReader::is_plain, &SolverEntry::label))
+    throw wrong("a label of more than 200 bytes; expected a shorter label");
+  return entries;
+}
+
+constexpr std::string_view not_enforced =
+    "bounds is \"initial\", but limits is \"enforced\"; expected bounds that keep candidates inside the limits";
+
+// Checks an entry against the study. The keys of `own` have its label before them.
+void check_entry(const TomlReader& reader, const TomlReader& own, const SolverEntry& entry, const Study& study,
+                 const Robot& arm) {
+  if (entry.program) return;  // a program itself declines what it cannot solve
+  const SolverInfo info = solver(entry.solver);
+  const GoalKind goal = study.search == Search::pose ? GoalKind::pose : GoalKind::position;
+  if (const std::string why = info.why_not(arm.chain, goal); !why.empty()) throw own.mistake("solver", why);
+  if (const int population = effective_population(study, entry); population < info.least_population) {
+    throw(entry.population > 0 ? own : reader)
+        .mistake(population_key, fmt::format("population is {}, but {} needs at least {}", population, entry.solver,
+                                             info.least_population));
+  }
+  const auto bounds = entry.options.find("bounds");
+  if (study.limits == Limits::enforced && bounds != entry.options.end() && bounds->second == "initial") {
+    const toml::table* const options = own.table()["options"].as_table();
+    throw(options == nullptr ? own : own.nested(*options, own.prefix())).mistake("bounds", not_enforced);
+  }
+}
+
+// Reads an entry. A setting that has a list of values, in the entry or in the table [sweep], makes one entry per
+// combination: "IK-BA population=20". A key of [sweep] is a setting of every solver that has it, or with a label or a
+// solver's name in front ("IK-BA.alpha") of these alone; it replaces what the entry says.
+std::vector<SolverEntry> read_entry(TomlReader reader, std::vector<SweptKey>& sweep) {
+  SolverEntry entry;
+  read_kind(reader, entry);
+  entry.label = entry.solver;
+  reader.text("label", entry.label);
+  if (entry.label.empty() || entry.label.front() == ' ' || entry.label.back() == ' ')
+    reader.fail("label", *reader.find("label"), "a label that is not empty, without spaces at its ends");
+  reader.choice("if_missing", entry.if_missing, if_missing_choices);
+  reader.text("colour", entry.colour);
+  if (!entry.colour.empty() && !hex_colour(entry.colour))
+    reader.fail("colour", *reader.find("colour"), expected_colour());
+  Axes axes;
+  const TomlReader settings = reader.nested(reader.table(), entry.label + ".");
+  if (const toml::node* node = reader.find(population_key))
+    read_setting(settings, entry, axes, std::string(population_key), *node);
+  if (const toml::table* options = reader.subtable("options")) {
+    for (const auto& [key, node] : *options) read_setting(settings, entry, axes, std::string(key.str()), node);
+  }
+  for (const Names names : {Names::every_solver, Names::its_solver, Names::its_label}) {
+    for (SweptKey& key : sweep) {
+      if (names_of(key, entry) != names) continue;
+      read_values(settings, entry, axes, key.setting, *key.values);
+      key.is_used = true;
+    }
+  }
+  reader.refuse_unknown_keys();
+  return combinations(reader, entry, axes);
+}
+
+void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
+  constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] entry with solver = \"...\"";
+  std::vector<SweptKey> sweep = swept_keys(reader);
+  std::set<std::string> labels;
+  for (const toml::table* const table : reader.tables(key, 1000, expected)) {
+    const TomlReader own = reader.nested(*table, "solvers.");
+    if (const std::optional<LeftOut> left_out = left_out_of(own)) {
+      study.left_out.push_back(*left_out);
+      continue;
+    }
+    for (SolverEntry& entry : read_entry(own, sweep)) {
+      if (!labels.insert(entry.label).second) {
+        throw std::invalid_argument(
+            fmt::format("{}label \"{}\" is used twice; expected a different label for each entry of [[solvers]]",
+                        reader.where(table->source(), key), entry.label));
+      }
+      check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
+      study.solvers.push_back(std::move(entry));
+    }
+  }
+  if (study.solvers.empty()) reader.fail(key, *reader.find(key), expected);
+  refuse_unused(reader, sweep, study);
+  const bool is_swept =
+      std::ranges::any_of(study.solvers, [](const SolverEntry& entry) { return !entry.swept.empty(); });
+  if (is_swept && study.solvers.size() > most_swept) {
+    throw reader.mistake(key, fmt::format("the sweeps make {} entries of [[solvers]]; expected at most {}",
+                                          study.solvers.size(), most_swept));
+  }
+}
+
+// ---- what fields ask of each other --------------------------------------------------------------------------------
+
+void check_stop(const TomlReader& stop, const Study& study) {
+  const double position = study.stop.tolerance / centimetre, angle = study.stop.angle_tolerance / degree;
+  if (study.stop.iterations == 0)
+    throw stop.mistake("iterations",
+                       "stop.iterations is 0, so nothing would be solved; expected at least 1, or "
+                       "1000000000 where only another limit shall count");
+  if (study.search == Search::pose && (position > 0) != (angle > 0)) {
+    throw stop.mistake(position > 0 ? "tolerance_cm" : "tolerance_deg",
+                       fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" "
+                                   "expects both, or neither",
+                                   position, angle));
+  }
+  if (study.search != Search::pose && angle > 0) {
+    throw stop.mistake("tolerance_deg",
+                       "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" "
+                       "or no stop.tolerance_deg");
+  }
+}
+
+// Checks the study as it was read, but for its entries.
+void check_study(const TomlReader& reader, const Study& study, const Robot& arm) {
+  const auto refuse_if = [&](bool is_wrong, std::string_view key, std::string_view message) {
+    if (is_wrong) throw reader.mistake(key, message);
+  };
+  try {
+    study.path->check(arm);
+  } catch (const std::invalid_argument& error) {
+    throw reader.mistake("path", error.what());
+  }
+  Random random(Key(0));
+  refuse_if(study.start == Start::near && study.path->solutions(arm, random).empty(), "start",
+            "start is \"near\", but the path's targets are not made of configurations; expected path.kind = \"random\" "
+            "with targets that the arm can reach, or another start");
+  constexpr double most_solves = 1e8;
+  refuse_if(static_cast<double>(study.solvers.size()) * study.runs * study.path->points() > most_solves, "runs",
+            "solvers, runs and points make more than 100 000 000 solves; expected fewer");
+  refuse_if(study.trace == Trace::best_error && study.stop.iterations > 1'000'000, "trace",
+            "a trace has at most 1 000 000 iterations; expected stop.iterations of at most that");
+  refuse_if(study.limits == Limits::enforced && study.bounds == StudyBounds::initial, "bounds", not_enforced);
+  const Configuration units = joint_units(arm.chain);
+  for (Eigen::Index j = 0; j < units.size() && study.limits == Limits::enforced; ++j) {
+    const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
+    refuse_if(outside > 0, "initial_deg",
+              fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
+                          "ikbench list robots {}",
+                          outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
+  }
+  refuse_if(
+      study.search == Search::wrist && !SphericalWrist::fits(arm.chain), "search",
+      fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or \"pose\"", arm.name));
+  refuse_if(study.search == Search::flange && !only_turns_tool(arm.chain), "search",
+            fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
+                        "\"all_joints\" or \"pose\"",
+                        arm.name));
+  refuse_if(study.search != Search::pose && study.rotation_weight != Study{}.rotation_weight, "rotation_weight_m",
+            "rotation_weight_m weighs the orientation, which is not searched; expected search = \"pose\" or no "
+            "rotation_weight_m");
+}
+
+// ---- a study ------------------------------------------------------------------------------------------------------
+
+Study read_study(const toml::table& table, std::string_view source) {
+  Study study;
+  study.name = std::filesystem::path(source).stem().string();  // so that two files are two studies
+  TomlReader reader(table, source, "");
+  const auto read_table = [&](std::string_view key, auto&& read) {
+    if (const toml::table* const found = reader.subtable(key)) read(reader.nested(*found, fmt::format("{}.", key)));
+  };
+  const auto refuse_unknown = [&](const TomlReader& at, std::string_view key, std::string_view kind,
+                                  const std::string& name, const std::vector<std::string>& names) {
+    if (std::ranges::find(names, name) == names.end()) throw at.mistake(key, unknown_name(kind, name, names));
+  };
+  list_fields(reader, study);
+  if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
+  const auto papers = published::papers();
+  if (!study.published.empty())
+    refuse_unknown(reader, "published", "paper", study.published, {papers.begin(), papers.end()});
+  read_table("path", [&](TomlReader path) { study.path = read_path(PathReader(std::move(path))); });
+  read_table("urdf", [&](TomlReader urdf) {
+    if (!is_urdf_file(study.robot))
+      throw reader.mistake("urdf", fmt::format("[urdf] is about a URDF file, but robot is \"{}\"; expected one such as "
+                                               "\"my_arm.urdf\"",
+                                               study.robot));
+    read_part(std::move(urdf), study.urdf);
+  });
+  read_table("stop", [&](const TomlReader& stop) {
+    read_part(stop, study.stop);
+    check_stop(stop, study);
+  });
+  const Robot arm = read_arm(reader, study);
+  const Configuration units = joint_units(arm.chain);
+  if (study.initial.size() == 0) {  // zeros, or the nearest that the limits allow
+    study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
+  } else if (study.initial.size() == arm.joints()) {
+    study.initial = study.initial.cwiseProduct(units).eval();
+  } else {
+    throw reader.mistake("initial_deg", fmt::format("initial_deg has {} values; expected {}, one for each joint of {}",
+                                                    study.initial.size(), arm.joints(), arm.name));
+  }
+  read_solvers(reader, study, arm);
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  read_table("analysis", [&](const TomlReader& analysis) {
+    read_part(analysis, study.analysis);
+    if (!study.analysis.control.empty()) refuse_unknown(analysis, "control", "label", study.analysis.control, labels);
+  });
+  read_table("figures", [&](const TomlReader& figures) {
+    read_style(figures, study.figures);
+    for (const std::string& label : study.figures.solvers) refuse_unknown(figures, "solvers", "label", label, labels);
+  });
+  reader.refuse_unknown_keys();
+  check_study(reader, study, arm);
+  return study;
+}
 
 // Says that there is no such study, and which one has a name like it: built in, or a file in the folder that was meant.
 std::string no_study(const std::filesystem::path& file) {
@@ -54,129 +629,26 @@ std::string no_study(const std::filesystem::path& file) {
                                    : fmt::format("did you mean \"{}\"?", meant));
 }
 
-Path read_path(TomlReader reader) {
-  const std::vector<Path> kinds = paths();
-  Choices<std::size_t> names;
-  for (const Path& kind : kinds) names.emplace_back(kind->name(), names.size());
-  std::size_t chosen = 0;
-  reader.choice("kind", chosen, names, "");
-  Path path = kinds[chosen];
-  TableReader fields(reader);
-  path->list_fields(fields);
-  reader.refuse_unknown_keys();
-  try {
-    path->load(folder_of(reader, "file"));
-  } catch (const std::invalid_argument& error) {
-    throw mistake(reader, reader.table().get("file"), "file", error.what());
-  }
-  return path;
-}
-
-// The plan depends on `study`'s path, runs and solvers.
-results::Plan read_analysis(TomlReader reader, const Study& study) {
-  results::Plan plan;
-  list_fields(reader, plan);
-  reader.refuse_unknown_keys();
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  if (!plan.control.empty() && std::find(labels.begin(), labels.end(), plan.control) == labels.end()) {
-    reader.fail("control", *reader.find("control"),
-                fmt::format("\"\" or the label of a solver of the study: \"{}\"", fmt::join(labels, "\", \"")));
-  }
-  return plan;
-}
-
-FigureStyle read_figures(TomlReader reader, const Study& study) {
-  FigureStyle style;
-  read_style(reader, style);
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  for (const std::string& label : style.solvers) {
-    if (std::ranges::find(labels, label) == labels.end())
-      reader.fail("solvers", *reader.find("solvers"),
-                  fmt::format("labels of the study: \"{}\"", fmt::join(labels, "\", \"")));
-  }
-  return style;
-}
-
-UrdfChoice read_urdf(TomlReader reader, const Study& study) {
-  if (!is_urdf_file(study.robot)) {
-    throw std::invalid_argument(
-        fmt::format("{}[urdf] is about a URDF file, but robot is \"{}\"; expected one such as \"my_arm.urdf\"",
-                    reader.where(reader.table().source(), "urdf"), study.robot));
-  }
-  UrdfChoice choice;
-  TableReader fields(reader);
-  list_fields(fields, choice);
-  reader.refuse_unknown_keys();
-  return choice;
-}
-
-// Reads the study's arm: a built-in one, or a file in the study's folder (for --set in the current one).
-Robot read_arm(const TomlReader& reader, Study& study) {
-  const toml::node* const node = reader.table().get("robot");
-  if (!is_arm_file(study.robot)) {
-    try {
-      return robot(study.robot);
-    } catch (const std::invalid_argument& error) {
-      throw mistake(reader, node, "robot", error.what());
-    }
-  }
-  const std::filesystem::path file = folder_of(reader, "robot") / study.robot;
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw mistake(reader, node, "robot",
-                  fmt::format("there is no file {}; expected one, or an arm of: ikbench list robots", file.string()));
-  }
-  study.robot_of_file = std::make_shared<const Robot>(load_robot(file, study.urdf));
-  return *study.robot_of_file;
-}
-
-Study read_study(toml::table& table, std::string_view source) {
-  Study study;
-  study.left_out = leave_out(table);
-  TomlReader reader(table, source, "");
-  TableReader fields(reader);
-  list_fields(fields, study);
-  if (study.name.empty()) reader.fail("name", *table.get("name"), "a non-empty name");
-  if (const toml::table* path = reader.subtable("path")) study.path = read_path(reader.nested(*path, "path."));
-  if (const toml::table* urdf = reader.subtable("urdf")) study.urdf = read_urdf(reader.nested(*urdf, "urdf."), study);
-  if (const toml::table* stop = reader.subtable("stop")) {
-    TomlReader stop_reader = reader.nested(*stop, "stop.");
-    TableReader stop_fields(stop_reader);
-    list_fields(stop_fields, study.stop);
-    stop_reader.refuse_unknown_keys();
-  }
-  study.solvers = read_solvers(reader, study.left_out);
-  if (const toml::table* analysis = reader.subtable("analysis")) {
-    study.analysis = read_analysis(reader.nested(*analysis, "analysis."), study);
-  }
-  if (const toml::table* figures = reader.subtable("figures"))
-    study.figures = read_figures(reader.nested(*figures, "figures."), study);
-  reader.refuse_unknown_keys();
-
-  const auto at = [&](std::string_view key, std::string_view message) {
-    return mistake(reader, table.get(key), key, message);
-  };
-  const auto papers = published::papers();
-  if (!study.published.empty() && std::find(papers.begin(), papers.end(), study.published) == papers.end()) {
-    throw at("published", unknown_name("paper", study.published, {papers.begin(), papers.end()}));
-  }
-  const Robot arm = read_arm(reader, study);
-  const Configuration units = joint_units(arm.chain);
-  if (study.initial.size() == 0) {  // zeros, or the nearest that the limits allow
-    study.initial = arm.limits.lower.cwiseMax(Eigen::VectorXd::Zero(arm.joints())).cwiseMin(arm.limits.upper);
-  } else if (study.initial.size() == arm.joints()) {
-    study.initial = study.initial.cwiseProduct(units).eval();
-  } else {
-    throw at("initial_deg", fmt::format("initial_deg has {} values; expected {}, one for each joint of {}",
-                                        study.initial.size(), arm.joints(), arm.name));
-  }
-  check_fields(reader, study, arm);
-  return study;
-}
-
 }  // namespace
+
+std::string sweep_override(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw std::invalid_argument(
+        fmt::format("--sweep {}: expected setting=values, such as population=10,20,50 or ik_bat.alpha=0.5,0.9",
+                    text.substr(0, 100)));
+  }
+  std::string values;
+  for (std::size_t from = equals + 1; from <= text.size();) {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const std::string value = text.substr(from, end - from);
+    const std::optional<double> number = number_from(value);
+    values += number && std::isfinite(*number) ? text_of(*number) : text_of(numerics::Json(value));
+    values += ", ";
+    from = end + 1;
+  }
+  return fmt::format("sweep.{}=[{}]", text.substr(0, equals), values);
+}
 
 Study parse_study(std::string_view toml_text, std::string_view source, const Overrides& overrides) {
   toml::table table = parse_toml(toml_text, source);
@@ -197,9 +669,7 @@ Study load_study(const std::string& name_or_file, const Overrides& overrides) {
   std::error_code error;
   const std::filesystem::path file = name_or_file;
   if (!std::filesystem::is_regular_file(file, error)) throw std::invalid_argument(no_study(file));
-  Study study = parse_study(text_of_file(file), name_or_file, overrides);
-  if (study.name == Study().name) study.name = file.stem().string();  // so that two files are two studies
-  return study;
+  return parse_study(text_of_file(file), name_or_file, overrides);
 }
 
 }  // namespace ikbench::experiments

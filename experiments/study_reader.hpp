@@ -13,7 +13,12 @@ namespace ikbench::experiments {
 // `IK-BA.bounds=clamp`.
 using Overrides = std::vector<std::string>;
 
-// Throws std::invalid_argument with place, mistake and what is expected; for an unknown key, with the nearest known
+// The override that sweeps a setting: "population=10,20" becomes "sweep.population=[10, 20]".
+// std::invalid_argument says what is wrong with it.
+std::string sweep_override(const std::string& text);
+constexpr std::size_t most_swept = 200;  // entries of a study with a sweep
+
+// Throws std::invalid_argument with place, mistake and what is expected; for an unknown name, with the nearest known
 // one.
 Study parse_study(std::string_view toml, std::string_view source, const Overrides& overrides = {});
 // The built-in studies by name: the files of studies/, which the build embeds in the program (embed.cmake).

@@ -8,15 +8,19 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "experiments/foreign/program.hpp"
 #include "experiments/orientation.hpp"
+#include "experiments/source_digest.hpp"
 #include "experiments/study_fields.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/json.hpp"
 #include "numerics/number.hpp"
 #include "numerics/toml_table.hpp"
+#include "results/record.hpp"
 #include "robots/arm_fields.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::experiments {
 
@@ -37,13 +41,12 @@ bool is_exact(const Eigen::VectorXd& values, double unit) {
   return std::all_of(values.begin(), values.end(), [&](double value) { return in_unit(value, unit) * unit == value; });
 }
 
-// "-0" would be read as the integer 0.
-std::string numeral(double value) { return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value); }
-
-std::string numerals(const std::vector<double>& values) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(numeral(value));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+// Every bit of the values.
+template <class Values>
+std::string exact(const Values& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{} ", value);
+  return text;
 }
 
 std::string toml_string(std::string_view text) {
@@ -52,92 +55,81 @@ std::string toml_string(std::string_view text) {
   return out.str();
 }
 
-class TomlWriter final : public Fields {
- public:
-  void line(std::string_view key, std::string_view value, std::string_view meaning) {
-    out += meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
-  }
-
-  // Used by the look of figures alone.
-  template <class Enum>
-  void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>& choices,
-              std::string_view meaning) {
-    std::vector<std::string> values, names;
-    for (const Enum value : field) values.push_back(toml_string(name_of(value)));
-    for (const auto& [name, value] : choices) names.push_back(name);
-    line(key, fmt::format("[{}]", fmt::join(values, ", ")), fmt::format("{}: {}", fmt::join(names, " | "), meaning));
-  }
-
-  std::string out;
-
- private:
-  void on_text(Name name, std::string& field) override { line(name.key, toml_string(field), name.meaning); }
-  void on_texts(Name name, std::vector<std::string>& field) override {
+std::string toml_text(const OrderedJson& value) {
+  if (value.is_string()) return toml_string(value.get<std::string>());
+  if (value.is_array()) {
     std::vector<std::string> texts;
-    for (const std::string& text : field) texts.push_back(toml_string(text));
-    if (!texts.empty()) line(name.key, fmt::format("[{}]", fmt::join(texts, ", ")), name.meaning);
+    for (const OrderedJson& each : value) texts.push_back(toml_text(each));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
   }
-  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
-    line(name.key, toml_string(choices[chosen]), fmt::format("{}: {}", fmt::join(choices, " | "), name.meaning));
-  }
-  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
-    line(name.key, fmt::format("{}", field), name.meaning);
-  }
-  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
-    line(name.key, numeral(in_unit(field, unit)), name.meaning);
-  }
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
-    line(name.key, numerals(in_units(field, unit)), name.meaning);
-  }
-  void on_poses(Name name, std::vector<Pose>& field) override {
-    out += fmt::format("{} = [\n", name.key);
-    for (const Pose& pose : field) {
-      const Eigen::VectorXd position = pose.translation();
-      const bool in_cm = is_exact(position, centimetre);
-      out += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
-                         numerals(in_units(position, in_cm ? centimetre : 1)), numerals(by_rows(pose.linear())));
-    }
-    out += "]\n";
-  }
-};
-
-class JsonWriter final : public Fields {
- public:
-  // Used by the look of figures alone.
-  template <class Enum>
-  void chosen(std::string_view key, const std::vector<Enum>& field, const Choices<Enum>&, std::string_view) {
-    for (const Enum value : field) out[std::string(key)].push_back(name_of(value));
-  }
-
-  nlohmann::ordered_json out;
-
- private:
-  void on_text(Name name, std::string& field) override { add(name, field); }
-  void on_texts(Name name, std::vector<std::string>& field) override { add(name, field); }
-  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
-    add(name, choices[chosen]);
-  }
-  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override { add(name, field); }
-  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
-    add(name, in_unit(field, unit));
-  }
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override { add(name, in_units(field, unit)); }
-  void on_poses(Name, std::vector<Pose>&) override {}  // every solve has its target
-
-  void add(Name name, nlohmann::ordered_json value) { out[std::string(name.key)] = std::move(value); }
-};
-
-nlohmann::ordered_json json_of(results::Plan plan) {
-  JsonWriter writer;
-  list_fields(writer, plan);
-  return writer.out;
+  if (!value.is_number_float()) return numerics::text_of(value);
+  const auto number = value.get<double>();  // "-0" would be read as the integer 0
+  return number == 0 && std::signbit(number) ? "-0.0" : fmt::format("{}", number);
 }
 
-nlohmann::ordered_json json_of(FigureStyle style) {
-  JsonWriter writer;
-  list_fields(writer, style);
-  if (!style.colours.empty()) writer.out["colours"] = style.colours;
-  return writer.out;
+// The fields of a list, each as JSON in units of files, and as text for a key, to the bit.
+class Written final : public Fields {
+ public:
+  struct Field {
+    std::string key;
+    OrderedJson json;
+    std::string text, meaning;
+    InKey in_key = InKey::by_name;
+    const std::vector<Pose>* poses = nullptr;
+  };
+  std::vector<Field> fields;
+
+ private:
+  void on_text(Name name, std::string& field) override { add(name, field, field); }
+  void on_texts(Name name, std::vector<std::string>& field) override {
+    add(name, field, field.empty() ? "" : fmt::format("{} {:?}", field.size(), fmt::join(field, "\n")));
+  }
+  void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
+    add(name, choices.at(chosen), choices.at(chosen), choices);
+  }
+  void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) override {
+    std::vector<std::string> names;
+    for (const std::size_t place : chosen) names.push_back(choices.at(place));
+    add(name, names, "", choices);
+  }
+  void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
+    add(name, field, fmt::format("{}", field));
+  }
+  void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
+    add(name, in_unit(field, unit), fmt::format("{}", field));
+  }
+  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
+    add(name, in_units(field, unit), exact(field));
+  }
+  void on_poses(Name name, std::vector<Pose>& field) override {
+    fields.push_back({.key = std::string(name.key), .json = {}, .text = {}, .meaning = {}, .poses = &field});
+  }
+
+  void add(Name name, OrderedJson json, std::string text, const std::vector<std::string>& choices = {}) {
+    const std::string of = choices.empty() ? "" : fmt::format("{}: ", fmt::join(choices, " | "));
+    fields.push_back(
+        {std::string(name.key), std::move(json), std::move(text), of + std::string(name.meaning), name.in_key});
+  }
+};
+
+using FieldsWritten = std::vector<Written::Field>;
+
+// `fields` must outlive what it returns.
+template <class Struct>
+FieldsWritten written(Struct& fields) {
+  Written all;
+  list_fields(all, fields);
+  return std::move(all.fields);
+}
+
+// ---- JSON ---------------------------------------------------------------------------------------------------------
+
+// Every solve has its target, so poses are left out.
+OrderedJson json_of(const FieldsWritten& fields, OrderedJson json = {}) {
+  for (const Written::Field& field : fields) {
+    if (field.poses == nullptr) json[field.key] = field.json;
+  }
+  return json;
 }
 
 // The study with its initial configuration in the units of files.
@@ -148,50 +140,37 @@ Study as_in_files(Study study) {
   return study;
 }
 
-nlohmann::ordered_json definition(const Study& study) {
+OrderedJson definition(const Study& study) {
   Study fields = as_in_files(study);
-  JsonWriter writer, stop, path;
-  list_fields(writer, fields);
-  writer.out["analysis"] = json_of(study.analysis);
-  FigureStyle style = study.figures;
+  OrderedJson json = json_of(written(fields));
+  json["analysis"] = json_of(written(fields.analysis));
   for (const SolverEntry& entry : study.solvers) {
-    if (!entry.colour.empty()) style.colours.emplace(entry.label, entry.colour);
+    if (!entry.colour.empty()) fields.figures.colours.emplace(entry.label, entry.colour);
   }
-  if (style != FigureStyle()) writer.out["figures"] = json_of(style);
-  list_fields(stop, fields.stop);
-  writer.out["stop"] = stop.out;
-  if (is_urdf_file(study.robot)) {
-    JsonWriter urdf;
-    list_fields(urdf, fields.urdf);
-    writer.out["urdf"] = urdf.out;
-  }
-  path.out["kind"] = fields.path->name();
-  fields.path->list_fields(path);
-  if (fields.path->is_drawn()) path.out["targets"] = "drawn";  // `analysis` needs to know only this of a kind of path
-  writer.out["path"] = path.out;
-  return writer.out;
+  if (fields.figures != FigureStyle()) json["figures"] = json_of(written(fields.figures));
+  if (!fields.figures.colours.empty()) json["figures"]["colours"] = fields.figures.colours;
+  json["stop"] = json_of(written(fields.stop));
+  if (is_urdf_file(study.robot)) json["urdf"] = json_of(written(fields.urdf));
+  json["path"] = json_of(written(fields.path), {{"kind", fields.path->name()}});
+  if (fields.path->is_drawn())
+    json["path"]["targets"] = "drawn";  // `analysis` needs to know only this of a kind of path
+  return json;
 }
 
 // The arm as in its file, so that readers of the store can draw it.
-nlohmann::ordered_json arm_definition(const Robot& arm) {
-  nlohmann::ordered_json json;
+OrderedJson arm_definition(const Robot& arm) {
+  OrderedJson json;
   for (Eigen::Index j = 0; j < arm.joints(); ++j) {
-    JsonWriter writer;
     LimitedLink one{arm.chain.links()[static_cast<std::size_t>(j)], {arm.limits.lower[j], arm.limits.upper[j]}};
-    list_fields(writer, one);
-    json["links"].push_back(std::move(writer.out));
+    json["links"].push_back(json_of(written(one)));
   }
   std::size_t joint = 0;
   for (const DescribedJoint& described : arm.description) {
     if (described.motion != DescribedJoint::Motion::none) json["links"][joint++]["name"] = described.name;
   }
   if (!arm.notes.empty()) json["notes"] = arm.notes;
-  for (const auto& [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}}) {
-    JsonWriter writer;
-    Frame fields = frame;
-    list_fields(writer, fields);
-    json[key] = std::move(writer.out);
-  }
+  for (auto [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}})
+    json[key] = json_of(written(frame));
   return json;
 }
 
@@ -238,7 +217,7 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
   return found;
 }
 
-void add_departures(nlohmann::ordered_json& json, const Study& study) {
+void add_departures(OrderedJson& json, const Study& study) {
   json["departures"] = std::vector<std::string>();
   const std::optional<Study> original = original_of(study);
   if (!original) return;
@@ -246,6 +225,30 @@ void add_departures(nlohmann::ordered_json& json, const Study& study) {
   for (const SolverEntry& entry : original->solvers) {
     if (find_solver(study, entry.label) == study.solvers.end()) json["missing_solvers"].push_back(entry.label);
   }
+}
+
+// ---- TOML ---------------------------------------------------------------------------------------------------------
+
+std::string line(std::string_view key, std::string_view value, std::string_view meaning) {
+  return meaning.empty() ? fmt::format("{} = {}\n", key, value) : fmt::format("{} = {}  # {}\n", key, value, meaning);
+}
+
+std::string lines_of(const FieldsWritten& fields) {
+  std::string text;
+  for (const auto& [key, json, exact_text, meaning, in_key, poses] : fields) {
+    const bool is_left_out = json.is_array() && json.empty();
+    if (poses == nullptr && !is_left_out) text += line(key, toml_text(json), meaning);
+    if (poses == nullptr) continue;
+    text += fmt::format("{} = [\n", key);
+    for (const Pose& pose : *poses) {
+      const Eigen::VectorXd position = pose.translation();
+      const bool in_cm = is_exact(position, centimetre);
+      text += fmt::format("  {{ {} = {}, rotation = {} }},\n", in_cm ? "position_cm" : "position_m",
+                          toml_text(in_units(position, in_cm ? centimetre : 1)), toml_text(by_rows(pose.linear())));
+    }
+    text += "]\n";
+  }
+  return text;
 }
 
 std::string toml_value(const std::string& setting) { return number_from(setting) ? setting : toml_string(setting); }
@@ -272,76 +275,90 @@ SweptValues swept_values(EntryPlace first, EntryPlace end) {
   return axes;
 }
 
+// ---- keys ---------------------------------------------------------------------------------------------------------
+
+// The part of a key that names fields: "\nPREFIXname value" for each field that differs from its default.
+template <class Struct>
+std::string said_by_name(Struct fields, Struct defaults, std::string_view prefix = "") {
+  const FieldsWritten ours = written(fields), theirs = written(defaults);
+  std::string text;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    if (ours[i].in_key == InKey::by_name && ours[i].text != theirs.at(i).text)
+      text += fmt::format("\n{}{} {}", prefix, ours[i].key, ours[i].text);
+  }
+  return text;
+}
+
+// Fixed targets enter as poses, whatever their kind of path; drawn ones enter as the fields of the path, the seed and
+// the run.
+std::string targets_text(const Study& study) {
+  std::string text;
+  if (!study.path->is_drawn()) {
+    for (const Pose& target : targets(study, 1)) text += exact(target.matrix().reshaped());
+    return text;
+  }
+  const std::vector<Path> kinds = paths();
+  const auto defaults = std::ranges::find(kinds, study.path->name(), [](const Path& kind) { return kind->name(); });
+  return fmt::format("{} {}", study.path->name(), study.path->points()) + said_by_name(study.path, *defaults);
+}
+
 }  // namespace
 
 std::string to_toml(Path path) {
   std::vector<std::string_view> kinds;
   for (const Path& kind : paths()) kinds.push_back(kind->name());
-  TomlWriter writer;
-  writer.out = "[path]\n";
-  writer.line("kind", toml_string(path->name()), fmt::format("{}; see: ikbench list paths", fmt::join(kinds, " | ")));
-  path->list_fields(writer);
-  return writer.out;
+  return "[path]\n" +
+         line("kind", toml_string(path->name()), fmt::format("{}; see: ikbench list paths", fmt::join(kinds, " | "))) +
+         lines_of(written(path));
 }
 
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
-  TomlWriter writer;
-  list_fields(writer, fields);
-  writer.out += "\n[analysis]  # how the results are judged; it does not affect the solves\n";
-  list_fields(writer, fields.analysis);
-  writer.out += "\n[figures]  # their look; it affects neither the solves nor how they are judged\n";
-  list_fields(writer, fields.figures);
+  std::string text = lines_of(written(fields));
+  text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
+          lines_of(written(fields.analysis)) +
+          "\n[figures]  # their look; it affects neither the solves nor how they are judged\n" +
+          lines_of(written(fields.figures));
   if (fields.figures.solvers.empty())
-    writer.out += fmt::format("# solvers = [{}]  # {}\n",
-                              study.solvers.empty() ? "" : toml_string(study.solvers.front().label), meaning_of_shown);
-  if (is_urdf_file(study.robot)) {
-    writer.out += "\n[urdf]\n";
-    list_fields(writer, fields.urdf);
-  }
-  writer.out += "\n[stop]\n";
-  list_fields(writer, fields.stop);
-  writer.out += '\n' + to_toml(fields.path);
-  for (const LeftOut& left_out : study.left_out) {
-    writer.out += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
-  }
+    text += fmt::format("# solvers = [{}]  # {}\n",
+                        study.solvers.empty() ? "" : toml_string(study.solvers.front().label), meaning_of_shown);
+  if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
+  text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
+  for (const LeftOut& left_out : study.left_out)
+    text += fmt::format("\n# left out: {} is {}\n", left_out.label, left_out.why);
   for (auto of = study.solvers.begin(); of != study.solvers.end(); of = end_of_family(of, study.solvers.end())) {
     const SolverEntry& entry = *of;
     const SweptValues axes = swept_values(of, end_of_family(of, study.solvers.end()));
     const auto value = [&](const std::string& setting, const std::string& of_entry) {
       const auto axis = axes.find(setting);
-      if (axis == axes.end()) return toml_value(of_entry);
-      return fmt::format("[{}]", fmt::join(axis->second, ", "));
+      return axis == axes.end() ? toml_value(of_entry) : fmt::format("[{}]", fmt::join(axis->second, ", "));
     };
-    writer.out += "\n[[solvers]]\n";
-    writer.line("label", toml_string(entry.family.empty() ? entry.label : entry.family), "");
+    text += "\n[[solvers]]\n" + line("label", toml_string(entry.family.empty() ? entry.label : entry.family), "");
     if (entry.program) {
       ProgramChoice choice = entry.program->choice;
-      list_fields(writer, choice);
+      text += lines_of(written(choice));
     } else {
-      writer.line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
+      text += line("solver", toml_string(entry.solver), "options and ranges: ikbench list solvers " + entry.solver);
     }
-    if (entry.population > 0) {
-      writer.line("population", value("population", fmt::format("{}", entry.population)),
-                  "overrides the population of the study");
-    }
-    if (!entry.colour.empty()) {
-      writer.line("colour", toml_string(entry.colour), meaning_of_colour);
-    } else if (&entry == &study.solvers.front()) {
-      writer.out += fmt::format("# colour = \"blue\"  # {}\n", meaning_of_colour);
-    }
+    if (entry.population > 0)
+      text += line("population", value("population", fmt::format("{}", entry.population)),
+                   "overrides the population of the study");
+    if (!entry.colour.empty())
+      text += line("colour", toml_string(entry.colour), meaning_of_colour);
+    else if (&entry == &study.solvers.front())
+      text += fmt::format("# colour = \"blue\"  # {}\n", meaning_of_colour);
     if (entry.if_missing == IfMissing::leave_out)
-      writer.line("if_missing", "'leave_out'",
-                  "where it was not built the study goes on without it; refuse: it does not");
+      text +=
+          line("if_missing", "'leave_out'", "where it was not built the study goes on without it; refuse: it does not");
     std::vector<std::string> options;
-    for (const auto& [name, text] : entry.options) options.push_back(name + " = " + value(name, text));
-    if (!options.empty()) writer.line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
+    for (const auto& [name, of_entry] : entry.options) options.push_back(name + " = " + value(name, of_entry));
+    if (!options.empty()) text += line("options", fmt::format("{{ {} }}", fmt::join(options, ", ")), "");
   }
-  return writer.out;
+  return text;
 }
 
 std::string to_json(const Study& study) {
-  nlohmann::ordered_json json = definition(study);
+  OrderedJson json = definition(study);
   json["points"] = study.path->points();
   json["arm"] = arm_definition(arm_of(study));
   add_departures(json, study);
@@ -357,6 +374,43 @@ std::string to_json(const Study& study) {
 
 std::string to_json(const Robot& arm) { return numerics::text_of(arm_definition(arm)); }
 
-std::string to_json(const results::Plan& plan) { return numerics::text_of(json_of(plan)); }
+std::string to_json(results::Plan plan) { return numerics::text_of(json_of(written(plan))); }
+
+std::string configuration_key(const Study& study, const SolverEntry& entry) {
+  // The fields marked InKey::in_text, as in the first stores, whose keys are this hash alone.
+  const Robot arm = arm_of(study);
+  std::string text = "numerics 2\nrobot";
+  text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
+  text += targets_text(study);
+  text += fmt::format("\ninitial {}\nsearch {} branch {} population {} seed {} trace {}", exact(study.initial),
+                      static_cast<int>(study.search), static_cast<int>(study.wrist_branch),
+                      effective_population(study, entry), study.seed, static_cast<int>(study.trace));
+  text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
+                      study.stop.seconds);
+  // Later fields enter only if they differ from their defaults, so that old stores keep their solves.
+  text += said_by_name(study, Study{});
+  text += said_by_name(study.stop, StopRule{}, "stop.");
+  // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether
+  // a sweep chose them or not.
+  [[maybe_unused]] const auto& [label, algorithm, options, population, program, if_missing, own, colour, family,
+                                swept] = entry;
+  text += fmt::format("\nsolver {} label {}", algorithm, label);
+  if (program) text += said_by_name(program->choice, ProgramChoice{}, "program.");
+  for (const auto& [name, value] : effective_options(study, entry)) text += fmt::format("\n{} = {}", name, value);
+  return fmt::format("{:016x}", Key(0).with(text).value());
+}
+
+std::string source_digest_of(const SolverEntry& entry) {
+  if (entry.program) return entry.program->digest;
+  return entry.own ? digest_of_file("/proc/self/exe") : solver_source_digest(entry.solver);
+}
+
+std::string library_of(const SolverEntry& entry) { return entry.program ? "" : info_of(entry).library; }
+
+std::string series_key(const Study& study, const SolverEntry& entry) {
+  Key source = Key(0).with(shared_source_digest()).with(source_digest_of(entry));
+  if (const std::string library = library_of(entry); !library.empty()) source = source.with(library);
+  return fmt::format("{}{}{:016x}", configuration_key(study, entry), before_source, source.value());
+}
 
 }  // namespace ikbench::experiments

@@ -1,10 +1,13 @@
 #include "numerics/toml_table.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
@@ -20,6 +23,24 @@ std::string shown(const toml::node& node) {
   std::string text = out.str();
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text.size() <= 80 ? text : text.substr(0, 77) + "...";
+}
+
+toml::array list_of(const Json& list);
+
+template <class Add>
+void add_value(const Json& json, const Add& add) {
+  if (json.is_object()) add(toml_of(json));
+  if (json.is_array()) add(list_of(json));
+  if (json.is_string()) add(json.get<std::string>());
+  if (json.is_boolean()) add(json.get<bool>());
+  if (json.is_number_integer()) add(json.get<std::int64_t>());
+  if (json.is_number_float()) add(json.get<double>());
+}
+
+toml::array list_of(const Json& list) {
+  toml::array array;
+  for (const Json& element : list) add_value(element, [&](auto value) { array.push_back(std::move(value)); });
+  return array;
 }
 
 }  // namespace
@@ -74,53 +95,90 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   return table;
 }
 
-std::string toml_of(const nlohmann::json& json, int levels) {
-  if (levels == 0) throw std::invalid_argument("a value that is nested too deeply");
-  std::string text;
-  if (json.is_array()) {
-    for (const nlohmann::json& element : json) text += toml_of(element, levels - 1) + ", ";
-    return fmt::format("[{}]", text);
-  }
-  if (json.is_object()) {
-    for (const auto& [key, value] : json.items()) {
-      if (key != "name")
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", text_of(nlohmann::json(key)),
-                            toml_of(value, levels - 1));
-    }
-    return fmt::format("{{{}}}", text);
-  }
-  return text_of(json);
+toml::table toml_of(const Json& object) {
+  toml::table table;
+  for (const auto& [key, json] : object.items())
+    add_value(json, [&](auto value) { table.insert(key, std::move(value)); });
+  return table;
 }
 
-void TomlReader::text(std::string_view key, std::string& field, std::string_view) {
-  const toml::node* node = find(key);
+void TomlReader::on_text(Name name, std::string& field) {
+  const toml::node* node = find(name.key);
   if (node == nullptr) return;
   const toml::value<std::string>* value = node->as_string();
-  if (value == nullptr) fail(key, *node, "a quoted string");
-  if (!is_plain(value->get())) fail(key, *node, plain);
+  if (value == nullptr) fail(name.key, *node, "a quoted string");
+  if (!is_plain(value->get())) fail(name.key, *node, plain);
   field = value->get();
 }
 
-void TomlReader::texts(std::string_view key, std::vector<std::string>& field, std::string_view) {
-  const toml::node* node = find(key);
+void TomlReader::on_texts(Name name, std::vector<std::string>& field) {
+  const toml::node* node = find(name.key);
   if (node == nullptr) return;
   const std::vector<std::string> found = texts_in(*node);
   const toml::array* array = node->as_array();
-  const bool are_texts = array != nullptr && !array->empty() && array->size() <= 1000 &&
-                         array->is_homogeneous<std::string>() && std::ranges::all_of(found, is_plain);
-  if (!are_texts) fail(key, *node, "a list of quoted strings, each of at most 200 bytes without control characters");
+  const bool are_texts = array != nullptr && array->size() <= 1000 &&
+                         (array->empty() || array->is_homogeneous<std::string>()) &&
+                         std::ranges::all_of(found, is_plain);
+  if (!are_texts)
+    fail(name.key, *node, "a list of quoted strings, each of at most 200 bytes without control characters");
   field = found;
 }
 
-void TomlReader::number(std::string_view key, double& field, double unit, std::pair<double, double> range,
-                        std::string_view) {
-  const toml::node* node = find(key);
+void TomlReader::on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) {
+  const toml::node* node = find(name.key);
+  if (node == nullptr) return;
+  const std::string wanted = node->value_or(std::string());
+  const auto found = std::ranges::find(choices, wanted);
+  if (found == choices.end())
+    fail(name.key, *node, fmt::format("one of \"{}\"{}", fmt::join(choices, "\", \""), did_you_mean(wanted, choices)));
+  chosen = static_cast<std::size_t>(found - choices.begin());
+}
+
+void TomlReader::on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) {
+  const toml::node* node = find(name.key);
+  if (node == nullptr) return;
+  std::vector<std::string> wanted = texts_in(*node);
+  chosen.clear();
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (std::erase(wanted, choices[i]) == 1) chosen.push_back(i);
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != chosen.size() || chosen.empty())
+    fail(name.key, *node, fmt::format("a list of some of \"{}\", each once", fmt::join(choices, "\", \"")));
+}
+
+void TomlReader::on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) {
+  const toml::node* node = find(name.key);
+  if (node == nullptr) return;
+  const toml::value<std::int64_t>* value = node->as_integer();
+  if (value == nullptr || value->get() < range.first || value->get() > range.second)
+    fail_number(name.key, *node, fmt::format("a whole number from {} to {}", range.first, range.second));
+  field = value->get();
+}
+
+void TomlReader::on_number(Name name, double& field, double unit, std::pair<double, double> range) {
+  const toml::node* node = find(name.key);
   if (node == nullptr) return;
   const std::optional<double> value = as_number(*node);
-  if (!value || !(*value >= range.first && *value <= range.second)) {
-    fail_number(key, *node, fmt::format("a number from {} to {}", range.first, range.second));
-  }
+  if (!value || !(*value >= range.first && *value <= range.second))
+    fail_number(name.key, *node, fmt::format("a number from {} to {}", range.first, range.second));
   field = *value * unit;
+}
+
+void TomlReader::on_numbers(Name name, Eigen::VectorXd& field, double unit, int size) {
+  const toml::node* node = find(name.key);
+  if (node == nullptr) return;
+  const toml::array* array = node->as_array();
+  const std::string expected = size == 0 ? "a list of numbers" : fmt::format("a list of {} numbers", size);
+  if (array == nullptr || (size != 0 && array->size() != static_cast<std::size_t>(size)))
+    fail(name.key, *node, expected);
+  field.resize(static_cast<Eigen::Index>(array->size()));
+  Eigen::Index index = 0;
+  for (const toml::node& element : *array) {
+    const std::optional<double> value = as_number(element);
+    if (!value || !(std::abs(*value) <= 1e6)) fail(name.key, element, expected + " within +-1e6");
+    field[index++] = *value * unit;
+  }
 }
 
 const toml::node* TomlReader::find(std::string_view key) {
@@ -134,12 +192,30 @@ const toml::table* TomlReader::subtable(std::string_view key) {
   return node == nullptr ? nullptr : node->as_table();
 }
 
+std::vector<const toml::table*> TomlReader::tables(std::string_view key, std::size_t most, std::string_view expected) {
+  const toml::node* node = find(key);
+  if (node == nullptr) throw mistake(key, fmt::format("{}{} is missing; expected {}", prefix_, key, expected));
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty() || array->size() > most) fail(key, *node, expected);
+  std::vector<const toml::table*> found;
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) fail(key, element, expected);
+    found.push_back(element.as_table());
+  }
+  return found;
+}
+
 void TomlReader::refuse_unknown_keys() const {
   for (const auto& [key, node] : table_) {
     if (std::find(known_.begin(), known_.end(), key.str()) == known_.end()) {
       throw std::invalid_argument(where(key.source(), key.str()) + unknown_name("key", key.str(), known_));
     }
   }
+}
+
+std::invalid_argument TomlReader::mistake(std::string_view key, std::string_view message) const {
+  const toml::node* const node = table_.get(key);
+  return std::invalid_argument(where(node == nullptr ? table_.source() : node->source(), key) + std::string(message));
 }
 
 void TomlReader::fail(std::string_view key, const toml::node& node, std::string_view expected) const {
@@ -153,7 +229,8 @@ void TomlReader::fail_number(std::string_view key, const toml::node& node, std::
 }
 
 std::string TomlReader::where(const toml::source_region& region, std::string_view key) const {
-  if (region.begin.line == 0 || region.path) return fmt::format("--set {}{}: ", prefix_, key);
+  if (!is_of_text_) return fmt::format("{}: ", source_);
+  if (region.begin.line == 0 || region.path) return fmt::format("{} {}{}: ", override_source, prefix_, key);
   return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
 }
 

@@ -25,7 +25,7 @@ struct Definition {
   std::vector<std::string> departures;       // settings that differ from the published study
   std::vector<std::string> missing_solvers;  // of the published study
   int out_of_reach = 0;                      // targets that no configuration reaches
-  nlohmann::json arm;                        // as robots/description.hpp reads it
+  nlohmann::json arm;                        // as robots/robot.hpp reads it
   Plan plan;
   FigureStyle style;
 
@@ -35,8 +35,8 @@ struct Definition {
   bool has_tolerance() const { return stop.tolerance_cm > 0 || stop.tolerance_deg > 0; }
 };
 
-// Members that the text lacks, or that have another type, keep their defaults. Throws std::invalid_argument if it is no
-// JSON object, or if its plan cannot be.
+// Members that the text lacks keep their defaults. Throws std::invalid_argument if it is no JSON object, or with the
+// study's name and the member whose value cannot be.
 Definition definition_of(std::string_view json);
 // The part "analysis" of a definition, also as a session recorded it.
 Plan plan_of(const nlohmann::json& analysis);

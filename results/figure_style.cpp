@@ -7,6 +7,8 @@
 #include <cctype>
 #include <set>
 
+#include "numerics/toml_table.hpp"
+
 namespace ikbench::results {
 
 using namespace numerics;

@@ -11,7 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/toml_table.hpp"
+#include "numerics/fields.hpp"
+
+namespace ikbench::numerics {
+class TomlReader;
+}
 
 namespace ikbench::results {
 
@@ -43,8 +47,7 @@ struct FigureStyle {
 constexpr std::string_view meaning_of_colour = "of the solver in every figure: \"#RRGGBB\" or a name of the palette";
 constexpr std::string_view meaning_of_shown = "only these solvers in figures, in this order; by default all";
 
-template <class Io>
-void list_fields(Io& io, FigureStyle& style) {
+inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.number("width_cm", style.width_cm, 1, {0, 60}, "width of every figure, at least 4; 0: each its own");
   io.number("height_cm", style.height_cm, 1, {0, 60}, "height of every figure, at least 3; 0: each its own");
   io.text("font", style.font,

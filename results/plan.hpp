@@ -3,7 +3,8 @@
 
 #include <string>
 #include <utility>
-#include <vector>
+
+#include "numerics/fields.hpp"
 
 namespace ikbench::results {
 
@@ -21,11 +22,10 @@ struct Plan {
 constexpr std::pair<double, double> margins_percent{0, 99};
 
 // The fields, listed once for study files, the store's JSON and the command line: name, member, range and meaning.
-template <class Io>
-void list_fields(Io& io, Plan& plan) {
+inline void list_fields(numerics::Fields& io, Plan& plan) {
   constexpr double percent = 0.01;
   io.choice("test", plan.test,
-            std::vector<std::pair<std::string, Plan::Test>>{{"ranks", Plan::Test::ranks}, {"means", Plan::Test::means}},
+            numerics::Choices<Plan::Test>{{"ranks", Plan::Test::ranks}, {"means", Plan::Test::means}},
             "what decides: ranks, or means as papers compare them");
   io.text(
       "metric", plan.metric,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "numerics/names.hpp"
+#include "numerics/fields.hpp"
 #include "numerics/units.hpp"
 #include "robots/robot.hpp"
 
@@ -21,8 +21,7 @@ struct LimitedLink {
 constexpr std::string_view no_limits = "none";
 constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
 
-template <class Io>
-void list_fields(Io& io, LimitedLink& one) {
+inline void list_fields(numerics::Fields& io, LimitedLink& one) {
   DhLink& link = one.link;
   io.choice("joint", link.joint,
             numerics::Choices<Joint>{{"turns", Joint::turns}, {"slides", Joint::slides}, {"coupled", Joint::coupled}},
@@ -41,14 +40,12 @@ void list_fields(Io& io, LimitedLink& one) {
   }
 }
 
-template <class Io>
-void list_fields(Io& io, Frame& frame) {
+inline void list_fields(numerics::Fields& io, Frame& frame) {
   io.numbers("position_m", frame.position, 1, 3, "x, y, z");
   io.numbers("rpy_deg", frame.rpy, numerics::degree, 3, "turned by Rz(yaw) Ry(pitch) Rx(roll)");
 }
 
-template <class Io>
-void list_fields(Io& io, Robot& arm) {
+inline void list_fields(numerics::Fields& io, Robot& arm) {
   io.text("summary", arm.summary, "in a line");
   io.text("source", arm.source, "where the numbers are from");
 }

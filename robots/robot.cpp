@@ -1,5 +1,7 @@
 #include "robots/robot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,10 +36,8 @@ LimitedLink read_link(TomlReader reader) {
   const bool slides = one.link.joint == Joint::slides;
   const char* const key = slides ? "limits_m" : "limits_deg";
   const toml::node* const limits = reader.table().get(key);
-  if (slides && limits == nullptr) {
-    throw std::invalid_argument(reader.where(reader.table().source(), key) +
-                                "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
-  }
+  if (slides && limits == nullptr)
+    throw reader.mistake(key, "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
   const double largest = slides ? lengths_m.second : angles_deg.second * degree;
   if (is_endless) return one;
   if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest)) {
@@ -49,19 +49,11 @@ LimitedLink read_link(TomlReader reader) {
 }
 
 std::vector<LimitedLink> read_links(TomlReader& reader) {
-  const std::string expected =
-      fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints);
-  const toml::node* const node = reader.find("links");
-  if (node == nullptr) {
-    throw std::invalid_argument(reader.where(reader.table().source(), "links") + "the arm has no links; expected " +
-                                expected);
-  }
-  const toml::array* const array = node->as_array();
-  if (array == nullptr || array->empty() || array->size() > most_joints || !array->is_homogeneous<toml::table>()) {
-    reader.fail("links", *node, expected);
-  }
   std::vector<LimitedLink> links;
-  for (const toml::node& element : *array) links.push_back(read_link(reader.nested(*element.as_table(), "links.")));
+  for (const toml::table* link :
+       reader.tables("links", most_joints,
+                     fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints)))
+    links.push_back(read_link(reader.nested(*link, "links.")));
   return links;
 }
 
@@ -83,6 +75,25 @@ void refuse_name(const std::filesystem::path& file) {
     throw std::invalid_argument(
         fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
   }
+}
+
+Robot read_robot(TomlReader reader, std::string name) {
+  const std::vector<LimitedLink> links = read_links(reader);
+  std::vector<DhLink> chain;
+  JointLimits limits;
+  limits.lower.resize(static_cast<Eigen::Index>(links.size()));
+  limits.upper.resize(limits.lower.size());
+  for (const LimitedLink& one : links) {
+    const auto joint = static_cast<Eigen::Index>(chain.size());
+    limits.lower[joint] = one.limits[0];
+    limits.upper[joint] = one.limits[1];
+    chain.push_back(one.link);
+  }
+  const Frame base = read_frame(reader, "base"), tool = read_frame(reader, "tool");
+  Robot arm{std::move(name), "", "", Chain(std::move(chain), base, tool), std::move(limits)};
+  list_fields(reader, arm);
+  reader.refuse_unknown_keys();
+  return arm;
 }
 
 }  // namespace
@@ -118,22 +129,7 @@ bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_u
 
 Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   const toml::table table = parse_toml(text, file.string());
-  TomlReader reader(table, file.string(), "");
-  const std::vector<LimitedLink> links = read_links(reader);
-  std::vector<DhLink> chain;
-  JointLimits limits;
-  limits.lower.resize(static_cast<Eigen::Index>(links.size()));
-  limits.upper.resize(limits.lower.size());
-  for (const LimitedLink& one : links) {
-    const auto joint = static_cast<Eigen::Index>(chain.size());
-    limits.lower[joint] = one.limits[0];
-    limits.upper[joint] = one.limits[1];
-    chain.push_back(one.link);
-  }
-  const Frame base = read_frame(reader, "base"), tool = read_frame(reader, "tool");
-  Robot arm{file.stem().string(), "", "", Chain(std::move(chain), base, tool), std::move(limits)};
-  list_fields(reader, arm);
-  reader.refuse_unknown_keys();
+  Robot arm = read_robot(TomlReader(table, file.string(), ""), file.stem().string());
   refuse_name(file);
   return arm;
 }
@@ -150,12 +146,12 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
   return parse_robot(text_of_file(file), file);
 }
 
-std::optional<Robot> stored_arm(std::string_view definition) {
+std::optional<Robot> stored_arm(Json arm) {
   try {
-    const auto arm = numerics::parsed_json(definition).at("arm");
-    std::string text;
-    for (const char* part : {"links", "base", "tool"}) text += fmt::format("{} = {}\n", part, toml_of(arm.at(part)));
-    return parse_robot(text, "stored.toml");
+    arm.erase("notes");
+    for (Json& link : arm.at("links")) link.erase("name");
+    const toml::table table = toml_of(arm);
+    return read_robot(TomlReader(table, "stored arm", ""), "stored");
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   } catch (const nlohmann::json::exception&) {

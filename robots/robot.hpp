@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -56,7 +57,7 @@ struct UrdfChoice;
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
 Robot load_robot(const std::filesystem::path& file);
 
-// The arm in the definition of a stored study (JSON), to the rounding of its degrees; empty if none can be read.
-std::optional<Robot> stored_arm(std::string_view definition);
+// The arm in the definition of a stored study, to the rounding of its degrees; empty if no arm file can be it.
+std::optional<Robot> stored_arm(nlohmann::json arm);
 
 }  // namespace ikbench::robots

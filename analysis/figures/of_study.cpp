@@ -255,7 +255,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
                 .style = style_of(look, solver),
                 .is_joined = is_path(study),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
-  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   const std::size_t every = arms == 0 ? 1 : std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
   for (std::size_t i = 0; i < solves.size(); ++i) {
     const SolveRecord& solve = solves[i];
@@ -273,7 +273,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
 
 JointRows joint_rows(const StudyResults& study, const Look& look) {
   JointRows all;
-  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm) return all;
   std::vector<std::size_t> turning;
   for (std::size_t joint = 0; joint < arm->chain.links().size(); ++joint) {

@@ -105,7 +105,7 @@ std::string json_in_page(const Json& json) {
 }  // namespace
 
 std::optional<std::string> moving_arm(const StudyResults& study) {
-  const std::optional<robots::Robot> arm = robots::stored_arm(study.entry.definition);
+  const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
   Json solvers = Json::array();
   for (const std::string& solver : study.solvers) {

@@ -91,7 +91,7 @@ std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const
 
 }  // namespace
 
-void list_fields(Fields& io, ProgramChoice& choice) {
+void list_fields(numerics::Fields& io, ProgramChoice& choice) {
   using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/fields.hpp"
 #include "experiments/foreign/child_process.hpp"
 #include "experiments/foreign/protocol.hpp"
+#include "numerics/fields.hpp"
 
 namespace ikbench::experiments {
 
@@ -21,7 +21,7 @@ struct ProgramChoice {
   double patience = 0;  // [s] per solve; 0: max(5 s, 20 x its budget)
 };
 
-void list_fields(Fields& io, ProgramChoice& choice);
+void list_fields(numerics::Fields& io, ProgramChoice& choice);
 
 // SHA-256 in hexadecimal digits; std::invalid_argument if the file cannot be read.
 std::string digest_of_file(const std::filesystem::path& file);

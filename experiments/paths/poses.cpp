@@ -18,7 +18,7 @@ class Poses final : public PathKind {
     return "a list of poses: { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
   }
 
-  void list_fields(Fields& io) override { io.poses("poses", poses_, ""); }
+  void list_fields(Fields& io) override { io.poses("poses", poses_); }
 
   bool is_drawn() const override { return false; }
   int points() const override { return static_cast<int>(poses_.size()); }

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "experiments/series_key.hpp"
 #include "experiments/series_means.hpp"
+#include "experiments/study_writer.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 

@@ -47,6 +47,7 @@ class PointsSetter final : public Fields {
   }
   void on_texts(Name, std::vector<std::string>&) override {}
   void on_choice(Name, std::size_t&, const std::vector<std::string>&) override {}
+  void on_chosen(Name, std::vector<std::size_t>&, const std::vector<std::string>&) override {}
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
     if (name.key == "points") field = count_;
   }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "experiments/runner.hpp"
-#include "experiments/series_key.hpp"
 #include "experiments/study_reader.hpp"
+#include "experiments/study_writer.hpp"
 #include "tests/results/samples.hpp"
 
 namespace ikbench {

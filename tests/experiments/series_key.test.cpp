@@ -1,11 +1,10 @@
 // The key of stored solves: it changes with everything that decides numbers, and with nothing else.
-#include "experiments/series_key.hpp"
-
 #include <map>
 #include <set>
 
 #include "experiments/source_digest.hpp"
 #include "experiments/study_fields.hpp"
+#include "experiments/study_writer.hpp"
 #include "results/record.hpp"
 #include "solvers/registry.hpp"
 #include "tests/catch.hpp"
@@ -39,72 +38,43 @@ class Changer final : public Fields {
   InKey in_key = InKey::by_name;
 
  private:
-  bool visits(InKey mark) const override {
-    mark_ = mark;
-    return left_-- == 0;
-  }
   void on_text(Name name, std::string& field) override {
-    note(name);
-    field = "planar_3";
+    if (is_at(name)) field = "planar_3";
   }
   void on_texts(Name name, std::vector<std::string>& field) override {
-    note(name);
-    field.emplace_back("further");
+    if (is_at(name)) field.emplace_back("further");
   }
   void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) override {
-    note(name);
-    chosen = (chosen + 1) % choices.size();
+    if (is_at(name)) chosen = (chosen + 1) % choices.size();
   }
+  void on_chosen(Name, std::vector<std::size_t>&, const std::vector<std::string>&) override {}
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t>) override {
-    note(name);
-    ++field;
+    if (is_at(name)) ++field;
   }
   void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
-    note(name);
-    field += unit;
+    if (is_at(name)) field += unit;
   }
   void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
-    note(name);
-    field[0] += unit;
+    if (is_at(name)) field[0] += unit;
   }
   void on_poses(Name name, std::vector<Pose>& field) override {
-    note(name);
-    field.push_back(Pose::Identity());
+    if (is_at(name)) field.push_back(Pose::Identity());
   }
 
-  void note(Name name) {
+  bool is_at(Name name) {
+    if (left_-- != 0) return false;
     changed = name.key;
-    in_key = mark_;
+    in_key = name.in_key;
+    return true;
   }
 
-  mutable int left_;
-  mutable InKey mark_ = InKey::by_name;
+  int left_;
 };
 
 std::vector<std::string> all_keys_of(const Study& study) {
   std::vector<std::string> keys;
   for (const SolverEntry& entry : study.solvers) keys.push_back(configuration_key(study, entry));
   return keys;
-}
-
-// A study with one more field.
-struct Extended {
-  Study study;
-  double damping = 0.5;
-  bool is_fast = false;
-  std::string remark = {};
-};
-
-void list_fields(Fields& io, Extended& extended) {
-  list_fields(io, extended.study);
-  io.number("damping", extended.damping, 1, {0, 1}, "");
-  io.choice("mode", extended.is_fast, Choices<bool>{{"slow", false}, {"fast", true}}, "");
-  io.text("remark", extended.remark, "", InKey::no);
-}
-
-std::string said(Extended extended) {
-  Extended plain{.study = small_study()};
-  return said_by_name([&](Fields& io) { list_fields(io, extended); }, [&](Fields& io) { list_fields(io, plain); });
 }
 
 }  // namespace
@@ -150,14 +120,6 @@ TEST_CASE("targets are the same whatever kind of path they are of", "[series][pa
   Study study = small_study();
   study.path = path_through(targets(study, 1));
   CHECK(all_keys_of(study) == all_keys_of(small_study()));
-}
-
-TEST_CASE("a field that is added to a list is in the key by its name, and by that of a choice, unless it is marked",
-          "[series]") {
-  CHECK(said({.study = small_study()}).empty());
-  CHECK(said({.study = small_study(), .remark = "none of the numbers"}).empty());
-  CHECK(said({.study = small_study(), .damping = 0.25}) == "\ndamping 0.25");
-  CHECK(said({.study = small_study(), .damping = 0.25, .is_fast = true}) == "\ndamping 0.25\nmode fast");
 }
 
 TEST_CASE("the paper's studies keep their configurations, so that older stores are recognized", "[series][paper]") {

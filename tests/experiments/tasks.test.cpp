@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "experiments/path.hpp"
-#include "experiments/series_key.hpp"
 #include "experiments/singular_values.hpp"
+#include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"

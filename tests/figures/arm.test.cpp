@@ -1,5 +1,6 @@
 #include "analysis/figures/arm.hpp"
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/catch.hpp"
@@ -27,7 +28,7 @@ std::vector<Point> points_of(const robots::Robot& arm, const std::vector<double>
 }
 
 std::vector<Point> points_of(const char* definition, const std::vector<double>& angles) {
-  return points_of(robots::stored_arm(definition).value(), angles);
+  return points_of(robots::stored_arm(nlohmann::json::parse(definition)["arm"]).value(), angles);
 }
 
 void check(const std::vector<Point>& points, const std::vector<Point>& expected) {

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "numerics/toml_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/contains.hpp"
 

@@ -97,10 +97,10 @@ TEST_CASE("a mistake in an arm file is told with file, line, column, value and w
   std::string many = "links = [";
   for (int i = 0; i < 65; ++i) many += "{},";
   const std::vector<Mistake> mistakes{
-      {"", "my_arm.toml:1:1: the arm has no links; expected a list of 1 to 64 links"},
+      {"", "my_arm.toml:1:1: links is missing; expected a list of 1 to 64 links"},
       {"links = []", "my_arm.toml:1:9: links is []; expected a list of 1 to 64 links"},
       {"links = 3", "my_arm.toml:1:9: links is 3; expected a list of 1 to 64 links"},
-      {"links = [{}, 3]", "my_arm.toml:1:9: links is"},
+      {"links = [{}, 3]", "my_arm.toml:1:14: links is 3"},
       {many + "]", "my_arm.toml:1:9: links is"},
       {"links = = 3", "my_arm.toml:1:9: not TOML"},
       {"links = [{}]\nsummery = 'x'", "my_arm.toml:2:1: unknown key \"summery\"; did you mean \"summary\"?"},

@@ -1,0 +1,112 @@
+// The fields of settings, one by one. A function list_fields names each field of a struct once, with its range and its
+// meaning. A class derived from Fields visits that list to read or write them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "numerics/names.hpp"
+
+namespace ikbench::numerics {
+
+constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+
+// Says how a field enters the key of a series (experiments/study_writer.hpp).
+enum class InKey {
+  by_name,  // "name value" if it is not the default: the usual case
+  in_text,  // in the text of the first stores, directly or as part of the effective settings
+  no        // never: the field decides no number
+};
+
+class Fields {
+ public:
+  struct Name {
+    std::string_view key, meaning;
+    InKey in_key;
+  };
+
+  virtual ~Fields() = default;
+
+  void text(std::string_view key, std::string& field, std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    on_text({key, meaning, in_key}, field);
+  }
+
+  void texts(std::string_view key, std::vector<std::string>& field, std::string_view meaning = "") {
+    on_texts({key, meaning, InKey::by_name}, field);
+  }
+
+  template <class Enum>
+  void choice(std::string_view key, Enum& field, const Choices<Enum>& choices, std::string_view meaning = "",
+              InKey in_key = InKey::by_name) {
+    const auto place = std::ranges::find(choices, field, &std::pair<std::string, Enum>::second);
+    auto chosen = static_cast<std::size_t>(place - choices.begin());
+    on_choice({key, meaning, in_key}, chosen, names_in(choices));
+    if (chosen < choices.size()) field = choices[chosen].second;
+  }
+
+  // Some of the choices.
+  template <class Enum>
+  void chosen(std::string_view key, std::vector<Enum>& field, const Choices<Enum>& choices, std::string_view meaning) {
+    std::vector<std::size_t> places;
+    for (const Enum value : field) {
+      const auto place = std::ranges::find(choices, value, &std::pair<std::string, Enum>::second);
+      places.push_back(static_cast<std::size_t>(place - choices.begin()));
+    }
+    on_chosen({key, meaning, InKey::by_name}, places, names_in(choices));
+    field.clear();
+    for (const std::size_t place : places) field.push_back(choices.at(place).second);
+  }
+
+  template <class Whole>
+  void whole(std::string_view key, Whole& field, std::pair<std::int64_t, std::int64_t> range,
+             std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    auto value = static_cast<std::int64_t>(field);
+    on_whole({key, meaning, in_key}, value, range);
+    field = static_cast<Whole>(value);
+  }
+
+  // `range` is in units.
+  void number(std::string_view key, double& field, double unit, std::pair<double, double> range,
+              std::string_view meaning = "", InKey in_key = InKey::by_name) {
+    on_number({key, meaning, in_key}, field, unit, range);
+  }
+
+  // `size` 0 allows any number of values.
+  template <class Vector>
+  void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view meaning = "",
+               InKey in_key = InKey::by_name) {
+    Eigen::VectorXd values = field;
+    on_numbers({key, meaning, in_key}, values, unit, size);
+    field = values;
+  }
+
+  void poses(std::string_view key, std::vector<Eigen::Isometry3d>& field) {
+    on_poses({key, "", InKey::by_name}, field);
+  }
+
+ private:
+  template <class Enum>
+  static std::vector<std::string> names_in(const Choices<Enum>& choices) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : choices) names.push_back(name);
+    return names;
+  }
+
+  virtual void on_text(Name name, std::string& field) = 0;
+  virtual void on_texts(Name name, std::vector<std::string>& field) = 0;
+  virtual void on_choice(Name name, std::size_t& chosen, const std::vector<std::string>& choices) = 0;
+  virtual void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) = 0;
+  virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
+  virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
+  virtual void on_numbers(Name name, Eigen::VectorXd& field, double unit, int size) = 0;
+  virtual void on_poses(Name, std::vector<Eigen::Isometry3d>&) {}
+};
+
+}  // namespace ikbench::numerics
