@@ -41,18 +41,41 @@ inline KDL::Chain kdl_chain(const robots::Chain& arm) {
   return chain;
 }
 
-// The solver's option, or else the study's iterations: an iteration of KDL is no generation of a population.
-inline int kdl_iterations(int option, const Problem& problem) {
-  return option > 0 ? option : std::min(problem.stop.iterations, 1'000'000);
-}
+// A solve by calls of a position solver of KDL. It knows no clock, so where the study has a limit of time, a call makes
+// a few iterations and the next goes on from its answer.
+class KdlCalls {
+ public:
+  // The solver's option, or else the study's iterations; an iteration is about one evaluation.
+  void start(const Problem& problem, Objective& objective, int option) {
+    std::int64_t most = option > 0 ? option : std::min(problem.stop.iterations, 1'000'000);
+    if (problem.stop.evaluations > 0) most = std::min(most, problem.stop.evaluations);
+    left_ = static_cast<int>(most);
+    const int calls = problem.stop.seconds > 0 ? (left_ + longest_call - 1) / longest_call : 1;
+    a_call_ = left_ / std::max(1, calls);
+    last_ = problem.start;
+    best = {last_};
+    best.improve(last_, objective.error(last_));
+  }
 
-// The answer of a position solver of KDL.
-inline robots::Configuration kdl_answer(KDL::ChainIkSolverPos& solver, const robots::Configuration& start,
-                                        const Goal& goal) {
-  KDL::JntArray answer(static_cast<unsigned>(start.size()));
-  solver.CartToJnt(kdl_joints(start), kdl_frame(goal.target), answer);
-  return answer.data;
-}
+  void call(KDL::ChainIkSolverPos& solver, Objective& objective) {
+    KDL::JntArray answer(static_cast<unsigned>(last_.size()));
+    const int how = solver.CartToJnt(kdl_joints(last_), kdl_frame(objective.goal().target), answer);
+    last_ = answer.data;
+    best.improve(last_, objective.error(last_));
+    left_ = how == KDL::SolverI::E_MAX_ITERATIONS_EXCEEDED && left_ >= 2 * a_call_ ? left_ - a_call_ : 0;
+  }
+
+  int iterations_of_call() const { return a_call_; }
+  bool has_ended() const { return left_ <= 0; }
+
+  Best best;
+
+ private:
+  static constexpr int longest_call = 50;  // iterations between looks at the clock
+
+  robots::Configuration last_;
+  int left_ = 0, a_call_ = 0;
+};
 
 template <class S>
 SolverInfo kdl_info(std::string name, std::string summary, std::string source) {

@@ -1,5 +1,5 @@
 // KDL's ChainIkSolverPos_LMA: Levenberg and Marquardt's method on KDL's own kinematics. It knows no joint limits. One
-// step is one call of the library, which ends by itself.
+// step is one call of the library.
 #include <kdl/chainiksolverpos_lma.hpp>
 #include <memory>
 #include <optional>
@@ -40,9 +40,10 @@ class KdlLma final : public Solver {
       arm_ = objective.arm();
       chain_ = kdl_chain(*arm_);
     }
+    calls_.start(problem, objective, options_.iterations);
     const Call call{.weight = objective.goal().is_pose() ? options_.rotation_weight : 0,
                     .accuracy = accuracy(problem.stop, objective.goal().is_pose()),
-                    .iterations = kdl_iterations(options_.iterations, problem)};
+                    .iterations = calls_.iterations_of_call()};
     if (!lma_ || call != call_) {
       call_ = call;
       // KDL was compiled with Eigen's vectors, which it expects at such an address; on the heap the solver has one.
@@ -50,21 +51,14 @@ class KdlLma final : public Solver {
       weights << 1, 1, 1, call.weight, call.weight, call.weight;
       lma_ = std::make_unique<KDL::ChainIkSolverPos_LMA>(chain_, weights, call.accuracy, call.iterations);
     }
-    start_ = problem.start;
-    has_ended_ = false;
-    best_ = {start_};
-    best_.improve(start_, objective.error(start_));
   }
 
   void step(Objective& objective, Random&) override {
-    if (has_ended_) return;
-    has_ended_ = true;
-    const Configuration q = kdl_answer(*lma_, start_, objective.goal());
-    best_.improve(q, objective.error(q));
+    if (!calls_.has_ended()) calls_.call(*lma_, objective);
   }
 
-  const Best& best() const override { return best_; }
-  bool finished() const override { return has_ended_; }
+  const Best& best() const override { return calls_.best; }
+  bool finished() const override { return calls_.has_ended(); }
 
  private:
   struct Call {
@@ -84,9 +78,7 @@ class KdlLma final : public Solver {
   KDL::Chain chain_;  // of that arm; the library's solver refers to it
   Call call_{};
   std::unique_ptr<KDL::ChainIkSolverPos_LMA> lma_;
-  Configuration start_;
-  bool has_ended_ = false;
-  Best best_;
+  KdlCalls calls_;
 };
 
 }  // namespace

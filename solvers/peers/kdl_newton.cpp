@@ -1,5 +1,5 @@
 // KDL's ChainIkSolverPos_NR_JL: Newton's method with the pseudo-inverse, clipped at the joint limits, on KDL's own
-// kinematics. One step is one call of the library, which ends by itself.
+// kinematics. One step is one call of the library.
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainiksolverpos_nr_jl.hpp>
 #include <kdl/chainiksolvervel_pinv.hpp>
@@ -57,7 +57,8 @@ class KdlNewton final : public Solver {
     // A vector is short enough if each of its three coordinates is at most this.
     const double within = std::min(problem.stop.tolerance, problem.stop.angle_tolerance) / std::sqrt(3.0);
     const double accuracy = options_.accuracy > 0 ? options_.accuracy : within > 0 ? within : 1e-6;
-    const int iterations = kdl_iterations(options_.iterations, problem);
+    calls_.start(problem, objective, options_.iterations);
+    const int iterations = calls_.iterations_of_call();
     if (!call_ || *arm_ != objective.arm() || accuracy != accuracy_ || iterations != iterations_) {
       arm_ = objective.arm();
       accuracy_ = accuracy;
@@ -66,21 +67,14 @@ class KdlNewton final : public Solver {
     } else {
       call_->newton.setJointLimits(kdl_joints(problem.lower), kdl_joints(problem.upper));
     }
-    start_ = problem.start;
-    has_ended_ = false;
-    best_ = {start_};
-    best_.improve(start_, objective.error(start_));
   }
 
   void step(Objective& objective, Random&) override {
-    if (has_ended_) return;
-    has_ended_ = true;
-    const Configuration q = kdl_answer(call_->newton, start_, objective.goal());
-    best_.improve(q, objective.error(q));
+    if (!calls_.has_ended()) calls_.call(call_->newton, objective);
   }
 
-  const Best& best() const override { return best_; }
-  bool finished() const override { return has_ended_; }
+  const Best& best() const override { return calls_.best; }
+  bool finished() const override { return calls_.has_ended(); }
 
  private:
   Options options_;
@@ -88,9 +82,7 @@ class KdlNewton final : public Solver {
   double accuracy_ = 0;
   int iterations_ = 0;
   std::unique_ptr<KdlNewtonCall> call_;
-  Configuration start_;
-  bool has_ended_ = false;
-  Best best_;
+  KdlCalls calls_;
 };
 
 }  // namespace

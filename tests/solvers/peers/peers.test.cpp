@@ -1,5 +1,6 @@
 // The contract of solvers of libraries, besides the contract of all solvers.
 #include <algorithm>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 
@@ -111,6 +112,21 @@ TEST_CASE("a library that evaluates our objective keeps the study's number of ev
         }
       }
     });
+  }
+}
+
+TEST_CASE("a library that knows no clock keeps the study's seconds and evaluations", "[peers]") {
+  for (const char* name : {"kdl_lma", "kdl_newton"}) {
+    if (is_missing(name)) continue;
+    CAPTURE(name);
+    PeerTask task = near_pose("ur5e");
+    task.goal.target.translation() *= 5;  // out of reach: Newton's method would take seconds
+    for (const StopRule stop : {StopRule{.iterations = 1'000'000, .seconds = 0.005},
+                                StopRule{.iterations = 1'000'000, .evaluations = 1000}}) {
+      const std::clock_t began = std::clock();
+      solved(task, name, {}, stop);
+      CHECK(std::clock() - began < CLOCKS_PER_SEC / 10);
+    }
   }
 }
 
