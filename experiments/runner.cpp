@@ -188,12 +188,10 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
     const std::optional<ProgramNotes> notes = solve_runner.notes();
     if (!notes) continue;
     const std::string& label = solve_runner.series().label;
-    std::string text = fmt::format("it ended {} times; lines that are no messages: {}", notes->deaths, notes->noise);
-    if (!notes->last_failure.empty()) text += "; last failure: " + notes->last_failure;
-    if (notes->is_given_up) text += "; it is given up after three deaths in a row";
-    const bool is_silent = notes->last_failure.empty() && notes->noise == 0;
-    if (!is_silent) sentences.push_back(fmt::format("{}: {}", label, text));
-    for (const std::string& line : notes->examples) text += "\n" + line;
+    if (notes->last_failure.empty()) continue;
+    const std::string text =
+        fmt::format("it was started anew {} times; last failure: {}", notes->deaths, notes->last_failure);
+    sentences.push_back(fmt::format("{}: {}", label, text));
     store.add_to_session(session, {{"program." + label, text}});
   }
   return sentences;

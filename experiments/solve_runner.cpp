@@ -48,7 +48,6 @@ std::string options_text(Settings options, const SolverEntry& entry) {
   if (entry.program) {
     const ProgramChoice& choice = entry.program->choice;
     options["process"] = fmt::format("{}", fmt::join(choice.process, " "));
-    options["mode"] = name_of(entry.program->mode);
   }
   if (entry.population > 0) options["population"] = std::to_string(entry.population);
   return numerics::text_of(nlohmann::json(options));
@@ -58,27 +57,20 @@ std::vector<double> to_vector(const Configuration& values) { return {values.begi
 
 // The arm as a program gets it; `searched` has its joints before the wrist, or all.
 ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Robot& arm, const Chain& searched) {
+  const bool is_whole = searched.joints() == arm.joints();
   ArmToSearch told{.name = arm.name,
                    .arm = searched,
                    .limits = arm.limits,
-                   .joint_names = {},
-                   .is_pose = study.search == Search::pose,
+                   .base = arm.base,
+                   .tip = is_whole ? arm.tip : "last joint searched",
                    .rotation_weight = study.search == Search::pose ? study.rotation_weight : 0,
-                   .urdf = {},
-                   .base_link = study.urdf.base,
-                   .tip_link = study.urdf.tip};
+                   .claim_slack = claim_slack(arm)};
   for (const DescribedJoint& joint : arm.description) {
     if (joint.motion != DescribedJoint::Motion::none) told.joint_names.push_back(joint.name);
   }
-  for (int j = static_cast<int>(told.joint_names.size()); j < searched.joints(); ++j) {
-    told.joint_names.push_back(fmt::format("joint_{}", j + 1));
-  }
   const std::filesystem::path file = entry.program->folder / study.robot;
   std::error_code none;
-  const bool is_whole = searched.joints() == arm.joints();
-  if (is_whole && is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none)) {
-    told.urdf = text_of_file(file);
-  }
+  if (is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none)) told.urdf = text_of_file(file);
   return told;
 }
 
@@ -158,19 +150,20 @@ SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const 
   if (program != nullptr) program->prepare(given.problem, objective);
   Timed timed{task_.clocked(solver, given.problem, objective, random, given.target, given.start)};
   if (program != nullptr) {
-    program->conclude();
     timed.account = program->account();
-    add_word(timed, *timed.account);
+    add_account(timed, *timed.account);
   }
   return timed;
 }
 
-void SolveRunner::add_word(Timed& timed, const Account& account) const {
-  timed.cpu_seconds = account.cpu_seconds > 0 ? account.cpu_seconds : 0;
-  if (entry_.program->mode == Mode::ask) return;
-  if (!account.failure) timed.seconds = account.seconds;
-  timed.solution.evaluations = std::max<std::int64_t>(0, account.word.evaluations);
-  timed.solution.iterations = std::max<std::int64_t>(0, account.word.iterations);
+void SolveRunner::add_account(Timed& timed, const Account& account) const {
+  timed.cpu_seconds = account.cpu_seconds;
+  Solution& solution = timed.solution;
+  solution.evaluations = account.evaluations;
+  solution.iterations = account.iterations;
+  if (study_.trace == Trace::none) return;
+  solution.trace = account.trace;
+  solution.improved = account.improved;
 }
 
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
@@ -207,83 +200,83 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
     verified = verify(arm_, target, start, answer);
   }
   const Account* const account = median.account ? &*median.account : nullptr;
-  const bool has_failed = account != nullptr && account->failure.has_value();
-  const Solved* const word = account != nullptr && entry_.program->mode == Mode::solve ? &account->word : nullptr;
-  const double claimed = word != nullptr ? word->error
-                         : has_failed    ? std::numeric_limits<double>::quiet_NaN()
-                                         : solution.position_error;
-  SolveRecord record{.study = study_.name,
-                     .robot = arm_.name,
-                     .solver = entry_.label,
-                     .series = series_.key,
-                     .run = run,
-                     .point = point,
-                     .target_position_m = to_vector(target.translation()),
-                     .target_rotation = by_rows(target.linear()),
-                     .start_rad = to_vector(start),
-                     .answer_rad = to_vector(answer),
-                     .reached_position_m = to_vector(verified.reached),
-                     .position_error_cm = verified.position_error / centimetre,
-                     .claimed_error_cm = claimed / centimetre,
-                     .orientation_error = verified.orientation_error,
-                     .variation_deg = verified.variation / degree,
-                     .largest_move_deg = verified.largest_move / degree,
-                     .limit_violation_deg = verified.limit_violation / degree,
-                     .evaluations = is_counted_ ? solution.evaluations : 0,
-                     .iterations = solution.iterations,
-                     .stop_reason = stop_reason_of(median),
-                     .status = status,
-                     .seconds = median.seconds,
-                     .cpu_seconds = median.cpu_seconds,
-                     .timing = timing_,
-                     .repeats = repeats_,
-                     .smallest_seconds = all.front().seconds,
-                     .largest_seconds = all.back().seconds,
-                     .interruptions = interruptions,
-                     .variation_m = verified.variation_m,
-                     .limit_violation_m = verified.limit_violation_m,
-                     .claimed_seconds = word != nullptr ? word->seconds : std::numeric_limits<double>::quiet_NaN(),
-                     .counted_by = word != nullptr && word->evaluations >= 0 ? CountedBy::solver
-                                   : word == nullptr && is_counted_          ? CountedBy::suite
-                                                                             : CountedBy::nobody,
-                     .restarts = solution.restarts};
-  for (const double error : solution.trace) {
-    if (!has_failed) record.trace_cm.push_back(error / centimetre);
-  }
-  if (is_counted_ && !has_failed && word == nullptr) {
+  SolveRecord record{
+      .study = study_.name,
+      .robot = arm_.name,
+      .solver = entry_.label,
+      .series = series_.key,
+      .run = run,
+      .point = point,
+      .target_position_m = to_vector(target.translation()),
+      .target_rotation = by_rows(target.linear()),
+      .start_rad = to_vector(start),
+      .answer_rad = to_vector(answer),
+      .reached_position_m = to_vector(verified.reached),
+      .position_error_cm = verified.position_error / centimetre,
+      .claimed_error_cm = (account != nullptr ? account->claimed_error : solution.position_error) / centimetre,
+      .orientation_error = verified.orientation_error,
+      .variation_deg = verified.variation / degree,
+      .largest_move_deg = verified.largest_move / degree,
+      .limit_violation_deg = verified.limit_violation / degree,
+      .evaluations = is_counted_ ? solution.evaluations : 0,
+      .iterations = solution.iterations,
+      .stop_reason = stop_reason_of(median),
+      .status = status,
+      .seconds = median.seconds,
+      .cpu_seconds = median.cpu_seconds,
+      .timing = timing_,
+      .repeats = repeats_,
+      .smallest_seconds = all.front().seconds,
+      .largest_seconds = all.back().seconds,
+      .interruptions = interruptions,
+      .variation_m = verified.variation_m,
+      .limit_violation_m = verified.limit_violation_m,
+      .claimed_seconds = account != nullptr ? account->claimed_seconds : std::numeric_limits<double>::quiet_NaN(),
+      .counted_by = account != nullptr ? account->counted_by
+                    : is_counted_      ? CountedBy::suite
+                                       : CountedBy::nobody,
+      .restarts = solution.restarts};
+  for (const double error : solution.trace) record.trace_cm.push_back(error / centimetre);
+  if (is_counted_) {
     record.improved_at.assign(solution.improved.at.begin(), solution.improved.at.end());
     for (const double error : solution.improved.to) record.improved_to_cm.push_back(error / centimetre);
   }
-  const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
-  if (entry_.program && is_in_order &&
-      is_over(record, {study_.stop.seconds, static_cast<double>(study_.stop.evaluations)}))
-    record.status = Status::over_budget;
   return record;
 }
 
 StopReason SolveRunner::stop_reason_of(const Timed& timed) const {
-  if (timed.account && timed.account->failure)
-    return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
   const StopReason ours = recorded(timed.solution.stopped);
-  if (!timed.account || entry_.program->mode == Mode::ask) return ours;
-  const StopReason theirs = timed.account->word.reason.value_or(ours);
-  return ours == StopReason::not_finite || theirs == StopReason::not_finite ? ours : theirs;
+  if (!timed.account) return ours;
+  if (timed.account->failure)
+    return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
+  return ours == StopReason::finished ? timed.account->stopped : ours;
 }
 
 Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {
   if (timed.account && timed.account->failure) return *timed.account->failure;
   if (timed.solution.stopped == Stopped::not_finite) return Status::not_finite;
-  double claimed = timed.solution.position_error;
-  if (timed.account && entry_.program->mode == Mode::solve) {
-    claimed = std::isnan(timed.account->word.error) ? verified.position_error : timed.account->word.error;
-  }
-  return judge(verified, {.claimed_error = claimed,
-                          .claimed_pose_error = timed.solution.best.error,
-                          .rotation_weight = task_.goal(target).rotation_weight,
-                          .tolerance = study_.stop.tolerance,
-                          .angle_tolerance = study_.stop.angle_tolerance,
-                          .orientation_is_exact = study_.search == Search::wrist,
-                          .limits_are_enforced = study_.limits == Limits::enforced});
+  const bool claims = timed.account && !std::isnan(timed.account->claimed_error);
+  const Status status =
+      judge(verified, {.claimed_error = claims ? timed.account->claimed_error : timed.solution.position_error,
+                       .claim_slack = timed.account ? claim_slack(arm_) : 0,
+                       .claimed_pose_error = timed.solution.best.error,
+                       .rotation_weight = task_.goal(target).rotation_weight,
+                       .tolerance = study_.stop.tolerance,
+                       .angle_tolerance = study_.stop.angle_tolerance,
+                       .orientation_is_exact = study_.search == Search::wrist,
+                       .limits_are_enforced = study_.limits == Limits::enforced});
+  const bool is_in_order = status == Status::ok || status == Status::tolerance_missed;
+  return is_in_order && is_late(timed) ? Status::over_budget : status;
+}
+
+// Solvers that stop by themselves may take too much: programs and libraries. A library's time is that of its thread.
+bool SolveRunner::is_late(const Timed& timed) const {
+  if (!entry_.program && info_of(entry_).library.empty()) return false;
+  if (timed.account && timed.account->went_on) return true;
+  return is_over({.seconds = timed.account ? timed.seconds : std::min(timed.seconds, timed.cpu_seconds),
+                  .evaluations = timed.solution.evaluations,
+                  .iterations = timed.solution.iterations},
+                 study_.stop);
 }
 
 }  // namespace ikbench::experiments

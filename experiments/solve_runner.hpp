@@ -46,8 +46,9 @@ class SolveRunner {
   std::vector<Timed> repeated(solvers::Solver& solver, const Posed& given) const;
   results::StopReason stop_reason_of(const Timed& timed) const;
   results::Status status_of(const Timed& timed, const Verification& verified, const robots::Pose& target) const;
-  // Copies the program's own numbers into a solve.
-  void add_word(Timed& timed, const Account& account) const;
+  bool is_late(const Timed& timed) const;
+  // Copies what only the account of a program has into a solve.
+  void add_account(Timed& timed, const Account& account) const;
 
   const Study& study_;
   const SolverEntry& entry_;

@@ -14,6 +14,7 @@ namespace ikbench::experiments {
 using namespace numerics;
 using namespace robots;
 using namespace results;
+using solvers::StopRule;
 
 namespace {
 
@@ -187,15 +188,17 @@ Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorX
           .limit_violation_m = beyond_rounding(largest(of_joints(robot, outside, Kind::slides)))};
 }
 
-bool is_over(const SolveRecord& solve, const Budget& budget) {
-  const bool is_late = budget.seconds > 0 && solve.seconds > most_of_budget * budget.seconds;
-  return is_late || (budget.evaluations > 0 && solve.counted_by == CountedBy::solver &&
-                     static_cast<double>(solve.evaluations) > most_of_budget * budget.evaluations);
+bool is_over(const Spent& spent, const StopRule& budget) {
+  const auto exceeds = [](double used, double given) { return given > 0 && used > most_of_budget * given; };
+  return exceeds(spent.seconds, budget.seconds) ||
+         exceeds(static_cast<double>(spent.evaluations), static_cast<double>(budget.evaluations)) ||
+         exceeds(static_cast<double>(spent.iterations), budget.iterations);
 }
 
 Status judge(const Verification& verified, const Requirement& requirement) {
   if (!std::isfinite(verified.position_error) || !std::isfinite(verified.orientation_error)) return Status::not_finite;
-  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <= rounding;  // false for NaN
+  const bool claim_holds = std::abs(verified.position_error - requirement.claimed_error) <=
+                           rounding + requirement.claim_slack;  // false for NaN
   const bool pose_claim_holds =
       requirement.rotation_weight == 0 ||
       std::abs(pose_error(verified, requirement.rotation_weight) - requirement.claimed_pose_error) <= rounding;

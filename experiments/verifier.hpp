@@ -4,6 +4,7 @@
 
 #include "results/record.hpp"
 #include "robots/robot.hpp"
+#include "solvers/solver.hpp"
 
 namespace ikbench::experiments {
 
@@ -30,15 +31,11 @@ Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer);
 
-// The budget of a program that stops by itself; 0: none.
-struct Budget {
-  double seconds = 0;
-  double evaluations = 0;
-};
 
 // The requirements of an answer, besides being a finite configuration.
 struct Requirement {
   double claimed_error = 0;           // [m], as the solver reports it
+  double claim_slack = 0;             // [m]; it may be off by this, besides rounding
   double claimed_pose_error = 0;      // [m], of three points of the tool, as solvers::Objective
   double rotation_weight = 0;         // [m]; 0: only positions are searched, without a pose claim
   double tolerance = 0;               // [m]; 0: none
@@ -47,9 +44,17 @@ struct Requirement {
   bool limits_are_enforced = false;   // otherwise a violation is only recorded
 };
 
+// What the claim of a program on this arm may be off [m]: rounding to single precision, and as far as snapping moves
+// the tool, since the program may have the file's own numbers. Snapping was sampled, so it counts twice.
+inline double claim_slack(const robots::Robot& arm) { return 1e-6 + 2 * arm.snapped; }
+
 constexpr double most_of_budget = 1.5;
-// True if a program took more than `most_of_budget` times its budget.
-bool is_over(const results::SolveRecord& solve, const Budget& budget);
+struct Spent {
+  double seconds = 0;
+  std::int64_t evaluations = 0, iterations = 0;
+};
+// True if a solver that stops by itself took more than `most_of_budget` times its budget.
+bool is_over(const Spent& spent, const solvers::StopRule& budget);
 
 // The most severe fault of an answer, in the order of Status' description (results/record.hpp). A difference of 1e-9
 // (m, rad) is rounding.

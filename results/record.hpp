@@ -17,7 +17,7 @@ enum class StopReason : std::uint8_t { iterations, tolerance, evaluations, time,
 // The verifier's judgement of an answer: the first that applies of not_finite, claimed_but_wrong, refused,
 // limit_violated, tolerance_missed, ok. If a study enforces the joint limits, an answer that violates them is refused:
 // the arm stays where it was, and so does the record's answer. crashed to declined are for outside programs that gave
-// no answer; then the arm stays, too.
+// no answer, over_budget for answers that came too late; then the arm stays, too.
 enum class Status : std::uint8_t {
   ok,
   tolerance_missed,
@@ -29,7 +29,7 @@ enum class Status : std::uint8_t {
   timed_out,       // it did not answer within its patience
   broke_protocol,  // its message made no sense
   declined,        // it says that it cannot solve this
-  over_budget      // a program's answer is fine, but took far more time or evaluations than the study gives
+  over_budget      // a program or library took far more time or evaluations than the study gives
 };
 
 // The circumstances of a solve's times. Only `clean` times are comparable, and `process`, those of another program,
@@ -52,8 +52,8 @@ constexpr const auto& names_of(Status) { return status_names; }
 constexpr const auto& names_of(Timing) { return timing_names; }
 constexpr const auto& names_of(CountedBy) { return counted_by_names; }
 
-// True if the solver gave no answer at all.
-constexpr bool is_without_answer(Status status) { return status >= Status::crashed && status <= Status::declined; }
+// True if the solver gave no answer within its budget.
+constexpr bool is_without_answer(Status status) { return status >= Status::crashed; }
 // True if the arm stayed where it was, and the record's answer is that.
 constexpr bool stays(Status status) { return status == Status::refused || is_without_answer(status); }
 

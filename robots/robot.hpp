@@ -37,8 +37,10 @@ struct Robot {
   std::string source;  // of the numbers
   Chain chain;
   JointLimits limits;
-  Description description = {};         // as in a URDF file; empty: the chain says all
-  std::vector<std::string> notes = {};  // parts of its file that were not taken as they stand
+  Description description = {};             // as in a URDF file; empty: the chain says all
+  std::vector<std::string> notes = {};      // parts of its file that were not taken as they stand
+  std::string base = "base", tip = "tool";  // links of a URDF file
+  double snapped = 0;  // how far snapping moves the tool [m], the farthest of a thousand configurations
 
   int joints() const { return chain.joints(); }
 };

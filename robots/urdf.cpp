@@ -398,9 +398,12 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
       arm.limits.upper[j] = limits[static_cast<std::size_t>(j)][1];
     }
     if (angles > 0) {
-      notes.push_back(fmt::format("{} angles are snapped, which moves the tool by at most {:.2g} um", angles,
-                                  1e6 * moved_by_snapping(printed, snapped, arm.limits)));
+      arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
+      notes.push_back(
+          fmt::format("{} angles are snapped, which moves the tool by at most {:.2g} um", angles, 1e6 * arm.snapped));
     }
+    arm.base = base;
+    arm.tip = tip;
     arm.description = std::move(snapped);
     arm.notes = std::move(notes);
     return arm;

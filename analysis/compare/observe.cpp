@@ -191,9 +191,9 @@ std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   const auto is_counted = [](CountedBy by) {
     return [by](const SolveRecord& solve) { return solve.counted_by == by; };
   };
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "nobody counted the evaluations"},
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; nobody counted the evaluations"},
       is_counted(CountedBy::nobody));
-  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "the solver counts its evaluations itself"},
+  add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; its own count"},
       is_counted(CountedBy::solver));
   return doubts;
 }

@@ -166,7 +166,8 @@ const Metric* metric_of(const Sheet& sheet, const std::string& name) {
     if (sheet.cell(row, study) != sheet.cell(sheet.rows().front(), study))
       sheet.refuse(row, study, "is not the only one; choose with --where study=NAME");
     if (how == "tolerance_missed" || sheet.cell(row, stop) == "tolerance") unknown = "the tolerance";
-    if (metric->kind == Kind::cost && is_one_of(how, {"crashed", "timed_out", "broke_protocol", "declined"}))
+    if (metric->kind == Kind::cost &&
+        is_one_of(how, {"crashed", "timed_out", "broke_protocol", "declined", "over_budget"}))
       unknown = "what a solve without an answer costs";
   }
   if (unknown)

@@ -1,4 +1,4 @@
-% Damped least squares for ikbench in Octave, with kinematics of its own; positions alone.
+% Damped least squares for ikbench in Octave, with kinematics of its own; positions of arms whose joints turn.
 % process = ["octave-cli", "--quiet", "damped.m"]
 1;
 
@@ -26,31 +26,22 @@ end
 function solve(arm, problem)
   began = tic;
   q = problem.start(:);
-  target = problem.target.position(:);
   for i = 0:problem.budget.iterations
     [tool, jacobian] = forward(arm, q);
-    off = target - tool;
+    off = problem.target.position(:) - tool;
     late = problem.budget.seconds > 0 && toc(began) >= problem.budget.seconds;
     if late || norm(off) <= problem.tolerance.position || i == problem.budget.iterations, break; end
     move = jacobian' * ((jacobian * jacobian' + 1e-4 * eye(3)) \ off);
     q += move * min(1, 0.2 / max(abs(move)));
     q = min(max(q, problem.lower(:)), problem.upper(:));
   end
-  say(struct("message", "solved", "id", problem.id, "q", {q'}, "error", norm(off), "iterations", i));
+  say(struct("message", "solved", "q", {q'}, "error", norm(off), "iterations", i, "evaluations", i + 1));
 end
 
-say(struct("ikbench", 1, "message", "hello", "name", "octave_damped", "version", "1.0", "modes", "solve",
-           "deterministic", true));
-arm = [];
+say(struct("message", "hello", "ikbench", 2, "name", "octave_damped", "version", "2.0"));
 while ischar(line = input("", "s"))  % fgetl waits for the line after
   told = jsondecode(line);
-  switch told.message
-    case "robot"
-      arm = told;
-      can = strcmp(arm.goal, "position") && all(strcmp({arm.joints.type}, "revolute"));
-      if can, say(struct("message", "ready"));
-      else, say(struct("message", "declined", "why", "positions of revolute joints alone")); end
-    case "solve", solve(arm, told);
-    case "bye", break;
-  end
+  if strcmp(told.message, "robot"), arm = told; continue; end
+  if strcmp(arm.goal, "position") && all(strcmp({arm.joints.type}, "revolute")), solve(arm, told);
+  else, say(struct("message", "declined", "why", "positions of joints that turn, alone")); end
 end

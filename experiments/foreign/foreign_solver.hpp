@@ -17,18 +17,24 @@ namespace ikbench::experiments {
 // Facts about a program besides its solves.
 struct ProgramNotes {
   std::int64_t deaths = 0;
-  std::int64_t noise = 0;             // lines that are no messages
-  std::vector<std::string> examples;  // the first of these lines
-  std::string last_failure;           // "crashed (exit code 3); it wrote: ..."
-  bool is_given_up = false;
+  std::string last_failure;  // "crashed: it ended (exit code 3; its last words: ...)"
 };
 
-// Facts about one solve besides its solution.
+// Facts about one solve besides its answer.
 struct Account {
   std::optional<results::Status> failure;
-  double seconds = std::numeric_limits<double>::quiet_NaN();  // of a solve with own kinematics, to the last byte read
-  double cpu_seconds = 0;                                     // of the program
-  Solved word = {};                                           // the answer of a program with own kinematics
+  std::string why;         // of the failure
+  double cpu_seconds = 0;  // of the program
+  results::StopReason stopped = results::StopReason::finished;
+  bool went_on = false;  // it wanted more evaluations after it was told that its budget is used up
+  // It is not `suite` if its answer is none of the candidates evaluated here, or if these are too few to have found it:
+  // then it has kinematics of its own, and `evaluations` is its own count.
+  results::CountedBy counted_by = results::CountedBy::nobody;
+  std::int64_t evaluations = 0, iterations = 0;
+  std::vector<double> trace = {};  // of the evaluations made here, as in Solution
+  solvers::Improvements improved = {};
+  double claimed_error = std::numeric_limits<double>::quiet_NaN();  // [m], its word
+  double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
 // A process of a program, with the state kept from solve to solve.
@@ -44,7 +50,6 @@ class Sessions {
   std::unique_ptr<Session> take();
   void give_back(std::unique_ptr<Session> session);
   ProgramNotes notes() const;  // of all processes so far; none may be taken
-  const Program& program() const { return *program_; }
 
  private:
   std::shared_ptr<const Program> program_;
@@ -53,8 +58,8 @@ class Sessions {
   std::vector<std::unique_ptr<Session>> idle_;
 };
 
-// solvers::solve drives it like any other solver. A program with own kinematics solves completely in `start`. If the
-// program fails, the error is infinite, and the account says why.
+// solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is
+// infinite, and the account says why.
 class ForeignSolver final : public solvers::Solver {
  public:
   ForeignSolver(Sessions& sessions, const solvers::StopRule& stop);  // both outlive it
@@ -63,33 +68,22 @@ class ForeignSolver final : public solvers::Solver {
   // Call before the clock starts: starts the process if there is none, and warms it up.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
   void start(const solvers::Problem& problem, solvers::Objective& objective, numerics::Random& random) override;
-  void step(solvers::Objective& objective, numerics::Random& random) override;
+  void step(solvers::Objective&, numerics::Random&) override {}
   const solvers::Best& best() const override { return best_; }
-  bool finished() const override { return is_finished_; }
-  // Call after the clock stopped: tells the program that the solve is over, and ends the program if it failed.
-  void conclude();
+  bool finished() const override { return true; }
   const Account& account() const { return account_; }
-  const std::string& trouble() const { return trouble_; }  // why it failed; empty if it did not
 
  private:
   template <class Talk>
-  void guarded(Talk&& talk);  // an exception becomes the account's failure
-  void solve_at_once(const std::string& text, solvers::Objective& objective);
-  void take_in(const Message& message, solvers::Objective& objective);
+  void guarded(Talk&& talk);  // Trouble becomes the account's failure
+  void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
+  std::optional<results::StopReason> end_of_budget(const solvers::Objective& objective, Clock::time_point began) const;
 
   Sessions& sessions_;
   const solvers::StopRule& stop_;
   std::unique_ptr<Session> session_;
   solvers::Best best_;
-  bool is_finished_ = false;
-  bool is_open_ = false;        // the program knows of this solve, but not of its end
-  bool is_warming_up_ = false;  // a warm-up that succeeds does not forget earlier deaths
-  bool is_telling_ = false;     // the program waits for the errors of its candidates
-  int joints_ = 0;
-  double cpu_before_ = 0;
-  Eigen::VectorXd errors_;
   Account account_;
-  std::string trouble_;
 };
 
 }  // namespace ikbench::experiments

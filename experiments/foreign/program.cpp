@@ -8,54 +8,30 @@
 #include <array>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
-#include "experiments/foreign/session.hpp"
 #include "numerics/names.hpp"
 
 namespace ikbench::experiments {
 
 namespace fs = std::filesystem;
 
+using results::Status;
+
 namespace {
 
-constexpr std::size_t most_noise = 100;
 constexpr double hello_patience = 20;  // [s]
 
-class Sha256 {
- public:
-  Sha256() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) {
-    if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
-      throw std::runtime_error("no SHA-256");
-  }
-  void add(std::string_view bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
-  std::string text() {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-    unsigned int size = 0;
-    EVP_DigestFinal_ex(context_.get(), bytes.data(), &size);
-    std::string hex;
-    for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes.at(i));
-    return hex;
-  }
-
- private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
-
-}  // namespace
-
-std::string digest_of_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  Sha256 digest;
-  std::array<char, 65536> buffer;
-  while (in.read(buffer.data(), buffer.size()) || in.gcount() > 0) {
-    digest.add({buffer.data(), static_cast<std::size_t>(in.gcount())});
-  }
-  if (!in.eof()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
-  return digest.text();
+std::string digest_of_text(const std::string& text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  unsigned int size = 0;
+  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("no SHA-256");
+  std::string hex;
+  for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes.at(i));
+  return hex;
 }
-
-namespace {
 
 bool is_file(const fs::path& file) {
   std::error_code error;
@@ -78,56 +54,61 @@ fs::path executable(const std::string& word, const fs::path& folder) {
 
 // Digests the name, the version, the executable, every argument that is a file, and the study's `files`.
 std::string digest_of(const ProgramChoice& choice, const fs::path& folder, const Hello& hello) {
-  Sha256 digest;
-  digest.add(hello.name + '\n' + hello.version + '\n');
+  std::string text = hello.name + '\n' + hello.version + '\n';
   const std::vector<std::string>& words = choice.process;
-  if (const fs::path file = executable(words[0], folder); is_file(file)) digest.add(digest_of_file(file));
+  if (const fs::path file = executable(words[0], folder); is_file(file)) text += digest_of_file(file);
   for (std::size_t i = 1; i < words.size(); ++i) {
-    if (const fs::path file = folder / words[i]; is_file(file)) digest.add(digest_of_file(file));
+    if (const fs::path file = folder / words[i]; is_file(file)) text += digest_of_file(file);
   }
-  for (const std::string& name : choice.files) digest.add(name + '\n' + digest_of_file(folder / name));
-  return digest.text();
+  for (const std::string& name : choice.files) text += name + '\n' + digest_of_file(folder / name);
+  return digest_of_text(text);
 }
 
 }  // namespace
 
+std::string digest_of_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
+  return digest_of_text(text);
+}
+
 void list_fields(numerics::Fields& io, ProgramChoice& choice) {
-  using Talk = ProgramChoice::Talk;
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
-  io.choice(
-      "mode", choice.mode,
-      numerics::Choices<Talk>{{"preferred", Talk::preferred}, {"solve", Talk::solve}, {"ask", Talk::ask}},
-      "solve: the program has its own kinematics; ask: its candidates are evaluated here; preferred: as it likes");
   io.number("patience_s", choice.patience, 1, {0, 86400},
             "wall time after which a solve is given up; 0: 20 times its budget, at least 5 s");
 }
 
-Hello hello_of(ChildProcess& child, const ProgramChoice& choice, std::vector<std::string>& noise) {
-  const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
-  const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(patience);
-  for (std::string line;;) {
-    switch (child.read_line(line, deadline)) {
-      case ChildProcess::Outcome::too_late:
-        throw std::invalid_argument(
-            fmt::format("it says no hello within {:g} s; a larger patience_s waits longer", patience.count()));
-      case ChildProcess::Outcome::too_long:
-        throw Breach("its first line has more than a million bytes");
-      case ChildProcess::Outcome::ended: {
-        child.end(std::chrono::seconds(1));
-        const std::string errors = last_line(child.last_errors());
-        throw std::invalid_argument(fmt::format("it ends before its hello ({}){}", child.how_it_ended(),
-                                                errors.empty() ? "" : ", and wrote: " + errors));
-      }
-      case ChildProcess::Outcome::done:
-        break;
+Message next_message(ChildProcess& child, Clock::time_point deadline) {
+  std::string noise;
+  try {
+    for (;;) {
+      std::string line = child.read_line(deadline);
+      if (line.starts_with('{')) return Message(std::move(line));
+      noise = fmt::format("; it wrote what is no message: {}", numerics::front(line, 200));
     }
-    if (const std::optional<Message> message = message_in(line)) return hello_in(*message);
-    if (noise.size() < most_noise) noise.push_back(line);
+  } catch (const Trouble& trouble) {
+    throw Trouble{trouble.status, trouble.why + noise};
   }
 }
 
-Command Program::command() const { return {choice.process, folder}; }
+std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::path& folder, Hello& hello) {
+  auto child = std::make_unique<ChildProcess>(choice.process, folder);
+  const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
+  try {
+    hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();
+  } catch (const Trouble& trouble) {
+    child->end(std::chrono::seconds(trouble.status == Status::crashed ? 1 : 0));
+    std::string why = trouble.why;
+    if (trouble.status == Status::crashed)
+      why = fmt::format("it ended before its hello ({}{})", child->how_it_ended(), child->last_words());
+    if (trouble.status == Status::timed_out)
+      why = fmt::format("it says no hello within {:g} s; a larger patience_s waits longer", patience.count());
+    throw Trouble{trouble.status, why};
+  }
+  return child;
+}
 
 bool Program::is_unchanged() const {
   try {
@@ -143,18 +124,10 @@ std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path&
       throw std::invalid_argument(fmt::format("there is no file {}", (folder / name).string()));
   }
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
-  ChildProcess child(program->command());
-  std::vector<std::string> noise;
-  program->hello = hello_of(child, choice, noise);
-  child.write(bye_message(), Clock::now() + std::chrono::seconds(1));
-  child.end(std::chrono::seconds(1));
-  const std::vector<Mode>& modes = program->hello.modes;
-  program->mode = choice.mode == ProgramChoice::Talk::preferred ? modes.front()
-                  : choice.mode == ProgramChoice::Talk::solve   ? Mode::solve
-                                                                : Mode::ask;
-  if (std::ranges::find(modes, program->mode) == modes.end()) {
-    throw std::invalid_argument(
-        fmt::format("it has no mode \"{}\"; expected \"{}\"", name_of(program->mode), name_of(modes.front())));
+  try {
+    started(choice, folder, program->hello)->end(std::chrono::seconds(1));
+  } catch (const Trouble& trouble) {
+    throw std::invalid_argument(trouble.why);
   }
   program->digest = digest_of(choice, folder, program->hello);
   return program;

@@ -13,12 +13,9 @@ namespace ikbench::experiments {
 
 // A program as a study names it.
 struct ProgramChoice {
-  enum class Talk { preferred, solve, ask };
-
   std::vector<std::string> process;  // the program and its arguments
   std::vector<std::string> files;    // its further files
-  Talk mode = Talk::preferred;
-  double patience = 0;  // [s] per solve; 0: max(5 s, 20 x its budget)
+  double patience = 0;               // [s] per solve; 0: max(5 s, 20 x its budget)
 };
 
 void list_fields(numerics::Fields& io, ProgramChoice& choice);
@@ -30,20 +27,18 @@ struct Program {
   ProgramChoice choice;
   std::filesystem::path folder;  // its working folder
   Hello hello;
-  Mode mode = Mode::solve;
   std::string digest;  // of its name, its version and its files
 
-  Command command() const;
-  bool is_unchanged() const;  // true if its files are as they were at its hello; false if one is missing
+  bool is_unchanged() const;  // its files are as they were at its hello
 };
-
-constexpr std::chrono::seconds ready_patience{60};
 
 // Starts the program and reads its hello. std::invalid_argument says what is wrong with it, or which file is missing.
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const std::filesystem::path& folder);
 
-// Reads the first message of a program, within 20 s or its patience, and appends noise before it to `noise`. Throws
-// Breach, or std::invalid_argument if the program ends or stays silent.
-Hello hello_of(ChildProcess& child, const ProgramChoice& choice, std::vector<std::string>& noise);
+// A fresh process of it, its hello read. Throws Trouble, or std::invalid_argument if it cannot be started.
+std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const std::filesystem::path& folder, Hello& hello);
+
+// The next message; lines that do not begin with { are noise, which is told if no message follows. Throws Trouble.
+Message next_message(ChildProcess& child, Clock::time_point deadline);
 
 }  // namespace ikbench::experiments

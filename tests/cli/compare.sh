@@ -84,7 +84,7 @@ gate 0 no-baseline
 cp ikbench-gate/store.sqlite baseline.sqlite
 gate 0 passed OUT=same STRICT=true
 [ -s same/verdict.md ] && cmp same/verdict.md summary.md || fail "no verdict in the summary: $(<summary.md)"
-sed 's/errors = ask(problem\["id"\], swarm)/told = ask(problem["id"], 3 * swarm)\n        errors = told and told[:size]/' "$pso" >mine.py
+sed 's/errors := evaluate(swarm):/told := evaluate(3 * swarm):\n        errors = told[:size]/' "$pso" >mine.py
 gate 3 worse OUT=thrice
 equal "evaluations" "$(column thrice/store.sqlite evaluations mine | awk '{ n += $1 } END { print n }')" \
   "$((3 * $(column baseline.sqlite evaluations mine | awk '{ n += $1 } END { print n }')))"

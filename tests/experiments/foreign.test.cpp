@@ -4,7 +4,9 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/foreign/foreign_solver.hpp"
+#include "experiments/runner.hpp"
+#include "experiments/study_reader.hpp"
+#include "experiments/verifier.hpp"
 #include "tests/catch.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -14,17 +16,21 @@ using namespace ikbench::experiments;
 namespace {
 
 // It computes for some milliseconds, then answers with the start.
-constexpr const char* busy = R"(echo '{"ikbench":1,"message":"hello","name":"busy","version":"1","modes":["solve"]}'
+constexpr const char* busy = R"(echo '{"message":"hello","ikbench":2,"name":"busy"}'
 while read -r line; do
-  id=${line#*'"id":'} id=${id%%[,\}]*} i=0
+  i=0
   case $line in
-    *'"message":"robot"'*) echo '{"message":"ready"}' ;;
     *'"message":"solve"'*)
       while [ $i -lt 2000 ]; do i=$((i + 1)); done
-      echo "{\"message\":\"solved\",\"id\":$id,\"q\":[0.1,0.1]}" ;;
-    *'"message":"bye"'*) exit ;;
+      echo '{"message":"solved","q":[0.1,0.1,0.1,0.1,0.1,0.1]}' ;;
   esac
 done
+)";
+constexpr const char* its_study = R"(robot = "ur5e"
+search = "all_joints"
+[[solvers]]
+process = ["sh", "busy.sh"]
+patience_s = 100
 )";
 
 // Keeps this thread, and processes that it starts, on one processor.
@@ -35,50 +41,35 @@ void stay_on_one_processor() {
   ::sched_setaffinity(0, sizeof(one), &one);
 }
 
-// From here on every other process that wants the processor of this thread gets it.
+// From here on every other process that wants the processor of this thread gets it, also those that it starts.
 void give_way() {
   const sched_param none{};
-  ::sched_setscheduler(0, SCHED_IDLE, &none);
-}
-
-std::vector<Account> accounts_of_busy(const ScratchFolder& folder) {
-  std::ofstream(folder.path / "busy.sh") << busy;
-  const auto program = meet({.process = {"sh", "busy.sh"}, .patience = 100}, folder.path);
-  const robots::Chain arm({{.a = 0.5}, {.a = 0.5}});
-  const robots::JointLimits limits{robots::Configuration::Constant(2, -3), robots::Configuration::Constant(2, 3)};
-  Sessions sessions(program, robot_message({.name = "two", .arm = arm, .limits = limits, .joint_names = {"a", "b"}},
-                                           program->hello, {}));
-  const solvers::StopRule stop{.iterations = 1};
-  const solvers::Problem problem{
-      .start = robots::Configuration::Constant(2, 0.1), .lower = limits.lower, .upper = limits.upper};
-  solvers::Objective objective(arm, Eigen::Vector3d(0.3, 0.4, 0));
-  numerics::Random random{numerics::Key(1)};
-  ForeignSolver solver(sessions, stop);
-  std::vector<Account> accounts;
-  for (int i = 0; i < 10; ++i) {
-    solver.prepare(problem, objective);
-    give_way();
-    solver.start(problem, objective, random);
-    solver.conclude();
-    accounts.push_back(solver.account());
-  }
-  return accounts;
+  ::sched_setscheduler(0, SCHED_IDLE | SCHED_RESET_ON_FORK, &none);
 }
 
 }  // namespace
 
 TEST_CASE("the clock of a program's solve runs before the program does", "[foreign]") {
   const ScratchFolder folder;
-  std::vector<Account> accounts;
+  std::ofstream(folder.path / "busy.sh") << busy;
+  const Study study = parse_study(its_study, (folder.path / "busy.toml").string());
+  std::vector<results::SolveRecord> solves;
   // As soon as the program can read its message, it has the processor, and we do not.
   std::thread([&] {
     stay_on_one_processor();
-    accounts = accounts_of_busy(folder);
+    give_way();
+    for (int i = 0; i < 5; ++i) solves.push_back(solve_once(study, study.solvers.front(), robots::Pose::Identity()));
   }).join();
-  CHECK(accounts.size() == 10);
-  for (const Account& account : accounts) {
-    CHECK_FALSE(account.failure);
-    CHECK(account.cpu_seconds > 1e-4);
-    CHECK(account.seconds >= account.cpu_seconds);
+  for (const results::SolveRecord& solve : solves) {
+    CHECK(solve.status == results::Status::ok);
+    CHECK(solve.cpu_seconds > 1e-4);
+    CHECK(solve.seconds >= solve.cpu_seconds);
   }
+}
+
+TEST_CASE("a claim may be off by rounding and twice what snapping moves", "[foreign]") {
+  CHECK(claim_slack(robots::robot("ur5e")) == 1e-6);
+  robots::Robot snapped = robots::robot("ur5e");
+  snapped.snapped = 1e-4;
+  CHECK(claim_slack(snapped) == Approx(2.01e-4));
 }

@@ -273,19 +273,11 @@ TEST_CASE("of several wrongs the most severe is told", "[verifier]") {
   CHECK(judge(verified, requirement) == Status::not_finite);
 }
 
-TEST_CASE("a program is over its budget by its time and its own word", "[verifier]") {
-  const Budget budget{.seconds = 1, .evaluations = 100};
-  SolveRecord solve{.counted_by = CountedBy::solver};
-  for (const auto& [seconds, is_late] : {std::pair(1.49, false), {1.51, true}}) {
-    solve.seconds = seconds;
-    CHECK(is_over(solve, budget) == is_late);
-    CHECK_FALSE(is_over(solve, {.evaluations = 100}));
-  }
-  solve.seconds = 0.5;
-  solve.evaluations = 150;
-  CHECK_FALSE(is_over(solve, budget));
-  solve.evaluations = 151;
-  CHECK(is_over(solve, budget));
-  solve.counted_by = CountedBy::suite;
-  CHECK_FALSE(is_over(solve, budget));
+TEST_CASE("a solver that stops by itself is over its budget by half of it", "[verifier]") {
+  const solvers::StopRule budget{.iterations = 10, .evaluations = 100, .seconds = 1};
+  CHECK_FALSE(is_over({.seconds = 1.49, .evaluations = 150, .iterations = 15}, budget));
+  CHECK(is_over({.seconds = 1.51}, budget));
+  CHECK(is_over({.evaluations = 151}, budget));
+  CHECK(is_over({.iterations = 16}, budget));
+  CHECK_FALSE(is_over({.seconds = 100, .evaluations = 1000}, {.iterations = 10}));
 }

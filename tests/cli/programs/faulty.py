@@ -6,6 +6,10 @@ FAULT = sys.argv[1] if len(sys.argv) > 1 else ""
 def say(**message):
     print(json.dumps(message), flush=True)
 
+def ask(candidates):
+    say(message="evaluate", candidates=candidates)
+    return json.loads(sys.stdin.readline())
+
 def matrix(joint, q):
     t, ca, sa = joint["theta"] + q, math.cos(joint["alpha"]), math.sin(joint["alpha"])
     c, s = math.cos(t), math.sin(t)
@@ -36,17 +40,20 @@ def solve(problem):
         step *= 0.8
     if FAULT == "late": time.sleep(0.6)
     counted = {"boasts": {"evaluations": 1}, "spends": {"evaluations": 1000}}.get(FAULT, {})
-    say(message="solved", id=problem["id"], q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
+    if FAULT == "asks once": ask([q])
+    if FAULT == "asks at first": ask([problem["start"]])
+    if FAULT == "asks on":
+        while not ask([[0.1 * i for i in range(len(q))]])["over"]: pass
+        ask([q])
+    say(message="solved", q=q, error=error + (0.01 if FAULT == "lies" else 0), **counted)
 
-say(ikbench=1, message="hello", name="faulty", version="1", modes=["solve"], deterministic=True, options=[
+say(message="hello", ikbench=2, name="faulty", version="1", options=[
     {"name": "w", "type": "number", "default": 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
 solves = 0
 for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
         robot = told
-        if FAULT == "declines": say(message="declined", why="not today")
-        else: say(message="ready")
     elif told["message"] == "solve":
         solves += 1
         if FAULT == "hangs" and solves == 7 and not os.path.exists("hung"):
@@ -56,10 +63,10 @@ for line in sys.stdin:
             open("died", "w").close()
             print("no more", file=sys.stderr)
             os._exit(3)
-        if FAULT == "deep" and solves == 5: print('{"message":"solved","id":%d,"q":%s}' % (told["id"], "[" * 400000 + "]" * 400000), flush=True)
-        if FAULT == "early": print("".join('{"message":"solved","id":%d,"q":[]}\n' % (told["id"] + i) for i in range(1, 1001)), flush=True)
-        if FAULT == "noise": print("Iteration 1 of 200\nnull\n{\"message\": 7}\n[1e999]", flush=True)
-        if FAULT == "nonsense" and solves == 5: print('{"message":"solved","id":%d,"q":"none"}' % told["id"], flush=True)
+        if FAULT == "noise": print("Iteration 1 of 200\nnull", flush=True)
+        if FAULT == "deep" and solves == 5: print('{"message":"solved","q":%s}' % ("[" * 400000 + "]" * 400000), flush=True)
+        elif FAULT == "declines": say(message="declined", why="not today")
+        elif FAULT == "nonsense" and solves == 5: say(message="solved", q="none")
+        elif FAULT == "not JSON" and solves == 5: print('{"message":"solved","q":[NaN]}', flush=True)
         else: solve(told)
-    elif told["message"] == "bye":
-        break
+        if FAULT == "twice": solve(told)

@@ -19,11 +19,8 @@ def answer(problem):
     solves += 1
     target, draw, began = problem["target"]["position"], random.Random(problem["seed"]), time.monotonic()
     timed = problem["budget"]["seconds"] > 0
-    if "one-seed" == FAULT: draw = random.Random(1)
-    if "hangs" == FAULT and target[0] > 5 and not timed: time.sleep(1000)
-    if "empty-budget" == FAULT and problem["budget"]["iterations"] == 0: os._exit(4)
+    if "hangs" == FAULT and target[0] > 5: time.sleep(1000)
     if "late" == FAULT and timed: time.sleep(0.1)
-    if "noise" == FAULT: print("solving", flush=True)
     best = list(problem["start"])
     if "remembers" == FAULT: best[0] += 1e-6 * solves
     if "of-process" == FAULT: best[0] += 1e-9 * os.getpid()
@@ -40,21 +37,18 @@ def answer(problem):
 
 solves = 0
 if "silent" == FAULT: sys.exit(3)
-say(ikbench=1, message="hello", name="planted", version="1", modes=["solve"], deterministic="pretends" == FAULT, options=[
+say(message="hello", ikbench=2, name="planted", version="1", options=[
     {"name": "w", "type": "number", "default": 3 if "option" == FAULT else 0.5, "low": 0, "high": 1, "meaning": "nothing"}])
 for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
         robot = told
         links = [(j["theta"], math.cos(j["alpha"]), math.sin(j["alpha"]), j["a"], j["d"]) for j in told["joints"]]
-        if any(joint["type"] != "revolute" for joint in told["joints"]) and "slides" != FAULT:
-            say(message="declined", why="it slides")
-            continue
-        if "long" == FAULT and len(robot["joints"]) > 7: os._exit(1)
-        if "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
-        say(message="ready")
-    elif told["message"] == "solve": say(message="solved", id=told["id"] + ("id" == FAULT), **answer(told))
-    elif told["message"] == "bye" and "deaf" != FAULT: sys.exit()
+    elif any(joint["type"] != "revolute" for joint in robot["joints"]) and "slides" != FAULT: say(message="declined", why="it slides")
+    elif robot["goal"] == "pose" and "pose" != FAULT: say(message="declined", why="it turns")
+    elif "pose" == FAULT and robot["goal"] == "pose": os._exit(1)
+    elif "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
+    else: say(message="solved", **answer(told))
 if "stays" == FAULT:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     time.sleep(1000)
