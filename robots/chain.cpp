@@ -214,9 +214,11 @@ KernelChain Chain::kernel_chain() const {
   return {kernel_links_.data(), joints(), {tip.x(), tip.y(), tip.z()}, all_turn_};
 }
 
-std::vector<double> Chain::points_on_axes() const {
-  std::vector<double> at(links_.size(), 0);  // at first the frames of the table
-  if (!at.empty() && links_.front().joint == Joint::turns) at.front() = links_.front().d;
+std::vector<double> Chain::points_on_axes(Start start) const {
+  std::vector<double> at(links_.size(), 0);
+  if (start == Start::frames && !at.empty() && links_.front().joint == Joint::turns) at.front() = links_.front().d;
+  for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j)
+    at[j] = twists_[j - 1].cosine * (at[j - 1] - links_[j - 1].d);
   if (!all_turn_) return at;
   constexpr int most_sweeps = 200;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
@@ -248,8 +250,7 @@ Chain::Seen Chain::after(std::size_t joint, double along_next) const {
   return {link.d + sine * next.y() + cosine * next.z(), length(link.a + next.x(), cosine * next.y() - sine * next.z())};
 }
 
-Chain::Ball Chain::reach() const {
-  const std::vector<double> at = points_on_axes();
+Chain::Ball Chain::ball_through(const std::vector<double>& at) const {
   Ball ball{Eigen::Vector3d::Zero(), all_turn_ && !links_.empty() ? 0 : tool_.position.norm()};
   for (std::size_t j = 0; j < links_.size(); ++j) {
     if (links_[j].joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
@@ -259,6 +260,13 @@ Chain::Ball Chain::reach() const {
   if (!links_.empty()) ball.centre.z() = at.front();
   ball.centre = T_base_first_ * ball.centre;
   return ball;
+}
+
+Chain::Ball Chain::reach() const {
+  const Ball ball = ball_through(points_on_axes(Start::frames));
+  if (!all_turn_ || links_.empty()) return ball;
+  const Ball other = ball_through(points_on_axes(Start::nearest));
+  return other.radius < 0.995 * ball.radius ? other : ball;  // else bits would change for nothing
 }
 
 std::string Chain::definition() const {

@@ -108,9 +108,12 @@ class Chain {
   };
   // The point on the next axis (or the tool), seen from a joint's axis.
   Seen after(std::size_t joint, double along_next) const;
-  // A point on each axis, as a distance from its joint's frame, such that the sum of the lengths between them is small.
-  // If axes are nearly parallel, the frames of the table are far away.
-  std::vector<double> points_on_axes() const;
+  // A point on each axis, as a distance from its joint's frame, such that the sum of the lengths between them is small:
+  // moved from the frames of the table, which are far away if axes are nearly parallel; or from the points that are
+  // each nearest to the one before.
+  enum class Start { frames, nearest };
+  std::vector<double> points_on_axes(Start start) const;
+  Ball ball_through(const std::vector<double>& points) const;
   enum class Kind { all_turn, any };
   template <Kind kind, class Visit>
   Pose follow_kind(const ConfigurationRef& q, Visit& visit) const;
