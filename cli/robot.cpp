@@ -37,7 +37,7 @@ struct RobotArguments {
   UrdfChoice urdf;
   double snap_deg = 0.001;
   std::vector<double> at, at_rad;
-  bool is_json = false;
+  bool is_json = false, shows_links = false;
 };
 
 // The unit of an angle.
@@ -198,16 +198,18 @@ void add_robot(CLI::App& app, Invocation&) {
       ->delimiter(',')
       ->excludes(at);
   command->add_option("--base", arguments->urdf.base,
-                      "link of a URDF file from which the arm is read; default: the root");
+                      "link of a URDF file from which the arm is read; default: the root, behind joints that float");
   command->add_option("--tip", arguments->urdf.tip,
-                      "link of a URDF file to which the arm is read; default: the one with the most joints before it");
+                      "link of a URDF file to which the arm is read; default: the end with the most moving joints "
+                      "before it");
+  command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_option("--limits", arguments->limits, "limits of a URDF file: hard, or soft where they are tighter")
       ->check(CLI::IsMember({"hard", "soft"}))
       ->capture_default_str();
   command
       ->add_option("--snap-deg", arguments->snap_deg,
                    "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be "
-                   "it; 0: none")
+                   "it: up to 0.001 only if the printed digits may mean it; 0: none")
       ->check(number_in({0, 1}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");
@@ -219,10 +221,14 @@ void add_robot(CLI::App& app, Invocation&) {
       "  ikbench robot ur5e --at-rad 0,-1.5707963267948966,1.5707963267948966,0,0,0\n"
       "  ikbench robot my_arm.urdf --base base_link --tip tool0 --limits soft");
   command->callback([arguments, command] {
-    for (const char* option : {"--base", "--tip", "--limits", "--snap-deg"}) {
+    for (const char* option : {"--base", "--tip", "--limits", "--snap-deg", "--links"}) {
       if (command->count(option) == 0 || is_urdf_file(arguments->robot)) continue;
       throw std::invalid_argument(
           fmt::format("{} is about a URDF file, but the arm is {}; leave it out", option, arguments->robot));
+    }
+    if (arguments->shows_links) {
+      fmt::print("{}", link_tree(text_of_arm_file(arguments->robot), arguments->robot));
+      return;
     }
     UrdfChoice choice = arguments->urdf;
     choice.limits = arguments->limits == "soft" ? UrdfChoice::Limits::soft : UrdfChoice::Limits::hard;

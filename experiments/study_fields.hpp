@@ -34,13 +34,17 @@ inline void list_fields(Fields& io, Path& path) { path->list_fields(io); }
 // The key has the chain and the limits that result from these.
 inline void list_fields(Fields& io, robots::UrdfChoice& urdf) {
   using Which = robots::UrdfChoice::Limits;
-  io.text("base", urdf.base, "link from which the arm is read; \"\": the root", InKey::in_text);
-  io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the one with the most joints before it",
+  io.text("base", urdf.base, "link from which the arm is read; \"\": the root, behind joints that float",
+          InKey::in_text);
+  io.text("tip", urdf.tip, "link to which it is read, the tool; \"\": the end with the most moving joints before it",
           InKey::in_text);
   io.choice("limits", urdf.limits, Choices<Which>{{"hard", Which::hard}, {"soft", Which::soft}},
             "hard: the joints' <limit>; soft: the tighter of it and <safety_controller>", InKey::in_text);
-  io.number("snap_deg", urdf.snap, numerics::degree, {0, 1},
-            "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it", InKey::in_text);
+  io.number(
+      "snap_deg", urdf.snap, numerics::degree, {0, 1},
+      "angles this near a multiple of 15 deg, and axes this near parallel, are meant to be it: up to 0.001 only if "
+      "the printed digits may mean it",
+      InKey::in_text);
 }
 
 constexpr std::pair<std::int64_t, std::int64_t> populations{1, 100'000};

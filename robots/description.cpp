@@ -76,32 +76,15 @@ DhLink link_to(const Axis& next, const Pose& frame) {
   return link;
 }
 
-[[noreturn]] void refuse_parallel(const Description& description, const std::vector<DhLink>& links) {
-  std::vector<std::string> names;
-  for (const DescribedJoint& joint : description) {
-    if (joint.motion != Motion::none) names.push_back(joint.name);
-  }
-  const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
-  const auto at = static_cast<std::size_t>(farthest - links.begin());
-  throw std::invalid_argument(
-      fmt::format("the axes of joints \"{}\" and \"{}\" are parallel but for {:.2g} deg, which is too little for a "
-                  "common normal and too much for none; expected axes that are parallel, or a larger snap_deg",
-                  names[at], names[std::min(at + 1, names.size() - 1)],
-                  std::abs(std::remainder(links[at].alpha, 180 * degree)) / degree));
-}
-
 }  // namespace
 
 Frame frame_of(const Pose& pose) {
   const Eigen::Matrix3d R = pose.linear();
   const double level = std::sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));  // 0 where x points up or down
-  Frame frame{pose.translation(), {0, arc_tangent(-R(2, 0), level), 0}};
-  if (level > tiny) {
-    frame.rpy[0] = arc_tangent(R(2, 1), R(2, 2));
-    frame.rpy[2] = arc_tangent(R(1, 0), R(0, 0));
-  } else {
-    frame.rpy[0] = arc_tangent(-R(1, 2), R(1, 1));
-  }
+  const double yaw = level > tiny ? arc_tangent(R(1, 0), R(0, 0)) : 0;
+  const Eigen::Vector3d y(-sin_cos(yaw).sine, sin_cos(yaw).cosine, 0);  // of the frame before it rolls
+  const double roll = arc_tangent(R.col(1).dot(R.col(0).cross(y)), R.col(1).dot(y));
+  Frame frame{pose.translation(), {roll, arc_tangent(-R(2, 0), level), yaw}};
   frame.position = frame.position.unaryExpr(&meant_length);
   frame.rpy = frame.rpy.unaryExpr([](double angle) { return meant_angle(angle, tiny); });
   return frame;
@@ -149,40 +132,55 @@ Chain chain_of(const Description& description) {
   for (int trial = 0; trial < 100; ++trial) {
     for (double& joint : q) joint = random.uniform(-180 * degree, 180 * degree);
     const double difference = (chain.forward(q).matrix() - pose_of(description, q).matrix()).cwiseAbs().maxCoeff();
-    if (!(difference < allowed)) refuse_parallel(description, links);
+    if (difference < allowed) continue;
+    const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
+    throw std::invalid_argument(fmt::format(
+        "the axes of joints {} and {} are almost parallel: too little for a common normal, too much for none; expected "
+        "axes that are parallel, or a larger snap_deg",
+        farthest - links.begin() + 1, farthest - links.begin() + 2));
   }
   return chain;
 }
 
-int snap(Description& description, double within) {
-  int snapped = 0;
+std::vector<std::string> snap(Description& description, double within) {
+  std::vector<std::string> changed;
+  const auto allowed = [&](double digits) {
+    return within > least_snap ? within : std::min(within, std::max(tiny, 0.99 * digits));
+  };
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // from the last moving joint
+  double squares = 0;                               // of the digits of its axis and of the angles since
   const DescribedJoint* last = nullptr;
   for (DescribedJoint& joint : description) {
-    for (double& angle : joint.origin.rpy) {
-      const double meant = meant_angle(angle, within);
-      snapped += std::abs(meant - angle) > tiny ? 1 : 0;
+    for (int i = 0; i < 3; ++i) {
+      double& angle = joint.origin.rpy[i];
+      const double meant = meant_angle(angle, allowed(joint.rpy_digits[i]));
+      if (std::abs(meant - angle) > tiny) changed.push_back(joint.name);
+      if (meant != angle) joint.rpy_digits[i] = 0;
       angle = meant;
     }
     R = (R * rotation_from_rpy(joint.origin.rpy)).eval();
+    squares += joint.rpy_digits.squaredNorm();
     if (joint.motion == Motion::none) continue;
-    const auto set_axis = [&](const Eigen::Vector3d& meant) {
+    const auto set_axis = [&](const Eigen::Vector3d& meant, double digits) {
       const double angle = (meant - joint.axis).norm();
-      if (angle >= within) return;
-      snapped += angle > tiny ? 1 : 0;
+      if (angle >= allowed(digits)) return;
+      if (angle > tiny) changed.push_back(joint.name);
       joint.axis = meant;
+      joint.axis_digits.setZero();
     };
     Eigen::Index largest = 0;
     joint.axis.cwiseAbs().maxCoeff(&largest);
-    set_axis(Eigen::Vector3d::Unit(largest) * (joint.axis[largest] < 0 ? -1 : 1));
+    set_axis(Eigen::Vector3d::Unit(largest) * (joint.axis[largest] < 0 ? -1 : 1), joint.axis_digits.norm());
     if (last != nullptr) {
       const Eigen::Vector3d before = R.transpose() * last->axis;
-      set_axis((before.dot(joint.axis) < 0 ? -before : before).normalized());
+      set_axis((before.dot(joint.axis) < 0 ? -before : before).normalized(),
+               std::sqrt(squares + joint.axis_digits.squaredNorm()));
     }
     last = &joint;
     R.setIdentity();
+    squares = joint.axis_digits.squaredNorm();
   }
-  return snapped;
+  return changed;
 }
 
 }  // namespace ikbench::robots

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "numerics/units.hpp"
 #include "robots/chain.hpp"
 
 namespace ikbench::robots {
@@ -16,6 +17,8 @@ struct DescribedJoint {
   Motion motion = Motion::none;
   Frame origin;                                     // of the joint, in the frame of the previous joint
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // in its own frame, of length 1
+  // What the last printed digit of the origin's angles and of the axis stands for; 0: they are exact.
+  Eigen::Vector3d rpy_digits = Eigen::Vector3d::Zero(), axis_digits = Eigen::Vector3d::Zero();
 };
 
 // The joints from the base to the tool; the last frame is the tool's.
@@ -32,7 +35,9 @@ Pose pose_of(const Description& description, const ConfigurationRef& q);
 Chain chain_of(const Description& description);
 
 // Makes angles within `within` [rad] of multiples of 15 degrees exact, and axes that are so near to those of a frame or
-// to parallel: files print 1.5708 for a quarter turn. Returns the number of changes.
-int snap(Description& description, double within);
+// to parallel: files print 1.5708 for a quarter turn. Up to least_snap only what the printed digits may mean: 1.5e-05
+// is a calibration. Returns the name of the joint of each change.
+constexpr double least_snap = 0.001 * numerics::degree;
+std::vector<std::string> snap(Description& description, double within);
 
 }  // namespace ikbench::robots

@@ -122,6 +122,13 @@ Robot robot(std::string_view name) {
   if (const EmbeddedFile* const file = find_embedded(arm_files, name)) return built_in(*file);
   std::vector<std::string> names;
   for (const EmbeddedFile& file : arm_files) names.emplace_back(file.stem());
+  std::error_code error;
+  if (name.find_first_of("./") != std::string_view::npos || std::filesystem::exists(name, error)) {
+    throw std::invalid_argument(fmt::format(
+        "\"{}\" is no arm{}; expected a file that ends in .urdf or .toml (a mesh has no joints), or a name of: ikbench "
+        "list robots",
+        front(name, 100), did_you_mean(name, names)));
+  }
   throw std::invalid_argument(unknown_name("robot", name, names));
 }
 
@@ -137,13 +144,20 @@ Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
 Robot load_robot(const std::filesystem::path& file) { return load_robot(file, UrdfChoice{}); }
 
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice) {
+  const std::string text = text_of_arm_file(file);
+  return is_urdf_file(file.string()) ? parse_urdf(text, file, choice) : parse_robot(text, file);
+}
+
+std::string text_of_arm_file(const std::filesystem::path& file) {
   std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw std::invalid_argument(fmt::format("{} is a folder; expected the .urdf or .toml file in it", file.string()));
+  }
   if (!std::filesystem::is_regular_file(file, error)) {
     throw std::invalid_argument(fmt::format("there is no file {}", file.string()));
   }
   constexpr std::uintmax_t largest_urdf = 16'000'000;
-  if (is_urdf_file(file.string())) return parse_urdf(text_of_file(file, largest_urdf), file, choice);
-  return parse_robot(text_of_file(file), file);
+  return is_urdf_file(file.string()) ? text_of_file(file, largest_urdf) : text_of_file(file);
 }
 
 std::optional<Robot> stored_arm(Json arm) {

@@ -37,10 +37,10 @@ struct Robot {
   std::string source;  // of the numbers
   Chain chain;
   JointLimits limits;
-  Description description = {};             // as in a URDF file; empty: the chain says all
-  std::vector<std::string> notes = {};      // parts of its file that were not taken as they stand
-  std::string base = "base", tip = "tool";  // links of a URDF file
-  double snapped = 0;  // how far snapping moves the tool [m], the farthest of a thousand configurations
+  Description description = {};               // as in a URDF file; empty: the chain says all
+  std::vector<std::string> notes = {};        // parts of its file that were not taken as they stand
+  std::string base_link = {}, tip_link = {};  // of a URDF file
+  double snapped = 0;                         // [m] largest move of the tool by what was read as rounded
 
   int joints() const { return chain.joints(); }
 };
@@ -55,6 +55,7 @@ bool is_arm_file(std::string_view name);
 // All throw std::invalid_argument with the place, the mistake, and what is expected. The arm gets the name of the file
 // without its ending.
 Robot parse_robot(std::string_view text, const std::filesystem::path& file);
+std::string text_of_arm_file(const std::filesystem::path& file);
 struct UrdfChoice;
 Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
 Robot load_robot(const std::filesystem::path& file);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -30,17 +31,13 @@ namespace {
 
 using Motion = DescribedJoint::Motion;
 
-constexpr std::size_t most_links = 10'000;
-constexpr std::string_view add_tip = "add --tip LINK, or tip = \"LINK\" in [urdf]";
-
-std::string expand_command(const std::filesystem::path& file) {
-  std::string stem = file.filename().string();
-  for (const std::string_view ending : {".xacro", ".urdf"}) {
-    if (stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
-  }
-  const bool is_xacro = file.extension() == ".xacro";
-  return fmt::format("expand it first: xacro {} > {}.urdf", file.filename().string(),
-                     is_xacro ? stem : stem + "_expanded");
+// What the last printed digit of a number stands for; 0 of a whole number, which is exact.
+double last_digit(std::string_view number, double value) {
+  if (value == std::round(value)) return 0;
+  const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t point = std::min(number.find('.'), exponent - 1);
+  const double power = exponent < number.size() ? number_from(number.substr(exponent + 1)).value_or(0) : 0;
+  return std::pow(10, power - static_cast<double>(exponent - 1 - point));
 }
 
 // A file, for messages about places in it.
@@ -53,6 +50,13 @@ class Place {
     throw std::invalid_argument(fmt::format("{}:{}: {}", file_.string(), line, message));
   }
 
+  [[noreturn]] void fail_as_xacro(const XMLElement& at) const {
+    fail(at, fmt::format("this is xacro; expand it first: xacro {} > expanded.urdf", file_.filename().string()));
+  }
+  void refuse_xacro(const XMLElement& at, std::string_view text) const {
+    if (text.find("${") != std::string_view::npos || text.find("$(") != std::string_view::npos) fail_as_xacro(at);
+  }
+
   // The name in an attribute.
   std::string name(const XMLElement& at, const char* attribute) const {
     const char* const text = at.Attribute(attribute);
@@ -63,58 +67,72 @@ class Place {
     return text;
   }
 
-  double number(const XMLElement& at, const char* attribute, double if_none) const {
-    const char* const text = at.Attribute(attribute);
-    return text == nullptr ? if_none : numbers(at, attribute, 1)[0];
+  // Numbers, and what their last digits stand for.
+  struct Printed {
+    Eigen::Vector4d values = Eigen::Vector4d::Zero(), digits = Eigen::Vector4d::Zero();
+  };
+  Printed numbers(const XMLElement& at, const char* attribute, int count, double most = 1e6) const {
+    const std::string_view text = at.Attribute(attribute);
+    refuse_xacro(at, text);
+    Printed printed;
+    int found = 0;
+    constexpr std::string_view blanks = " \t\r\n";
+    for (std::size_t from = text.find_first_not_of(blanks); from != std::string_view::npos; ++found) {
+      const std::size_t to = std::min(text.find_first_of(blanks, from), text.size());
+      const std::string_view number = text.substr(from, to - from);
+      const std::optional<double> value = number_from(number);
+      if (!value || !(std::abs(*value) <= most) || found == count) {
+        found = -1;
+        break;
+      }
+      printed.values[found] = *value;
+      printed.digits[found] = last_digit(number, *value);
+      from = text.find_first_not_of(blanks, to);
+    }
+    if (found != count) {
+      fail(at, fmt::format("{} of <{}> is \"{}\"; expected {}", attribute, at.Name(), shown(text),
+                           count == 1 ? "a number" : fmt::format("{} numbers within +-{:g}", count, most)));
+    }
+    return printed;
   }
 
-  Eigen::Vector3d vector(const XMLElement& at, const char* attribute, const Eigen::Vector3d& if_none) const {
-    return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 3);
+  double limit(const XMLElement& at, const char* attribute, double if_none) const {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 1, any).values[0];
   }
 
-  const std::filesystem::path& file() const { return file_; }
+  void expect_attributes(const XMLElement& at, const std::vector<std::string>& known) const {
+    for (const XMLAttribute* each = at.FirstAttribute(); each != nullptr; each = each->Next()) {
+      if (std::ranges::find(known, each->Name()) != known.end()) continue;
+      fail(at, fmt::format("<{}> has the unknown attribute \"{}\"; expected {}", at.Name(), shown(each->Name()),
+                           fmt::join(known, ", ")));
+    }
+  }
 
   static std::string shown(std::string_view text) {
     return TomlReader::is_plain(text) ? std::string(text) : "(not printable)";
   }
 
  private:
-  Eigen::Vector3d numbers(const XMLElement& at, const char* attribute, int count) const {
-    const std::string_view text = at.Attribute(attribute);
-    Eigen::Vector3d values = Eigen::Vector3d::Zero();
-    int found = 0;
-    constexpr std::string_view blanks = " \t\r\n";
-    for (std::size_t from = text.find_first_not_of(blanks); from != std::string_view::npos; ++found) {
-      const std::size_t to = std::min(text.find_first_of(blanks, from), text.size());
-      const std::optional<double> value = number_from(text.substr(from, to - from));
-      if (!value || !(std::abs(*value) <= 1e6) || found == count) {
-        found = -1;
-        break;
-      }
-      values[found] = *value;
-      from = text.find_first_not_of(blanks, to);
-    }
-    if (found != count) {
-      fail(at, fmt::format("{} of <{}> is \"{}\"; expected {} within +-1e6", attribute, at.Name(), shown(text),
-                           count == 1 ? "a number" : "3 numbers"));
-    }
-    return values;
-  }
-
   const std::filesystem::path& file_;
 };
 
-class XacroFinder final : public tinyxml2::XMLVisitor {
- public:
-  bool VisitEnter(const XMLElement& element, const XMLAttribute* first) override {
-    if (std::string_view(element.Name()).starts_with("xacro:")) line = element.GetLineNum();
-    for (const XMLAttribute* at = first; at != nullptr; at = at->Next()) {
-      if (std::string_view(at->Value()).find("${") != std::string_view::npos) line = element.GetLineNum();
-    }
-    return line == 0;
-  }
-  int line = 0;
-};
+// True for what may still bring links: xacro that is more than a definition.
+bool is_unexpanded(const XMLElement& element) {
+  const std::string_view name = element.Name();
+  return name.starts_with("xacro:") && name != "xacro:property" && name != "xacro:macro" && name != "xacro:arg";
+}
+
+std::string_view type_of(const XMLElement& joint) {
+  const char* const type = joint.Attribute("type");
+  return type == nullptr || !TomlReader::is_plain(type) ? "no type" : type;
+}
+
+bool floats(const XMLElement& joint) { return type_of(joint) == "floating" || type_of(joint) == "planar"; }
+
+bool mimics(const XMLElement& joint) { return joint.FirstChildElement("mimic") != nullptr; }
+
+bool moves(const XMLElement* joint) { return type_of(*joint) != "fixed" && !floats(*joint) && !mimics(*joint); }
 
 // The tree of links and the joints between them.
 class Tree {
@@ -124,7 +142,6 @@ class Tree {
          link = link->NextSiblingElement("link")) {
       const std::string name = place.name(*link, "name");
       if (!links_.emplace(name, link).second) place.fail(*link, fmt::format("there are two links \"{}\"", name));
-      if (links_.size() > most_links) place.fail(*link, fmt::format("expected at most {} links", most_links));
     }
     if (links_.empty()) place.fail(robot, "the robot has no links");
     std::set<std::string> joints;
@@ -138,96 +155,104 @@ class Tree {
                                        child, known->second->Attribute("name"), name));
       }
       after_[parent].push_back(child);
+      if (!mimics(*joint)) continue;
+      mimicking_.insert(name);
+      if (const char* const other = joint->FirstChildElement("mimic")->Attribute("joint")) mimicking_.insert(other);
     }
   }
 
-  // The root of the tree above a link.
+  // The root of the tree above a link; or, if joints move behind it, the link after a joint that floats.
   std::string root_of(std::string link) const {
-    for (std::size_t joints = 0; joints <= before_.size(); ++joints) {
-      const auto joint = before_.find(link);
-      if (joint == before_.end()) return link;
-      link = end(*joint->second, "parent");
+    bool is_moved = false;
+    for (const XMLElement* const joint : above(link)) {
+      if (is_moved && floats(*joint)) break;
+      is_moved = is_moved || moves(joint);
+      link = end(*joint, "parent");
     }
-    place_.fail(1, fmt::format("the joints before link \"{}\" form a cycle; expected a tree", link));
+    return link;
   }
 
-  std::string root() const {
+  std::vector<std::string> roots() const {
     std::vector<std::string> roots;
     for (const auto& [name, link] : links_) {
       if (!before_.contains(name)) roots.push_back(name);
     }
-    if (roots.size() == 1) return roots.front();
-    place_.fail(1, roots.empty() ? "the joints form a cycle; expected a tree"
-                                 : fmt::format("there are {} links that no joint leads to: {}; add --base "
-                                               "LINK, or base = \"LINK\" in [urdf]",
-                                               roots.size(), some(roots)));
+    return roots;
   }
 
-  // The link with the most joints between the base and it.
-  std::string deepest(const std::string& base) const {
-    root_of(base);  // refuses a cycle
-    std::vector<std::string> level{base}, last;
-    for (std::size_t depth = 0; !level.empty() && depth <= links_.size(); ++depth) {
-      last = std::move(level);
-      level.clear();
-      for (const std::string& link : last) {
-        if (const auto found = after_.find(link); found != after_.end()) {
-          level.insert(level.end(), found->second.begin(), found->second.end());
-        }
-      }
-    }
-    if (last.size() == 1) return last.front();
-    place_.fail(1, fmt::format("the arm may end at {}; {}", some(last), add_tip));
+  std::string root() const {
+    const std::vector<std::string> all = roots();
+    if (all.size() == 1) return all.front();
+    place_.fail(1, all.empty()
+                       ? "the joints form a cycle; expected a tree"
+                       : fmt::format("there are {} links that no joint leads to: {}; add --base LINK, or base = "
+                                     "\"LINK\" in [urdf]",
+                                     all.size(), some(all)));
   }
 
-  // A note on the other ends of the tree with as many moving joints between the base and them; empty if there are none.
-  std::string note_on_ends(const std::string& base, const std::string& tip) const {
-    std::map<std::string, int> moving{{base, 0}};
-    std::vector<std::string> next{base}, ends;
-    for (std::size_t i = 0; i < next.size(); ++i) {
-      const std::string link = next[i];
-      const auto found = after_.find(link);
-      if (found == after_.end()) {
-        ends.push_back(link);
-        continue;
-      }
-      for (const std::string& child : found->second) {
-        const char* const type = before_.at(child)->Attribute("type");
-        moving[child] = moving.at(link) + (type != nullptr && std::string_view(type) == "fixed" ? 0 : 1);
-        next.push_back(child);
-      }
+  // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints; and
+  // where a gripper follows, or two ends are equal, the file does not say where the arm ends.
+  std::string farthest(const std::string& base) const {
+    std::vector<std::string> ends;
+    int most = 0;
+    for (const Seen& seen : behind({base})) {
+      if (after_.contains(seen.link) || seen.moving < most) continue;
+      if (seen.moving > most) ends.clear();
+      most = seen.moving;
+      ends.push_back(seen.link);
     }
-    std::erase_if(ends, [&](const std::string& end) { return end == tip || moving.at(end) != moving.at(tip); });
-    if (ends.empty()) return "";
-    return fmt::format("the tip is \"{}\", but as many joints lead to {}; to take another, {}", tip, some(ends),
-                       add_tip);
+    if (ends.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
+    std::string before = before_gripper(base, ends.front());
+    if (most == 0 || (before.empty() && ends.size() == 1)) return ends.front();
+    if (before.empty()) before = fork(base, ends.front(), ends.back());
+    if (std::ranges::any_of(path(base, before), moves)) ends.insert(ends.begin(), before);
+    place_.fail(1, fmt::format("the arm may end at {}; add --tip LINK, or tip = \"LINK\" in [urdf] (ikbench robot FILE "
+                               "--links shows the tree)",
+                               some(ends)));
+  }
+
+  // A line each link, behind the one before it.
+  std::string text() const {
+    std::string lines;
+    for (const auto& [link, depth, moving] : behind(roots())) {
+      lines += std::string(2 * std::min<std::size_t>(depth, 40), ' ') + link;
+      if (const auto found = before_.find(link); found != before_.end()) {
+        const XMLElement& joint = *found->second;
+        lines += fmt::format("  ({} {}{})", type_of(joint), joint.Attribute("name"),
+                             mimics(joint) ? ", mimics another" : "");
+      }
+      lines += '\n';
+    }
+    return lines;
   }
 
   void expect_link(std::string_view key, const std::string& name) const {
     if (links_.contains(name)) return;
     std::vector<std::string> names;
     for (const auto& [known, link] : links_) names.push_back(known);
-    const std::string nearest = nearest_name(name, names);
-    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; there are {}", key, name,
-                               nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest), some(names)));
+    place_.fail(1, fmt::format("{} is \"{}\", which is no link{}; there are {}", key, name, did_you_mean(name, names),
+                               some(names)));
   }
 
   // The joints from the base to the tip.
   std::vector<const XMLElement*> path(const std::string& base, const std::string& tip) const {
     std::vector<const XMLElement*> joints;
-    std::string link = tip;
-    while (link != base) {
-      const auto joint = before_.find(link);
-      if (joint == before_.end() || joints.size() > before_.size()) {
-        place_.fail(1, joint == before_.end()
-                           ? fmt::format("no joints lead from link \"{}\" to link \"{}\"", base, tip)
-                           : fmt::format("the joints before link \"{}\" form a cycle; expected a tree", tip));
-      }
-      joints.push_back(joint->second);
-      link = end(*joint->second, "parent");
+    for (const XMLElement* const joint : above(tip)) {
+      if (end(*joint, "child") == base) break;
+      joints.push_back(joint);
+    }
+    if (base != tip && (joints.empty() || end(*joints.back(), "parent") != base)) {
+      place_.fail(1, fmt::format("no joints lead from link \"{}\" to link \"{}\"", base, tip));
     }
     std::ranges::reverse(joints);
     return joints;
+  }
+
+  static std::string some(std::vector<std::string> names) {
+    constexpr std::size_t most = 10;
+    const std::size_t more = names.size() > most ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    return fmt::format("\"{}\"{}", fmt::join(names, "\", \""), more > 0 ? fmt::format(" and {} more", more) : "");
   }
 
  private:
@@ -245,17 +270,58 @@ class Tree {
     return link;
   }
 
-  static std::string some(std::vector<std::string> names) {
-    constexpr std::size_t most = 10;
-    const std::size_t more = names.size() > most ? names.size() - most : 0;
-    names.resize(names.size() - more);
-    return fmt::format("\"{}\"{}", fmt::join(names, "\", \""), more > 0 ? fmt::format(" and {} more", more) : "");
+  // The joints before a link, the nearest first.
+  std::vector<const XMLElement*> above(const std::string& link) const {
+    std::vector<const XMLElement*> joints;
+    for (auto at = before_.find(link); at != before_.end(); at = before_.find(end(*at->second, "parent"))) {
+      if (joints.size() == before_.size())
+        place_.fail(1, fmt::format("the joints before link \"{}\" form a cycle; expected a tree", link));
+      joints.push_back(at->second);
+    }
+    return joints;
+  }
+
+  struct Seen {
+    std::string link;
+    std::size_t depth;
+    int moving;  // joints before it
+  };
+  // Links and all behind them, each after the one before it.
+  std::vector<Seen> behind(const std::vector<std::string>& links) const {
+    std::vector<Seen> all, next;
+    for (const std::string& link : std::views::reverse(links)) next.push_back({link, 0, 0});
+    while (!next.empty() && all.size() <= links_.size()) {
+      const Seen at = all.emplace_back(next.back());
+      next.pop_back();
+      if (!after_.contains(at.link)) continue;
+      for (const std::string& child : std::views::reverse(after_.at(at.link)))
+        next.push_back({child, at.depth + 1, at.moving + (moves(before_.at(child)) ? 1 : 0)});
+    }
+    return all;
+  }
+
+  // The link before joints of which one mimics another, if no further joint moves behind them; empty if there are none.
+  std::string before_gripper(const std::string& base, const std::string& tip) const {
+    std::string hand;
+    for (const XMLElement* const joint : std::views::reverse(path(base, tip))) {
+      const bool is_of_gripper = mimicking_.contains(joint->Attribute("name"));
+      if (is_of_gripper) hand = end(*joint, "parent");
+      if (!is_of_gripper && moves(joint)) break;
+    }
+    return hand;
+  }
+
+  // The last link on the way to both ends.
+  std::string fork(const std::string& base, const std::string& one, const std::string& other) const {
+    const auto way = path(base, one);
+    return end(**std::ranges::mismatch(way, path(base, other)).in1, "parent");
   }
 
   const Place& place_;
   std::map<std::string, const XMLElement*> links_;
   std::map<std::string, const XMLElement*> before_;        // joints, by their child
   std::map<std::string, std::vector<std::string>> after_;  // children, by parent
+  std::set<std::string> mimicking_;                        // joints that mimic or are mimicked
 };
 
 Motion motion_of(const XMLElement& joint, const Place& place) {
@@ -264,31 +330,50 @@ Motion motion_of(const XMLElement& joint, const Place& place) {
   if (type != "revolute" && type != "continuous" && type != "prismatic") {
     place.fail(joint, fmt::format("joint \"{}\" is {}; expected revolute, continuous, prismatic or fixed", name, type));
   }
-  if (joint.FirstChildElement("mimic") != nullptr) {
+  if (mimics(joint)) {
     place.fail(joint, fmt::format("joint \"{}\" mimics another; expected joints that move by themselves", name));
   }
   return type == "prismatic" ? Motion::slides : Motion::turns;
 }
 
+void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& joint) {
+  place.expect_attributes(origin, {"xyz", "rpy", "quat_xyzw"});
+  const auto has = [&](const char* attribute) { return origin.Attribute(attribute) != nullptr; };
+  if (has("rpy") && has("quat_xyzw")) {
+    place.fail(origin, fmt::format("<origin> of joint \"{}\" has rpy and quat_xyzw; expected one", joint.name));
+  }
+  if (has("rpy")) {
+    const auto [values, digits] = place.numbers(origin, "rpy", 3);
+    joint.origin.rpy = values.head<3>();
+    joint.rpy_digits = digits.head<3>();
+  } else if (has("quat_xyzw")) {
+    const auto [values, digits] = place.numbers(origin, "quat_xyzw", 4);
+    if (!(values.norm() > 1e-6)) place.fail(origin, "quat_xyzw is 0; expected a quaternion");
+    Pose turned = Pose::Identity();
+    turned.linear() = Eigen::Quaterniond(values / values.norm()).toRotationMatrix();
+    joint.origin.rpy = frame_of(turned).rpy;
+    joint.rpy_digits.setConstant(2 * digits.norm() / values.norm());
+  }
+  if (has("xyz")) joint.origin.position = place.numbers(origin, "xyz", 3).values.head<3>();
+  if (!(joint.origin.position.cwiseAbs().maxCoeff() <= lengths_m.second)) {
+    place.fail(origin, fmt::format("xyz of joint \"{}\" has lengths of more than {} m", joint.name, lengths_m.second));
+  }
+}
+
 DescribedJoint described(const XMLElement& joint, const Place& place) {
   DescribedJoint read{.name = place.name(joint, "name"), .motion = motion_of(joint, place)};
-  if (const XMLElement* const origin = joint.FirstChildElement("origin")) {
-    read.origin.position = place.vector(*origin, "xyz", read.origin.position);
-    read.origin.rpy = place.vector(*origin, "rpy", read.origin.rpy);
-    if (!(read.origin.position.cwiseAbs().maxCoeff() <= lengths_m.second)) {
-      place.fail(*origin,
-                 fmt::format("xyz of joint \"{}\" has lengths of more than {} m", read.name, lengths_m.second));
-    }
+  place.refuse_xacro(joint, read.name);
+  if (const XMLElement* const origin = joint.FirstChildElement("origin")) read_origin(*origin, place, read);
+  const XMLElement* const axis = joint.FirstChildElement("axis");
+  if (read.motion == Motion::none || axis == nullptr) return read;  // the axis of a fixed joint is often 0 0 0
+  place.expect_attributes(*axis, {"xyz"});
+  if (axis->Attribute("xyz") == nullptr) return read;
+  const auto [values, digits] = place.numbers(*axis, "xyz", 3);
+  if (!(values.norm() > 1e-6)) {
+    place.fail(*axis, fmt::format("the axis of joint \"{}\" has no direction; expected one such as 0 0 1", read.name));
   }
-  if (read.motion == Motion::none) return read;  // its axis is often 0 0 0
-  if (const XMLElement* const axis = joint.FirstChildElement("axis")) {
-    read.axis = place.vector(*axis, "xyz", read.axis);
-    if (!(read.axis.norm() > 1e-6)) {
-      place.fail(*axis,
-                 fmt::format("the axis of joint \"{}\" has no direction; expected one such as 0 0 1", read.name));
-    }
-    read.axis.normalize();
-  }
+  read.axis = values.head<3>().normalized();
+  read.axis_digits = digits.head<3>() / values.norm();
   return read;
 }
 
@@ -297,23 +382,23 @@ Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoic
   const std::string name = place.name(joint, "name"), type = place.name(joint, "type");
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (type == "continuous") return {-infinity, infinity};
+  const bool slides = type == "prismatic";
+  const std::string_view advice = slides ? "a slide needs its way in metres, such as <limit lower=\"0\" upper=\"0.5\"/>"
+                                         : "if it turns without end, its type is continuous";
   const XMLElement* const limit = joint.FirstChildElement("limit");
-  if (limit == nullptr) {
-    place.fail(joint,
-               fmt::format("joint \"{}\" is {} and has no <limit>; expected one, or type continuous", name, type));
-  }
-  Eigen::Vector2d limits(place.number(*limit, "lower", 0), place.number(*limit, "upper", 0));
+  if (limit == nullptr) place.fail(joint, fmt::format("joint \"{}\" is {} and has no <limit>; {}", name, type, advice));
+  place.expect_attributes(*limit, {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
+  Eigen::Vector2d limits(place.limit(*limit, "lower", 0), place.limit(*limit, "upper", 0));
   const XMLElement* const safety = joint.FirstChildElement("safety_controller");
   if (which == UrdfChoice::Limits::soft && safety != nullptr) {
-    limits[0] = std::max(limits[0], place.number(*safety, "soft_lower_limit", -infinity));
-    limits[1] = std::min(limits[1], place.number(*safety, "soft_upper_limit", infinity));
+    limits[0] = std::max(limits[0], place.limit(*safety, "soft_lower_limit", -infinity));
+    limits[1] = std::min(limits[1], place.limit(*safety, "soft_upper_limit", infinity));
   }
-  const double most = type == "prismatic" ? lengths_m.second : angles_deg.second * degree;
+  const double most = slides ? lengths_m.second : angles_deg.second * degree;
   if (!(limits[0] < limits[1]) || !(limits.cwiseAbs().maxCoeff() <= most)) {
-    place.fail(*limit,
-               fmt::format("the limits of joint \"{}\" are {:g} and {:g}; expected the lower and then the upper, "
-                           "within +-{:.6g}",
-                           name, limits[0], limits[1], most));
+    place.fail(*limit, fmt::format("the limits of joint \"{}\" are {:g} and {:g}; expected the lower and then the "
+                                   "upper, within +-{:.6g} {}; {}",
+                                   name, limits[0], limits[1], most, slides ? "m" : "rad", advice));
   }
   return limits;
 }
@@ -339,9 +424,6 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
                    ? "the file is empty; expected a <robot>"
                    : fmt::format("not XML: {}", tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
   }
-  XacroFinder xacro;
-  document.Accept(&xacro);
-  if (xacro.line > 0) place.fail(xacro.line, "this is xacro; " + expand_command(place.file()));
   const XMLElement* const robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
     place.fail(robot == nullptr ? 1 : robot->GetLineNum(), "expected a URDF file, whose outermost element is <robot>");
@@ -351,59 +433,71 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
 
 }  // namespace
 
-bool is_urdf_file(std::string_view name) { return name.ends_with(".urdf") || name.ends_with(".xacro"); }
+bool is_urdf_file(std::string_view name) {
+  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
+  for (char& letter : ending) letter = 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  return ending == ".urdf" || ending == ".xacro";
+}
+
+std::string link_tree(std::string_view text, const std::filesystem::path& file) {
+  const Place place(file);
+  tinyxml2::XMLDocument document;
+  return Tree(parsed(document, text, place), place).text();
+}
 
 Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const UrdfChoice& choice) {
   const Place place(file);
-  if (file.extension() == ".xacro") place.fail(1, "this is xacro; " + expand_command(file));
   tinyxml2::XMLDocument document;
   const XMLElement& robot = parsed(document, text, place);
+  for (const XMLElement* each = robot.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
+    if ((choice.tip.empty() || choice.base.empty()) && is_unexpanded(*each)) place.fail_as_xacro(*each);
+  }
   const std::string name = place.name(robot, "name");
   const Tree tree(robot, place);
   for (const auto& [key, link] : {std::pair{"base", choice.base}, std::pair{"tip", choice.tip}}) {
     if (!link.empty()) tree.expect_link(key, link);
   }
-  const std::string base = !choice.base.empty()  ? choice.base
-                           : !choice.tip.empty() ? tree.root_of(choice.tip)
-                                                 : tree.root();
-  const std::string tip = choice.tip.empty() ? tree.deepest(base) : choice.tip;
+  const std::string tip =
+      choice.tip.empty() ? tree.farthest(choice.base.empty() ? tree.root() : choice.base) : choice.tip;
+  const std::string base = choice.base.empty() ? tree.root_of(tip) : choice.base;
 
   Description printed;
-  std::vector<Eigen::Vector2d> limits;
+  std::vector<double> lower, upper;
   std::vector<std::string> notes;
-  if (choice.tip.empty()) notes.push_back(tree.note_on_ends(base, tip));
-  std::erase(notes, "");
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;
-    limits.push_back(limits_of(*joint, place, choice.limits));
-    const bool has_limit = joint->FirstChildElement("limit") != nullptr &&
-                           (joint->FirstChildElement("limit")->Attribute("lower") != nullptr ||
-                            joint->FirstChildElement("limit")->Attribute("upper") != nullptr);
-    if (!limits.back().allFinite() && has_limit) {
-      notes.push_back(fmt::format("joint \"{}\" is continuous: its limits are ignored", printed.back().name));
-    }
+    const Eigen::Vector2d limits = limits_of(*joint, place, choice.limits);
+    lower.push_back(limits[0]);
+    upper.push_back(limits[1]);
+    const XMLElement* const limit = joint->FirstChildElement("limit");
+    if (limit == nullptr || limits.allFinite()) continue;
+    if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
+    notes.push_back(fmt::format("joint \"{}\" is continuous: its limits are ignored", printed.back().name));
+  }
+  if (lower.empty()) {
+    place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
+                              "after ikbench robot FILE --links",
+                              base, tip));
   }
   Description snapped = printed;
-  const int angles = snap(snapped, choice.snap);
+  std::vector<std::string> changed = snap(snapped, choice.snap);
   try {
     Robot arm{.name = file.stem().string(),
               .summary = fmt::format("{} from {} to {}", name, base, tip),
               .source = file.filename().string(),
               .chain = chain_of(snapped)};
-    arm.limits.lower.resize(arm.joints());
-    arm.limits.upper.resize(arm.joints());
-    for (Eigen::Index j = 0; j < arm.joints(); ++j) {
-      arm.limits.lower[j] = limits[static_cast<std::size_t>(j)][0];
-      arm.limits.upper[j] = limits[static_cast<std::size_t>(j)][1];
-    }
-    if (angles > 0) {
+    arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
+    if (!changed.empty()) {
+      changed.erase(std::ranges::unique(changed).begin(), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
       notes.push_back(
-          fmt::format("{} angles are snapped, which moves the tool by at most {:.2g} um", angles, 1e6 * arm.snapped));
+          fmt::format("the digits of {} are read as the round angles or parallel axes that they mean, which "
+                      "moves the tool by at most {:.2g} um",
+                      Tree::some(changed), 1e6 * arm.snapped));
     }
-    arm.base = base;
-    arm.tip = tip;
+    arm.base_link = base;
+    arm.tip_link = tip;
     arm.description = std::move(snapped);
     arm.notes = std::move(notes);
     return arm;
