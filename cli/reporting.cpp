@@ -167,6 +167,10 @@ std::string Solved::words(const std::filesystem::path& store) const {
 
 Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequest request, Solved& solved,
                 Store::Mode mode) {
+  if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
+    say(fmt::format("arm: {}", arm->summary));
+    for (const std::string& note : arm->notes) say(note);
+  }
   warn_of_unreachable(study);
   for (const LeftOut& left_out : study.left_out) {
     warn(fmt::format("{} is left out: it is {}", left_out.label, left_out.why));

@@ -168,6 +168,7 @@ OrderedJson arm_definition(const Robot& arm) {
   for (const DescribedJoint& described : arm.description) {
     if (described.motion != DescribedJoint::Motion::none) json["links"][joint++]["name"] = described.name;
   }
+  if (!arm.tip_link.empty()) json["base_link"] = arm.base_link, json["tip_link"] = arm.tip_link;
   if (!arm.notes.empty()) json["notes"] = arm.notes;
   for (auto [key, frame] : {std::pair{"base", arm.chain.base()}, std::pair{"tool", arm.chain.tool()}})
     json[key] = json_of(written(frame));

@@ -30,7 +30,7 @@ Definition definition_of(std::string_view json) {
     return study.nested(found == nullptr ? none : *found, fmt::format("{}.", key));
   };
   TomlReader path = part("path"), stop = part("stop"), reach = part("out_of_reach"), figures = part("figures"),
-             analysis = part("analysis");
+             analysis = part("analysis"), arm = part("arm");
   constexpr std::pair<std::int64_t, std::int64_t> counts{0, std::numeric_limits<int>::max()}, large{0, no_limit};
   constexpr std::pair<double, double> sizes{0, std::numeric_limits<double>::max()};
   Definition of;
@@ -56,6 +56,9 @@ Definition definition_of(std::string_view json) {
   stop.whole("iterations", of.stop.iterations, large);
   stop.whole("evaluations", of.stop.evaluations, large);
   reach.whole("points", of.out_of_reach, counts);
+  arm.text("base_link", of.base_link);
+  arm.text("tip_link", of.tip_link);
+  arm.texts("notes", of.arm_notes);
   of.arm = all.value("arm", nlohmann::json());
   list_fields(figures, of.style);
   if (const toml::table* const colours = figures.subtable("colours")) {

@@ -18,6 +18,8 @@ struct Definition {
     std::int64_t iterations = 0, evaluations = 0;
   };
   std::string title, published, robot, search, start, path, limits;
+  std::string base_link, tip_link;     // of an arm from a URDF file
+  std::vector<std::string> arm_notes;  // what of the file was not taken as it stands
   int runs = 0, points = 0;
   std::int64_t seed = 0;
   bool draws_targets = false;  // for every run anew

@@ -241,7 +241,10 @@ Table study_table(const StudyResults& study) {
   const results::Definition& of = study.definition;
   Table table = settings("Study");
   add_setting(table, "study", of.title.empty() ? study.entry.name : fmt::format("{}: {}", study.entry.name, of.title));
-  add_setting(table, "arm", of.robot);
+  add_setting(
+      table, "arm",
+      of.tip_link.empty() ? of.robot : fmt::format("{}, from link {} to {}", of.robot, of.base_link, of.tip_link));
+  for (const std::string& note : of.arm_notes) add_setting(table, "arm as read", note);
   add_setting(table, "targets",
               fmt::format("{} a run, {}{}", study.points, with_blanks(of.path),
                           of.draws_targets ? ", drawn for each run anew" : ""));
