@@ -62,7 +62,9 @@ ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Ro
                    .arm = searched,
                    .limits = arm.limits,
                    .base = arm.base_link.empty() ? "base" : arm.base_link,
-                   .tip = !is_whole ? "last joint searched" : arm.tip_link.empty() ? "tool" : arm.tip_link,
+                   .tip = !is_whole              ? "last joint searched"
+                          : arm.tip_link.empty() ? "tool"
+                                                 : arm.tip_link,
                    .rotation_weight = study.search == Search::pose ? study.rotation_weight : 0,
                    .claim_slack = claim_slack(arm)};
   for (const DescribedJoint& joint : arm.description) {

@@ -31,7 +31,6 @@ Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
                     const Eigen::VectorXd& answer);
 
-
 // The requirements of an answer, besides being a finite configuration.
 struct Requirement {
   double claimed_error = 0;           // [m], as the solver reports it
