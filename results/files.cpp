@@ -247,7 +247,7 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
   remove_litter(folder_of(place));
   const TemporaryFolder scratch(folder_of(place));
-  const fs::path half = scratch.path() / "folder";
+  const fs::path half = scratch.path() / place.filename();
   fs::create_directory(half, error);
   if (!error) fill(half);
   const std::scoped_lock lock(temporary_mutex);

@@ -306,7 +306,7 @@ TEST_CASE("a file of dimensions says in one sentence where it is wrong", "[multi
                       Catch::Matchers::StartsWith("open.toml:") && Catch::Matchers::Contains(words));
   };
   refuses("", "alternatives");
-  refuses("1", "a table");
+  refuses("1", "tables");
   refuses("{where='a'}", "set is missing");
   refuses("{set='x', where='a'}", "what --set takes");
   refuses("{set='x=1'}", "where is missing");
