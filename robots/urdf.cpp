@@ -37,7 +37,8 @@ double last_digit(std::string_view number, double value) {
   const std::size_t exponent = std::min(number.find_first_of("eE"), number.size());
   const std::size_t point = std::min(number.find('.'), exponent - 1);
   const double power = exponent < number.size() ? number_from(number.substr(exponent + 1)).value_or(0) : 0;
-  return std::pow(10, power - static_cast<double>(exponent - 1 - point));
+  const double places = power - static_cast<double>(exponent - 1 - point);
+  return number_from(fmt::format("1e{:.0f}", places)).value_or(0);
 }
 
 // A file, for messages about places in it.

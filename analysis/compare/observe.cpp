@@ -189,7 +189,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   std::vector<Doubt> doubts;
   const auto is_counted = [](CountedBy by) {
-    return [by](const SolveRecord& solve) { return solve.counted_by == by; };
+    return [by](const SolveRecord& solve) { return gave_answer(solve) && solve.counted_by == by; };
   };
   add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; nobody counted the evaluations"},
       is_counted(CountedBy::nobody));

@@ -28,7 +28,7 @@ alone=$(column plain/store.sqlite position_error_cm DLS)
 runs faults "$(entry good fine)" "$(entry hangs hangs)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
   "$(entry nonsense nonsense)" "$(entry declines declines)" "$(entry deep deep)" "$(entry json "not JSON")" "$(entry twice twice)"
 has "$err" "no more"                          # the last words of what died
-has "$err" '"q", a list of 6 numbers'         # what was expected of what made no sense
+has "$err" '"q", a list of 7 numbers'         # what was expected of what made no sense
 has "$err" "a number that is not finite is null"
 store=faults/store.sqlite
 is faults good "$any"

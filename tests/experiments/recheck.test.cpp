@@ -89,7 +89,7 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
 }
 
 TEST_CASE("an arm that cannot be read is not checked", "[recheck]") {
-  for (const char* definition : {"{\"robot\": \"none\"}", "{\"arm\": 3}", "{\"arm\": {\"links\": [[[[[[1]]]]]]}}",
+  for (const char* definition : {"{\"robot\": \"none\"}", "{\"arm\": {\"links\": [[[[[[1]]]]]]}}",
                                  R"({"arm": {"links": [{"a = 1\n[links]\nb": 2}]}})"}) {
     INFO(definition);
     CHECK_FALSE(recheck_of({.name = "small", .definition = definition, .series = {}}));
