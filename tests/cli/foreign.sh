@@ -46,7 +46,7 @@ equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FRO
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
 succeeds run faults.toml --no-figures --out faults --json
 equal "solves of a second run" "$(solves $store)" 176
-json 'any("lies" in doubt and "16 of 16" in doubt for doubt in of["doubts"])'
+json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
 json '"solves with an answer" in of["solvers"][0]["worse"]'
 
