@@ -108,7 +108,7 @@ double round_step_of(double span, double places) {
 }
 
 std::string power(double value) {
-  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.4g}", value);
+  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.6g}", value);
   const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
   return fmt::format("{:.2g}e{}", value / std::pow(10, exponent), exponent);
 }
