@@ -57,8 +57,7 @@ StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> solves, 
     if (solve.run < 1 || solve.point < 1)
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                               entry.name, solve.solver, solve.run, solve.point));
-    if (study.solvers.empty() || place_of(study.solvers, solve.solver) == std::ssize(study.solvers))
-      study.solvers.push_back(solve.solver);
+    if (place_of(study.solvers, solve.solver) == std::ssize(study.solvers)) study.solvers.push_back(solve.solver);
     study.runs = std::max(study.runs, solve.run);
     study.points = std::max(study.points, solve.point);
     used.insert(solve.session);

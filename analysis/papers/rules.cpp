@@ -174,7 +174,7 @@ Found better_at_each_point(const Asked& asked) {
   for (const auto& [point, solvers] : values) {
     const auto mean = [&](const std::string& solver) { return summarise(solvers.at(solver)).mean; };
     first += std::ranges::all_of(solvers, [&](const auto& each) {
-      return each.first == own || (solvers.contains(own) && !(mean(each.first) <= mean(own)));
+      return each.first == own || (solvers.contains(own) && mean(own) < mean(each.first));
     });
   }
   JudgedClaim claim = begun(asked.claim);

@@ -37,11 +37,11 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   return files;
 }
 
-// Files of these figures, wherever they stand below the folder.
+// Files of these figures.
 std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, const fs::path& folder) {
   std::vector<std::string> files;
   std::error_code none;
-  for (const auto& entry : fs::recursive_directory_iterator(folder / "figures", none)) {
+  for (const auto& entry : fs::directory_iterator(folder / "figures", none)) {
     const auto is_its = [&](const figures::Figure& figure) { return entry.path().stem() == figure.name; };
     const bool is_style = !figures.empty() && entry.path().stem() == "style";
     if (entry.is_regular_file(none) && (is_style || std::ranges::any_of(figures, is_its)))

@@ -153,7 +153,7 @@ void ForeignSolver::guarded(Talk&& talk) {
     talk();
   } catch (const Trouble& trouble) {
     session_->fail(trouble);
-    account_ = {.failure = trouble.status, .why = trouble.why};
+    account_ = {.failure = trouble.status};
     best_.error = infinite;
   }
 }

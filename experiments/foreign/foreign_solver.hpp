@@ -23,7 +23,6 @@ struct ProgramNotes {
 // Facts about one solve besides its answer.
 struct Account {
   std::optional<results::Status> failure;
-  std::string why;         // of the failure
   double cpu_seconds = 0;  // of the program
   results::StopReason stopped = results::StopReason::finished;
   bool went_on = false;  // it wanted more evaluations after it was told that its budget is used up
@@ -59,7 +58,7 @@ class Sessions {
 };
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is
-// infinite, and the account says why.
+// infinite.
 class ForeignSolver final : public solvers::Solver {
  public:
   ForeignSolver(Sessions& sessions, const solvers::StopRule& stop);  // both outlive it
