@@ -144,8 +144,12 @@ auto guarded(const std::string& file, Action&& action) {
 struct Last {
   explicit Last(const StudyEntry& study) {
     const auto definition = numerics::parsed_json(study.definition);
-    if (!definition.is_object() || !definition.contains("runs") || !definition.contains("points"))
-      throw Damage(fmt::format("the definition of study {} has no runs or points", excerpt(study.name)));
+    const auto is_count = [&](const char* key) {
+      return definition.contains(key) && definition[key].is_number_integer();
+    };
+    if (!definition.is_object() || !is_count("runs") || !is_count("points"))
+      throw Damage(
+          fmt::format("the definition of study {} has no whole numbers as runs and points", excerpt(study.name)));
     run = definition["runs"].get<std::int64_t>();
     point = definition["points"].get<std::int64_t>();
   }

@@ -162,7 +162,7 @@ std::string text_of_arm_file(const std::filesystem::path& file) {
 
 std::optional<Robot> stored_arm(Json arm) {
   try {
-    arm.erase("notes");
+    for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);
     return read_robot(TomlReader(table, "stored arm", ""), "stored");

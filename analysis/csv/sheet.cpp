@@ -139,6 +139,9 @@ double Sheet::number(std::size_t row, std::size_t column) {
         fmt::format("is no number with a decimal {}: write NA where there is none, and say with --decimal what marks "
                     "decimals",
                     decimal_ == ',' ? "comma" : "point"));
+  const double size = std::abs(*value);  // tests take squares of squares
+  if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
+    refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
   return std::isfinite(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
 }
 

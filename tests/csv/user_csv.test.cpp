@@ -390,3 +390,11 @@ TEST_CASE("doubts of a file read as sentences") {
   CHECK(words_of(observed.doubts[1]) == "1 of 2 blocks have fewer rows than others, and count as lost (B)");
   CHECK(words_of(observed.doubts[2]) == "1 of 4 rows have no label and are left out");
 }
+
+TEST_CASE("a number whose squares are beyond a double is refused", "[user_csv]") {
+  for (const char* number : {"1e80", "-1e80", "1e-80"}) {
+    INFO(number);
+    CHECK_THROWS_AS(csv::read(fmt::format("solver,error\nA,1\nA,{}\nB,1\nB,2\n", number), "x.csv", {}),
+                    std::invalid_argument);
+  }
+}
