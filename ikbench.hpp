@@ -1,5 +1,5 @@
 // The libraries in a program of your own, by one header: arms, solvers, studies, the store, the report
-// (docs/library.md).
+// (docs/reference/api.md).
 #pragma once
 
 #include "analysis/compare/judge.hpp"    // read_study, judge

@@ -202,7 +202,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench check-solver -- python3 my_solver.py\n"
       "  ikbench check-solver --patience 60 -- octave-cli --quiet my_solver.m\n\n"
-      "Exit code 1 where a check fails. docs/solvers-in-any-language.md describes what a program has to say.");
+      "Exit code 1 where a check fails. docs/reference/protocol.md describes what a program has to say.");
   command->callback([arguments, &invocation] {
     const ProgramChoice choice{.process = arguments->words, .files = {}, .patience = arguments->patience};
     const std::vector<CheckLine> lines = Checker(choice).run();

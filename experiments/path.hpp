@@ -1,5 +1,5 @@
 // Paths: lists of target poses of the tool, in metres and radians. A kind of path is one file of paths/ and one line of
-// paths.inc (docs/adding-anything.md).
+// paths.inc (docs/extending.md).
 #pragma once
 
 #include <filesystem>

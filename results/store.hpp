@@ -1,5 +1,5 @@
 // The store: one SQLite file of studies, sessions and solves. Several studies may share a store. Schema:
-// docs/data-dictionary.md.
+// docs/reference/data.md.
 // std::invalid_argument means a user's mistake: no such file, not a store, damaged, another version, no permission, two
 // processes at one study. std::runtime_error means a full disk, or a store that another process keeps locked or takes
 // away.

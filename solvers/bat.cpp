@@ -1,5 +1,5 @@
 // BA, the bat algorithm: Yang 2010, with the parameters of Slim et al. 2023, Algorithm 1 and Table 1.
-// docs/paper-notes.md 2.6 argues for this reading.
+// docs/papers/slim2023-notes.md 2.6 argues for this reading.
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"

@@ -1,6 +1,6 @@
 // IK-BA, the bat algorithm for inverse kinematics: Slim et al. 2023, Algorithm 2.
 // Every candidate is drawn between the best configuration and the arm's (Eq. 14), so Eqs. 5, 13 and 7 move the bats
-// without any effect on the result (docs/paper-notes.md 2.4). They are kept as in the paper.
+// without any effect on the result (docs/papers/slim2023-notes.md 2.4). They are kept as in the paper.
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
@@ -106,7 +106,7 @@ class IkBat final : public Solver {
                     .x_next = &x_next_(j, first),
                     .v_next = &v_next_(j, first),
                     .count = count});
-      // Eq. 14: X_new = r X_best + (1 - r) Theta_s + eps A, here with step_factor A (docs/paper-notes.md 2.4)
+      // Eq. 14: X_new = r X_best + (1 - r) Theta_s + eps A, here with step_factor A (docs/papers/slim2023-notes.md 2.4)
       kernels_.scatter(r * best + (1 - r) * theta_s, options_.step_factor * loudness_, &epsilon_(j, first),
                        &candidates_(j, first), count);
     }

@@ -1,5 +1,5 @@
 // K-ABC, the artificial bee colony of Karaboga 2005 with the best source as everyone's neighbour: El-Sherbiny,
-// Elhosseini and Haikal 2018. docs/paper-notes.md 2.7 argues for this reading.
+// Elhosseini and Haikal 2018. docs/papers/slim2023-notes.md 2.7 argues for this reading.
 #include <algorithm>
 #include <cmath>
 
@@ -26,8 +26,8 @@ class KArtificialBeeColony final : public Solver {
     Neighbour neighbour = Neighbour::best;
     int limit = 0;
     FitnessUnit fitness_unit = FitnessUnit::cm;  // the paper's unit; in metres all sources would be nearly alike
-    // Chosen by evidence (docs/paper-notes.md 2.7): clamped 0.21 cm and 268 deg; unclamped 0.24 cm and 336 deg, with a
-    // quarter of the answers outside the limits; printed 0.23 cm and 277 deg.
+    // Chosen by evidence (docs/papers/slim2023-notes.md 2.7): clamped 0.21 cm and 268 deg; unclamped 0.24 cm and 336
+    // deg, with a quarter of the answers outside the limits; printed 0.23 cm and 277 deg.
     Bounds bounds = Bounds::clamp;
 
     void list(OptionList& list) {

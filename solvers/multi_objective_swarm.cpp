@@ -1,7 +1,7 @@
 // MO-PSO, multi-objective particle swarm optimisation: Coello, Pulido and Lechuga 2004, in the form of
 // Martinez-Cagigal's public code, whose labels Table 1 of Slim et al. 2023 uses. The two objectives are the position
 // error and the variation, the norm of the joints' move from the start. A joint that turns without end moves the
-// shorter way round. docs/paper-notes.md 2.8 argues for this reading.
+// shorter way round. docs/papers/slim2023-notes.md 2.8 argues for this reading.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // PSO, particle swarm optimisation: Kennedy and Eberhart 1995 with the inertia of Shi and Eberhart 1998; the numbers
-// are those of Slim et al. 2023, Table 1. docs/paper-notes.md 2.5 argues for this reading.
+// are those of Slim et al. 2023, Table 1. docs/papers/slim2023-notes.md 2.5 argues for this reading.
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"

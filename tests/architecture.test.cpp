@@ -28,7 +28,7 @@ std::vector<std::string> between(const std::string& text, const std::string& ope
   return found;
 }
 
-// docs/architecture.md: each folder, and the folders that it may know.
+// docs/explanation/architecture.md: each folder, and the folders that it may know.
 const std::map<std::string, Names>& may_know() {
   static const std::map<std::string, Names> table{
       {"numerics", {}},

@@ -10,7 +10,8 @@ anchors() {
   awk '/^```/ { code = !code } !code && /^#/' "$1" | sed 's/^#* //' | tr '[:upper:] ' '[:lower:]-' | sed 's/[][!-,./:-@\\^`{-~]//g'
 }
 
-for page in *.md docs/*.md; do
+shopt -s globstar
+for page in *.md docs/**/*.md; do
   while read -r link; do
     [[ $link != *://* ]] || continue
     file=${link%%#*} heading=

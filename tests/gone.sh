@@ -22,8 +22,9 @@ names=(
   'runs to decide' 'expected running time' 'runs_to_decide' 'memory forecast' 'writer mark' 'instructions counted'
 )
 pages=(README.md CONTRIBUTING.md)
-for page in docs/*.md; do
-  [[ $page == docs/paper-notes.md || $page == docs/decisions.md ]] || pages+=("$page")
+shopt -s globstar
+for page in docs/**/*.md; do
+  [[ $page == docs/papers/slim2023-notes.md || $page == docs/explanation/decisions.md ]] || pages+=("$page")
 done
 help=$(mktemp -d)
 trap 'rm -rf "$help"' EXIT

@@ -1,4 +1,4 @@
-// Hill climbing with a shrinking normal step: the example of docs/adding-a-solver.md. Copy it into solvers/.
+// Hill climbing with a shrinking normal step: the example of docs/extending.md. Copy it into solvers/.
 #include "solvers/bounds.hpp"
 #include "solvers/registry.hpp"
 
@@ -61,7 +61,7 @@ class HillClimb final : public Solver {
 }  // namespace
 
 SolverInfo hill_climb() {
-  return solver_info<HillClimb>("hill_climb", "hill climbing with a shrinking step", "docs/adding-a-solver.md");
+  return solver_info<HillClimb>("hill_climb", "hill climbing with a shrinking step", "docs/extending.md");
 }
 
 }  // namespace ikbench::solvers

@@ -1,4 +1,4 @@
-// The messages between a program and ikbench, one JSON object a line (docs/solvers-in-any-language.md). Programs are
+// The messages between a program and ikbench, one JSON object a line (docs/reference/protocol.md). Programs are
 // not trusted: everything they say is bounded and checked here.
 #pragma once
 

@@ -67,7 +67,7 @@ refused "run 2, point 1" export harmed/store.sqlite --format iohprofiler -o none
 cp -r made asked
 sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"
 succeeds report asked/store.sqlite --no-figures
-mapfile -t lines < <(grep '^sqlite3 -readonly' "$root/docs/data-dictionary.md")
+mapfile -t lines < <(grep '^sqlite3 -readonly' "$root/docs/reference/data.md")
 equal "lines of SQL in the docs" ${#lines[@]} 2
 cd asked || exit 1
 equal "solves of each solver" "$(bash -c "${lines[0]}" | cut -d'|' -f1,3 | sort | uniq -c | xargs)" "2 slim2023-context|6 6 slim2023|6"

@@ -149,7 +149,7 @@ for signal in INT KILL; do
   equal "processes after SIG$signal" "$(left $signal)" 0
 done
 
-# The examples of docs/solvers-in-any-language.md, below 50 lines each, find solutions that are near, and pass their
+# The examples of docs/reference/protocol.md, below 50 lines each, find solutions that are near, and pass their
 # checks. One whose interpreter or compiler is not here is left out.
 cp "$examples"/{pso.py,descent.py,damped.m,search.cpp} .
 entries=()

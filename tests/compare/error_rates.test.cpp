@@ -1,5 +1,5 @@
 // How often the verdicts are wrong: draws sets of which the truth is known, judges them, and prints the shares as a
-// table of docs/methods.md. The standard error of a share of 10 000 sets is at most 0.005.
+// table of docs/explanation/methods.md. The standard error of a share of 10 000 sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/compare/test_compare '[error_rates]'
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Paths by hand. Helix of Slim et al. 2023, Sec. 5.2: centre (60, 0, 10) cm, radius 20 cm, length 50 cm, 2 turns,
-// 20 points; point k lies at t = 2 pi h k/20 (docs/paper-notes.md 2.2).
+// 20 points; point k lies at t = 2 pi h k/20 (docs/papers/slim2023-notes.md 2.2).
 #include "experiments/path.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The readings of the paper's helix that the arm can follow at all: docs/paper-notes.md 2.2. With the wrist decoupled,
-// the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
+// The readings of the paper's helix that the arm can follow at all: docs/papers/slim2023-notes.md 2.2. With the wrist
+// decoupled, the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
 #include <algorithm>
 
 #include "experiments/study_reader.hpp"
@@ -51,7 +51,7 @@ TEST_CASE("also when its last point is the end of the helix: 81.99 cm of 82", "[
 
 TEST_CASE("under Eq. 27 the helix from (cos t, sin t) to its end leaves the reach at every start phase",
           "[reachability][paper]") {
-  const std::vector<double> printed{85.06, 82.57, 82.15, 83.90};  // paper-notes 2.2, for 0, 90, 180, 270 deg
+  const std::vector<double> printed{85.06, 82.57, 82.15, 83.90};  // slim2023-notes 2.2, for 0, 90, 180, 270 deg
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const Path helix =
         path_of({"start_deg=" + std::to_string(90 * i), "phase=cos_sin", "spacing=k_over_n_minus_1", "tool=eq27"});

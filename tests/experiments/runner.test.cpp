@@ -734,7 +734,7 @@ TEST_CASE("an error above the tolerance is tolerance_missed, one below ends the 
 }
 
 TEST_CASE("the analytic wrist does not know its own limits, and the record says so", "[runner][paper]") {
-  // paper-notes 2.4: many answers leave the limits; none of them may be ok.
+  // slim2023-notes 2.4: many answers leave the limits; none of them may be ok.
   Study study = load_study("slim2023");
   study.solvers = {{"BA", "bat", {}}};
   study.stop.iterations = 5;

@@ -234,7 +234,7 @@ TEST_CASE("effective options are the solver's defaults, then the study's bounds,
   Study study = small_study();
   SolverEntry& entry = study.solvers[0];
   CHECK(effective_options(study, entry) == solver("ik_bat").options({}));
-  CHECK(effective_options(study, entry).at("bounds") == "initial");  // paper-notes 2.4
+  CHECK(effective_options(study, entry).at("bounds") == "initial");  // slim2023-notes 2.4
   study.bounds = StudyBounds::clamp;
   CHECK(effective_options(study, entry).at("bounds") == "clamp");
   entry.options = {{"bounds", "initial"}, {"alpha", "0.5"}};

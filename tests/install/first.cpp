@@ -1,4 +1,4 @@
-// Forward kinematics and one solve, with the installed libraries: docs/library.md.
+// Forward kinematics and one solve, with the installed libraries: docs/reference/api.md.
 #include <cstdio>
 #include <ikbench.hpp>
 

@@ -1,4 +1,4 @@
-// A user's own solver beside a built-in one, with the installed libraries: docs/library.md.
+// A user's own solver beside a built-in one, with the installed libraries: docs/reference/api.md.
 #include <cstdio>
 
 #include "analysis/compare/judge.hpp"

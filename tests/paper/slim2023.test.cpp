@@ -1,5 +1,6 @@
 // Compares our study of Slim et al. 2023 with the paper's printed numbers (Table 3). The readings of
-// docs/paper-notes.md put each solver into these ranges, for the default seed and for the mean over seeds 1 to 5.
+// docs/papers/slim2023-notes.md put each solver into these ranges, for the default seed and for the mean over seeds 1
+// to 5.
 #include <algorithm>
 #include <array>
 #include <map>

@@ -37,7 +37,7 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
       observations_of(printed_means("slim2023", "table-3", "position_error_cm"), {.metric = "error"});
   const auto anova = compare::anova(of);
   REQUIRE(anova);
-  CHECK(anova->statistic == Approx(40.7736).epsilon(1e-5));  // printed 40.7685 (docs/paper-notes.md)
+  CHECK(anova->statistic == Approx(40.7736).epsilon(1e-5));  // printed 40.7685 (docs/papers/slim2023-notes.md)
   CHECK(anova->df_within == 114);
 }
 

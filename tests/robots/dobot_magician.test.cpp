@@ -23,7 +23,7 @@ constexpr std::array<std::array<double, 3>, 20> table_8{{
     {29.4, 49.5, 82.2}, {27.2, 51.5, 75.2}, {27.2, 54.6, 68.0}, {28.8, 58.4, 61.1}, {31.4, 62.6, 54.8},
 }};
 
-// The closed form of docs/paper-notes.md 2.11, which made the solves of the first stores.
+// The closed form of docs/papers/slim2023-notes.md 2.11, which made the solves of the first stores.
 struct Written {
   static constexpr double upper_arm = 0.135, forearm = 0.147, wrist_to_tool = 0.061, height = 0.058;  // [m]
   double s1, c1, s2, c2, s3, c3;
