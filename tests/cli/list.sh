@@ -54,6 +54,10 @@ succeeds run slim2023-time.toml "${small[@]}" --no-report --out from-file
 succeeds run slim2023-time "${small[@]}" --no-report --out by-name
 same_fingerprint from-file/store.sqlite by-name/store.sqlite
 
+# The page on study files has these keys, defaults and meanings.
+"$root/tests/tools/study-keys" "$program" >keys
+while read -r row; do grep -qxF -- "$row" "$root/docs/reference/study-file.md" || fail "study-file.md lacks: $row"; done < <(grep '^|' keys)
+
 # Help, and the version.
 succeeds --help
 cp .out all
