@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
-#include <vector>
 
 #include "solvers/bounds.hpp"
 #include "solvers/kernels.hpp"
@@ -59,9 +57,9 @@ class DifferentialEvolution final : public Solver {
     problem_ = problem;
     const int candidates = problem.population;
     for (Candidates* each : {&x_, &trials_, &crossover_, &fresh_}) each->resize(problem.joints(), candidates);
-    chance_.resize(3, candidates);
-    partners_.resize(static_cast<std::size_t>(candidates));
+    partners_.resize(3, candidates);
     forced_.resize(candidates);
+    limit_.setConstant(candidates, options_.crossover);
     for (Eigen::VectorXd* each : {&errors_, &trial_errors_}) each->resize(candidates);
     best_ = {problem.start};
 
@@ -71,32 +69,31 @@ class DifferentialEvolution final : public Solver {
   }
 
   void step(Objective& objective, Random& random) override {
-    random.uniforms(chance_);
+    random.uniforms(partners_);
     random.uniforms(crossover_);
     random.uniforms(forced_);
     if (options_.bounds == Outside::resample) draw_within_limits(problem_, random, fresh_);
-    for (int i = 0; i < x_.cols(); ++i) partners_[static_cast<std::size_t>(i)] = chosen_partners(i);
+    kernels_.choose_partners(partners_.data(), partners_.cols());
     for (Eigen::Index i = 0; i < x_.cols(); ++i) {  // at least one joint comes from the mutant
       crossover_(static_cast<Eigen::Index>(forced_[i] * static_cast<double>(x_.rows())), i) = -1;
     }
 
     const auto combine = [&](Eigen::Index first, Eigen::Index count) {
-      for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-        for (Eigen::Index i = first; i < first + count; ++i) {
-          const auto& [a, b, c] = partners_[static_cast<std::size_t>(i)];
+      for (Eigen::Index i = first; i < first + count; ++i) {
+        const auto a = partner(0, i), b = partner(1, i), c = partner(2, i);
+        for (Eigen::Index j = 0; j < x_.rows(); ++j) {
           trials_(j, i) = x_(j, a) + options_.weight * (x_(j, b) - x_(j, c));  // mutation
         }
-        kernels_.choose(&crossover_(j, first), options_.crossover, &x_(j, first), &trials_(j, first),
-                        count);  // crossover
+      }
+      for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+        kernels_.choose({.less = &crossover_(j, first),  // crossover
+                         .than = &limit_[first],
+                         .yes = &trials_(j, first),
+                         .no = &x_(j, first),
+                         .out = &trials_(j, first),
+                         .count = count});
       }
       bring_inside(Eigen::seqN(first, count));
-    };
-    const auto replace_if_better = [&](Eigen::Index i) {
-      if (!(trial_errors_[i] < errors_[i])) return false;
-      x_.col(i) = trials_.col(i);
-      errors_[i] = trial_errors_[i];
-      best_.improve(trials_.col(i), trial_errors_[i]);
-      return true;
     };
     if (options_.replacement == Replacement::at_once) {
       // A trial stays if none of its partners was replaced since it was proposed.
@@ -106,37 +103,37 @@ class DifferentialEvolution final : public Solver {
         combine(first, count);
       };
       const auto decide = [&](Eigen::Index i) {
-        if (replace_if_better(i)) first_stale = first_with_partner(i, first_stale);
+        if (trial_errors_[i] < errors_[i]) {
+          x_.col(i) = trials_.col(i);
+          errors_[i] = trial_errors_[i];
+          best_.improve(trials_.col(i), trial_errors_[i]);
+          first_stale = first_with_partner(i, first_stale);
+        }
         return i + 1 == first_stale && first_stale < x_.cols();
       };
       objective.one_by_one(trials_, trial_errors_, propose, decide);
     } else {
       combine(0, x_.cols());
       objective.errors(trials_, trial_errors_);
-      for (Eigen::Index i = 0; i < x_.cols(); ++i) replace_if_better(i);
+      const auto replace = [&](const double* by, double* own) {
+        kernels_.choose({trial_errors_.data(), errors_.data(), by, own, own, x_.cols()});
+      };
+      for (Eigen::Index j = 0; j < x_.rows(); ++j) replace(&trials_(j, 0), &x_(j, 0));
+      replace(trial_errors_.data(), errors_.data());
+      for (Eigen::Index i = 0; i < x_.cols(); ++i) best_.improve(x_.col(i), errors_[i]);
     }
   }
 
   const Best& best() const override { return best_; }
 
  private:
-  // Three different candidates other than i; each number picks one of the rest.
-  std::array<int, 3> chosen_partners(int i) const {
-    const auto pick = [&](int k) { return static_cast<int>(chance_(k, i) * static_cast<double>(x_.cols() - 1 - k)); };
-    const auto after = [](int place, int taken) { return place >= taken ? place + 1 : place; };
-    const int a = after(pick(0), i);
-    const int first = std::min(i, a), second = std::max(i, a);
-    const int b = after(after(pick(1), first), second);
-    const int lowest = std::min(first, b), highest = std::max(second, b), middle = std::max(first, std::min(second, b));
-    return {a, b, after(after(after(pick(2), lowest), middle), highest)};
-  }
+  Eigen::Index partner(int k, Eigen::Index i) const { return static_cast<Eigen::Index>(partners_(k, i)); }
 
   // The first candidate after i, and before `end`, of which i is a partner; else `end`.
   Eigen::Index first_with_partner(Eigen::Index i, Eigen::Index end) const {
-    const auto has_it = [i](const std::array<int, 3>& partners) {
-      return std::ranges::find(partners, i) != partners.end();
-    };
-    return std::find_if(partners_.begin() + i + 1, partners_.begin() + end, has_it) - partners_.begin();
+    Eigen::Index other = i + 1;
+    while (other < end && partner(0, other) != i && partner(1, other) != i && partner(2, other) != i) ++other;
+    return other;
   }
 
   template <class Some>
@@ -164,9 +161,8 @@ class DifferentialEvolution final : public Solver {
   Options options_;
   const Kernels& kernels_ = kernels();
   Problem problem_;
-  Candidates x_, trials_, chance_, crossover_, fresh_;
-  std::vector<std::array<int, 3>> partners_;
-  Eigen::RowVectorXd forced_;
+  Candidates x_, trials_, partners_, crossover_, fresh_;  // partners_: three for each candidate
+  Eigen::RowVectorXd forced_, limit_;
   Eigen::VectorXd errors_, trial_errors_;
   Best best_;
 };

@@ -41,10 +41,10 @@ void search_locally(const LocalSearch& search) {
   });
 }
 
-void choose(const double* chance, double limit, const double* other, double* q, ptrdiff_t count) {
-  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
-    const Bits stays = where_less(some.load(chance + i), all(limit));
-    some.store(q + i, chosen(stays, some.load(q + i), some.load(other + i)));
+void choose(const Choice& choice) {
+  for_lanes(choice.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Bits is_less = where_less(some.load(choice.less + i), some.load(choice.than + i));
+    some.store(choice.out + i, chosen(is_less, some.load(choice.yes + i), some.load(choice.no + i)));
   });
 }
 
@@ -55,10 +55,54 @@ void clamp(double lower, double upper, double* q, ptrdiff_t count) {
   });
 }
 
+void turn_back(double lower, double upper, double most, double* q, double* v, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals at = some.load(q + i), slow = smaller(all(most), larger(all(-most), some.load(v + i)));
+    const Bits outside = where_less(at, all(lower)) | where_less(all(upper), at);
+    some.store(v + i, chosen(outside, -slow, slow));
+    some.store(q + i, smaller(all(upper), larger(all(lower), at)));
+  });
+}
+
+IKBENCH_LANES Reals whole_part(Reals x) {
+  const Reals nearest = x + to_integer - to_integer;
+  return chosen(where_less(x, nearest), nearest - 1.0, nearest);
+}
+
+// Where a place among those left is among all, if `taken` is one of them.
+IKBENCH_LANES Reals after(Reals place, Reals taken) { return chosen(where_less(place, taken), place, place + 1.0); }
+
+constexpr double first_places[]{0, 1, 2, 3, 4, 5, 6, 7};
+
+void choose_partners(double* rows, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    double *const to_a = rows + i, *const to_b = to_a + count, *const to_c = to_b + count;
+    const auto pick = [&](const double* from, ptrdiff_t left)
+                          IKBENCH_INLINE { return whole_part(some.load(from) * static_cast<double>(left)); };
+    const Reals own = load<Reals>(first_places) + static_cast<double>(i);
+    const Reals a = after(pick(to_a, count - 1), own);
+    const Reals first = smaller(own, a), second = larger(own, a);
+    const Reals b = after(after(pick(to_b, count - 2), first), second);
+    const Reals lowest = smaller(first, b), highest = larger(second, b), middle = larger(first, smaller(second, b));
+    some.store(to_a, a);
+    some.store(to_b, b);
+    some.store(to_c, after(after(after(pick(to_c, count - 3), lowest), middle), highest));
+  });
+}
+
+void add_squares(double centre, const double* q, double* sums, ptrdiff_t count) {
+  for_lanes(count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+    const Reals off = some.load(q + i) - centre;
+    some.store(sums + i, some.load(sums + i) + off * off);
+  });
+}
+
 }  // namespace
 
 namespace IKBENCH_KERNELS {
-Kernels kernels() { return {&fly, &swarm, &search_locally, &scatter, &choose, &clamp}; }
+Kernels kernels() {
+  return {&fly, &swarm, &search_locally, &scatter, &choose, &clamp, &turn_back, &choose_partners, &add_squares};
+}
 }  // namespace IKBENCH_KERNELS
 
 }  // namespace ikbench::solvers

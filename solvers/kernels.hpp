@@ -36,14 +36,25 @@ struct LocalSearch {
   ptrdiff_t count;
 };
 
+// out = yes where less < than, else no. out may be one of the others.
+struct Choice {
+  const double *less, *than, *yes, *no;
+  double* out;
+  ptrdiff_t count;
+};
+
 struct Kernels {
   void (*fly)(const Flight& flight);  // v_next = v + (x - pole) frequency, x_next = x + v_next
   void (*swarm)(const Swarm& swarm);
   void (*search_locally)(const LocalSearch& search);
   void (*scatter)(double centre, double step, const double* draws, double* q, ptrdiff_t count);  // centre + step draws
-  // Keeps q where its chance is below `limit`, else takes `other`.
-  void (*choose)(const double* chance, double limit, const double* other, double* q, ptrdiff_t count);
+  void (*choose)(const Choice& choice);
   void (*clamp)(double lower, double upper, double* q, ptrdiff_t count);
+  // Limits v to `most`, turns it back where q is outside, and clamps q.
+  void (*turn_back)(double lower, double upper, double most, double* q, double* v, ptrdiff_t count);
+  // Three rows of numbers in [0, 1) become three different others of `count` candidates for each: DE's partners.
+  void (*choose_partners)(double* rows, ptrdiff_t count);
+  void (*add_squares)(double centre, const double* q, double* sums, ptrdiff_t count);  // sums += (q - centre)^2
 };
 
 namespace portable {

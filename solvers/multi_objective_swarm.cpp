@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "numerics/functions.hpp"
 #include "solvers/bounds.hpp"
+#include "solvers/kernels.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/roulette.hpp"
 
@@ -25,8 +27,8 @@ struct Cost {
   double error = 0;      // [m]
   double variation = 0;  // [rad]
 
-  bool dominates(const Cost& other) const {
-    return error <= other.error && variation <= other.variation && (error < other.error || variation < other.variation);
+  bool is_no_worse_than(const Cost& other) const {
+    return (error <= other.error) & (variation <= other.variation);  // without a branch to predict
   }
 };
 
@@ -35,27 +37,28 @@ struct Cost {
 class Front {
  public:
   // Allocates memory for `capacity` members and as many newcomers as the swarm has.
-  void start(Eigen::Index joints, Eigen::Index capacity, Eigen::Index swarm) {
+  void start(Eigen::Index joints, Eigen::Index capacity, Eigen::Index swarm, int cells) {
+    cells_ = cells;
     capacity_ = static_cast<std::size_t>(capacity);
     members_.clear();
-    kept_.clear();
     q_.resize(joints, capacity);
-    next_q_.resize(joints, capacity);
     const auto most = static_cast<std::size_t>(capacity + swarm);
     for (auto* list : {&members_, &newcomers_, &kept_}) list->reserve(most);
     order_.reserve(most);
+    free_.resize(capacity_);
+    std::iota(free_.begin(), free_.end(), 0);
     roulette_.reserve(capacity_);
   }
 
   bool empty() const { return members_.empty(); }
   std::size_t size() const { return members_.size(); }
   const Cost& cost(std::size_t m) const { return members_[m].cost; }
-  auto q(std::size_t m) const { return q_.col(static_cast<Eigen::Index>(m)); }
+  auto q(std::size_t m) const { return q_.col(members_[m].column); }
 
-  void add(const Candidates& swarm, const std::vector<Cost>& costs) {
+  void add(const Candidates& swarm, const Eigen::VectorXd& errors, const Eigen::VectorXd& variations) {
     newcomers_.clear();
     for (Eigen::Index i = 0; i < swarm.cols(); ++i) {
-      const Cost& cost = costs[static_cast<std::size_t>(i)];
+      const Cost cost{errors[i], variations[i]};
       if (std::isfinite(cost.error) && !is_behind_front(cost)) newcomers_.push_back({cost, q_.cols() + i});
     }
     if (newcomers_.empty()) return;
@@ -63,19 +66,7 @@ class Front {
     keep_non_dominated();
     if (members_.size() > capacity_) drop_most_crowded();
     take_in(swarm);
-  }
-
-  // Fills the roulette: each occupied cell of the grid over the front weighs 10 / (its members), shared among them.
-  void divide(int cells) {
-    roulette_.clear();
-    for (std::size_t first = 0, last = 0; first < size(); first = last) {
-      const auto cell = cell_of(cost(first), cells);
-      do {
-        ++last;
-      } while (last < size() && cell_of(cost(last), cells) == cell);
-      const auto count = static_cast<double>(last - first);
-      for (std::size_t m = first; m < last; ++m) roulette_.add(10 / count / count);
-    }
+    divide();
   }
 
   // The member that a number in [0, 1) picks.
@@ -98,7 +89,7 @@ class Front {
  private:
   struct Member {
     Cost cost;
-    Eigen::Index source;  // column of the archive, after these of the swarm, or nowhere
+    Eigen::Index column;  // of the archive, after these of the swarm, or nowhere
     double crowding = 0;
   };
 
@@ -107,8 +98,21 @@ class Front {
     return high > low ? (value - low) / (high - low) : 0;
   }
 
-  std::pair<int, int> cell_of(const Cost& cost, int cells) const {
-    const auto cell = [cells](double at) { return std::min(static_cast<int>(at * cells), cells - 1); };
+  // Fills the roulette: each occupied cell of the grid over the front weighs 10 / (its members), shared among them.
+  void divide() {
+    roulette_.clear();
+    auto next = cell_of(cost(0));
+    for (std::size_t first = 0, last = 0; first < size(); first = last) {
+      const auto cell = next;
+      while (++last < size() && (next = cell_of(cost(last))) == cell) continue;
+      const auto count = static_cast<double>(last - first);
+      const double share = 10 / count / count;
+      for (std::size_t m = first; m < last; ++m) roulette_.add(share);
+    }
+  }
+
+  std::pair<int, int> cell_of(const Cost& cost) const {
+    const auto cell = [this](double at) { return std::min(static_cast<int>(at * cells_), cells_ - 1); };
     const Cost &left = members_.front().cost, &right = members_.back().cost;
     return {cell(position(cost.error, left.error, right.error)),
             cell(position(cost.variation, right.variation, left.variation))};
@@ -117,7 +121,7 @@ class Front {
   static constexpr Eigen::Index nowhere = -1;
 
   static bool by_error(const Member& a, const Member& b) {
-    return std::tie(a.cost.error, a.cost.variation, a.source) < std::tie(b.cost.error, b.cost.variation, b.source);
+    return std::tie(a.cost.error, a.cost.variation, a.column) < std::tie(b.cost.error, b.cost.variation, b.column);
   }
 
   // True if a member has no larger error and no larger variation: of those with no larger error, the last varies least.
@@ -138,7 +142,11 @@ class Front {
     while (member != members_.cend() || newcomer != newcomers_.cend()) {
       const bool old = newcomer == newcomers_.cend() || (member != members_.cend() && by_error(*member, *newcomer));
       const Member& next = old ? *member++ : *newcomer++;
-      if (kept_.empty() || next.cost.variation < kept_.back().cost.variation) kept_.push_back(next);
+      if (kept_.empty() || next.cost.variation < kept_.back().cost.variation) {
+        kept_.push_back(next);
+      } else {
+        release(next);
+      }
     }
     members_.swap(kept_);
   }
@@ -155,34 +163,39 @@ class Front {
                                                        (cost(m - 1).variation - cost(m + 1).variation) / variations;
       order_.push_back(m);
     }
-    const auto dropped = order_.begin() + static_cast<std::ptrdiff_t>(capacity_);
-    std::nth_element(order_.begin(), dropped, order_.end(), [&](std::size_t a, std::size_t b) {
-      return members_[a].crowding > members_[b].crowding || (members_[a].crowding == members_[b].crowding && a < b);
+    const auto first_kept = order_.begin() + static_cast<std::ptrdiff_t>(size() - capacity_);
+    std::partial_sort(order_.begin(), first_kept, order_.end(), [&](std::size_t a, std::size_t b) {
+      return members_[a].crowding < members_[b].crowding || (members_[a].crowding == members_[b].crowding && a > b);
     });
-    std::for_each(dropped, order_.end(), [&](std::size_t m) { members_[m].source = nowhere; });
-    std::erase_if(members_, [](const Member& member) { return member.source == nowhere; });
+    std::for_each(order_.begin(), first_kept, [&](std::size_t m) {
+      release(members_[m]);
+      members_[m].column = nowhere;
+    });
+    std::erase_if(members_, [](const Member& member) { return member.column == nowhere; });
   }
 
-  // Copies the members' configurations, in their order.
+  void release(const Member& member) {
+    if (member.column < q_.cols()) free_.push_back(member.column);
+  }
+
+  // Copies the newcomers' configurations to free columns.
   void take_in(const Candidates& swarm) {
-    for (Eigen::Index j = 0; j < q_.rows(); ++j) {
-      for (std::size_t m = 0; m < size(); ++m) {
-        const Eigen::Index from = members_[m].source;
-        next_q_(j, static_cast<Eigen::Index>(m)) = from < q_.cols() ? q_(j, from) : swarm(j, from - q_.cols());
-      }
+    for (Member& member : members_) {
+      if (member.column < q_.cols()) continue;
+      q_.col(free_.back()) = swarm.col(member.column - q_.cols());
+      member.column = free_.back();
+      free_.pop_back();
     }
-    for (std::size_t m = 0; m < size(); ++m) members_[m].source = static_cast<Eigen::Index>(m);
-    q_.swap(next_q_);
   }
 
+  int cells_ = 0;
   std::size_t capacity_ = 0;
   std::vector<Member> members_, newcomers_, kept_;
-  std::vector<std::size_t> order_;  // members, the least crowded first
+  std::vector<std::size_t> order_;  // members, the most crowded first
   Roulette roulette_;
-  Candidates q_, next_q_;  // column m is member m
+  Candidates q_;
+  std::vector<Eigen::Index> free_;  // columns of q_
 };
-
-using RowArray = Eigen::Array<double, 1, Eigen::Dynamic>;
 
 class MultiObjectiveSwarm final : public Solver {
  public:
@@ -228,24 +241,22 @@ class MultiObjectiveSwarm final : public Solver {
     v_.setZero(problem.joints(), particles);
     u1_.resize(problem.joints(), particles);
     u2_.resize(problem.joints(), particles);
-    for (Eigen::VectorXd* each : {&errors_, &chance_, &coin_}) each->resize(particles);
-    for (RowArray* each : {&variations_, &lead_}) each->resize(particles);
-    leader_.resize(particles);
-    costs_.resize(static_cast<std::size_t>(particles));
+    for (Eigen::VectorXd* each : {&errors_, &variations_, &turned_, &chance_, &coin_}) each->resize(particles);
     order_.resize(static_cast<std::size_t>(particles));
     velocity_limit_.resize(problem.joints());
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
       const DrawnFrom range(problem, j);
       velocity_limit_[j] = options_.velocity_limit_percent / 100 * (range.upper - range.lower);
     }
-    archive_.start(problem.joints(), options_.archive, particles);
+    archive_.start(problem.joints(), options_.archive, particles, options_.grid);
     generation_ = 0;
     best_ = {problem.start};
 
     draw_within_limits(problem, random, x_);
     evaluate(objective);
     personal_ = x_;
-    personal_costs_ = costs_;
+    personal_errors_ = errors_;
+    personal_variations_ = variations_;
   }
 
   void step(Objective& objective, Random& random) override {
@@ -254,32 +265,37 @@ class MultiObjectiveSwarm final : public Solver {
     random.uniforms(chance_);
     random.uniforms(coin_);
     ++generation_;
-    archive_.divide(options_.grid);
-    const bool led = !archive_.empty();
-    for (Eigen::Index i = 0; led && i < x_.cols(); ++i) {
-      const bool anew = i == 0 || options_.leader == Leader::per_particle;
-      leader_[i] = anew ? archive_.pick(chance_[i]) : leader_[0];
-    }
-    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      auto x = x_.row(j).array(), v = v_.row(j).array();
-      const auto u1 = u1_.row(j).array(), u2 = u2_.row(j).array(), p = personal_.row(j).array();
-      v = options_.inertia * v + options_.cognitive * (u1 * (p - x));
-      for (Eigen::Index i = 0; led && i < x.size(); ++i) lead_[i] = archive_.q(leader_[i])[j];
-      if (led) v += options_.social * (u2 * (lead_ - x));
-      x += v;
+    if (archive_.empty()) return;  // no particle has an error, so none leads
+    const Eigen::Index led = options_.leader == Leader::per_generation ? x_.cols() : 1;
+    for (Eigen::Index first = 0; first < x_.cols(); first += led) {
+      const auto leader = archive_.q(archive_.pick(chance_[first]));
+      for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+        kernels_.swarm({.inertia = options_.inertia,
+                        .cognitive = options_.cognitive,
+                        .social = options_.social,
+                        .best = leader[j],
+                        .x = &x_(j, first),
+                        .v = &v_(j, first),
+                        .personal = &personal_(j, first),
+                        .u1 = &u1_(j, first),
+                        .u2 = &u2_(j, first),
+                        .x_next = &x_(j, first),
+                        .v_next = &v_(j, first),
+                        .count = led});
+      }
     }
     mutate(random);
-    for (Eigen::Index j = 0; j < x_.rows(); ++j) turn_back(j);
-    evaluate(objective);
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!std::isfinite(costs_[at].error)) continue;
-      const bool replaced =
-          costs_[at].dominates(personal_costs_[at]) || (!personal_costs_[at].dominates(costs_[at]) && coin_[i] < 0.5);
-      if (!replaced) continue;
-      personal_.col(i) = x_.col(i);
-      personal_costs_[at] = costs_[at];
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      kernels_.turn_back(problem_.lower[j], problem_.upper[j], velocity_limit_[j], &x_(j, 0), &v_(j, 0), x_.cols());
     }
+    evaluate(objective);
+    for (Eigen::Index i = 0; i < x_.cols(); ++i) chance_[i] = chance_to_replace(i);
+    const auto replace = [&](const double* by, double* own) {
+      kernels_.choose({coin_.data(), chance_.data(), by, own, own, x_.cols()});
+    };
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) replace(&x_(j, 0), &personal_(j, 0));
+    replace(errors_.data(), personal_errors_.data());
+    replace(variations_.data(), personal_variations_.data());
   }
 
   const Best& best() const override { return best_; }
@@ -289,16 +305,16 @@ class MultiObjectiveSwarm final : public Solver {
     objective.errors(x_, errors_);
     variations_.setZero();
     for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-      const auto way = x_.row(j).array() - problem_.start[j];
       if (is_endless(problem_.lower[j], problem_.upper[j])) {
-        variations_ += way.unaryExpr([](double q) { return std::remainder(q, whole_turn); }).square();
+        turned_ =
+            (x_.row(j).array() - problem_.start[j]).unaryExpr([](double q) { return std::remainder(q, whole_turn); });
+        kernels_.add_squares(0, turned_.data(), variations_.data(), x_.cols());
       } else {
-        variations_ += way.square();
+        kernels_.add_squares(problem_.start[j], &x_(j, 0), variations_.data(), x_.cols());
       }
     }
-    variations_ = variations_.sqrt();
-    for (Eigen::Index i = 0; i < x_.cols(); ++i) costs_[static_cast<std::size_t>(i)] = {errors_[i], variations_[i]};
-    archive_.add(x_, costs_);
+    variations_ = variations_.cwiseSqrt();
+    archive_.add(x_, errors_, variations_);
     if (archive_.empty()) return;
     // The front's first member has the smallest error ever: nothing dominates it, and crowding spares it.
     const std::size_t answer = options_.final_point == FinalPoint::knee ? archive_.knee() : 0;
@@ -326,23 +342,21 @@ class MultiObjectiveSwarm final : public Solver {
     }
   }
 
-  // Limits the velocity, after its use; at a joint limit it changes sign.
-  void turn_back(Eigen::Index j) {
-    const double lower = problem_.lower[j], upper = problem_.upper[j], most = velocity_limit_[j];
-    auto x = x_.row(j).array(), v = v_.row(j).array();
-    v = v.max(-most).min(most);
-    v = (x < lower || x > upper).select(-v, v);
-    x = x.max(lower).min(upper);
+  // The chance that a particle's own best gives way: 1 to what dominates it, 0 to what it dominates, else a half.
+  double chance_to_replace(Eigen::Index i) const {
+    const Cost now{errors_[i], variations_[i]}, own{personal_errors_[i], personal_variations_[i]};
+    if (!std::isfinite(now.error)) return 0;
+    return 0.5 * (1 + now.is_no_worse_than(own) - own.is_no_worse_than(now));
   }
 
   Options options_;
+  const Kernels& kernels_ = kernels();
   Problem problem_;
   Candidates x_, v_, personal_, u1_, u2_;
-  Eigen::VectorXd errors_, chance_, coin_;
-  RowArray variations_, lead_;          // lead_: a joint of every particle's leader
-  Eigen::VectorX<std::size_t> leader_;  // each particle's leader, a member of the archive
+  Eigen::VectorXd errors_, variations_, personal_errors_, personal_variations_;
+  Eigen::VectorXd turned_;  // moves of a joint that turns without end
+  Eigen::VectorXd chance_, coin_;
   Configuration velocity_limit_;
-  std::vector<Cost> costs_, personal_costs_;
   std::vector<int> order_;
   Front archive_;
   int generation_ = 0;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "numerics/instruction_set.hpp"
@@ -217,23 +218,63 @@ TEST_CASE("every instruction set clamps as the plain loop does, with every bit, 
   }
 }
 
-TEST_CASE("every instruction set chooses by chance as the plain loop does, and touches nothing else", "[kernels]") {
+TEST_CASE("every instruction set chooses as the plain loop does, and touches nothing else", "[kernels]") {
   Dice dice;
-  for (const InstructionSet set : instruction_sets()) {
-    for (const std::size_t size : sizes()) {
-      for (const Guarded::Page page : {Guarded::Page::after, Guarded::Page::before}) {
-        CAPTURE(name_of(set), size, page == Guarded::Page::after);
-        const Column chance = drawn(dice, size), other = drawn(dice, size), before = drawn(dice, size);
-        const double limit = size % 3 == 0 || size == 0 ? 0.5 : chance[size / 2];  // a chance that is the limit: other
-        Column expected(size);
-        for (std::size_t i = 0; i < size; ++i) expected[i] = chance[i] < limit ? before[i] : other[i];
-        Row chance_row(chance, page), other_row(other, page), row(before, page);
-        solvers::kernels(set).choose(chance_row.data(), limit, other_row.data(), row.data(),
-                                     static_cast<ptrdiff_t>(size));
-        REQUIRE(same_bits(row.data(), expected.data(), size));
-        REQUIRE(row.kept_within());
-        REQUIRE((only_read(chance_row, chance) && only_read(other_row, other)));
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool in_place) {
+    const Column less = drawn(dice, size), yes = drawn(dice, size), no = drawn(dice, size);
+    Column than = drawn(dice, size), expected(size);
+    if (size > 0) than[size / 2] = less[size / 2];
+    for (std::size_t i = 0; i < size; ++i) expected[i] = less[i] < than[i] ? yes[i] : no[i];
+    Row less_row(less, page), than_row(than, page), yes_row(yes, page), no_row(no, page), other(Column(size, 1), page);
+    Row& out = in_place ? no_row : other;
+    kernels.choose(
+        {less_row.data(), than_row.data(), yes_row.data(), no_row.data(), out.data(), static_cast<ptrdiff_t>(size)});
+    REQUIRE(same_bits(out.data(), expected.data(), size));
+    REQUIRE(out.kept_within());
+    REQUIRE((only_read(less_row, less) && only_read(than_row, than) && only_read(yes_row, yes)));
+  });
+}
+
+TEST_CASE("every instruction set turns back and adds squares as the plain loop does", "[kernels]") {
+  Dice dice;
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool) {
+    const double lower = dice.between(-5, 0), upper = lower + dice.between(0, 5), most = dice.between(0, 5);
+    const Column sums = drawn(dice, size);
+    Column q = drawn(dice, size), v = drawn(dice, size), sums_after = sums;
+    Row q_row(q, page), v_row(v, page), sums_row(sums, page);
+    kernels.add_squares(lower, q_row.data(), sums_row.data(), static_cast<ptrdiff_t>(size));
+    kernels.turn_back(lower, upper, most, q_row.data(), v_row.data(), static_cast<ptrdiff_t>(size));
+    for (std::size_t i = 0; i < size; ++i) {
+      sums_after[i] += (q[i] - lower) * (q[i] - lower);
+      v[i] = std::clamp(v[i], -most, most);
+      if (q[i] < lower || q[i] > upper) v[i] = -v[i];
+      q[i] = std::clamp(q[i], lower, upper);
+    }
+    REQUIRE((same_column(q_row.numbers(), q) && same_column(v_row.numbers(), v)));
+    REQUIRE(same_column(sums_row.numbers(), sums_after));
+    REQUIRE((q_row.kept_within() && v_row.kept_within() && sums_row.kept_within()));
+  });
+}
+
+TEST_CASE("every instruction set chooses three different others, in order from those that are left", "[kernels]") {
+  Dice dice;
+  for_each_case([&](const solvers::Kernels& kernels, std::size_t size, Guarded::Page page, bool) {
+    if (size < 4) return;
+    Column rows(3 * size);
+    for (double& chance : rows) chance = dice.below(20) == 0 ? 1 - 0x1p-52 : dice.between(0, 1);
+    Row row(rows, page);
+    kernels.choose_partners(row.data(), static_cast<ptrdiff_t>(size));
+    for (std::size_t i = 0; i < size; ++i) {
+      Column left(size);
+      std::iota(left.begin(), left.end(), 0);
+      left.erase(left.begin() + static_cast<ptrdiff_t>(i));
+      for (std::size_t at = i; at < 3 * size; at += size) {
+        const auto chosen = left.begin() + static_cast<ptrdiff_t>(rows[at] * static_cast<double>(left.size()));
+        rows[at] = *chosen;
+        left.erase(chosen);
       }
     }
-  }
+    REQUIRE(row.numbers() == rows);
+    REQUIRE(row.kept_within());
+  });
 }
