@@ -52,7 +52,7 @@ class KArtificialBeeColony final : public Solver {
     for (Eigen::VectorXd* each : {&errors_, &found_, &joint_, &neighbour_, &phi_, &roulette_}) {
       each->resize(sources);
     }
-    for (auto* each : {&source_, &last_visit_}) each->resize(sources);
+    for (auto* each : {&source_, &moved_by_}) each->resize(sources);
     share_.reserve(static_cast<std::size_t>(sources));
     failures_.setZero(sources);
     best_ = {problem.start};
@@ -96,39 +96,45 @@ class KArtificialBeeColony final : public Solver {
     if (options_.neighbour == Neighbour::random) random.uniforms(neighbour_);
   }
 
-  // Every bee tries its source i, with one joint moved along the difference to the source's neighbour.
+  // Every bee tries its source.
   void search(Objective& objective) {
-    for (Eigen::Index bee = 0; bee < source_.size(); ++bee) last_visit_[source_[bee]] = bee;
+    moved_by_.setConstant(-1);
+    Eigen::Index proposed_from = 0;
     objective.one_by_one(
         candidates_, found_,
         [&](Eigen::Index first, Eigen::Index count) {
-          const auto bees = Eigen::seqN(first, count);
-          for (Eigen::Index j = 0; j < x_.rows(); ++j) {
-            for (Eigen::Index bee = first; bee < first + count; ++bee) candidates_(j, bee) = x_(j, source_[bee]);
-          }
-          for (Eigen::Index bee = first; bee < first + count; ++bee) {
-            const Eigen::Index i = source_[bee];
-            const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
-            const Eigen::Index k =
-                options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
-            const double phi = 2 * phi_[bee] - 1;
-            candidates_(j, bee) += phi * (k == i ? x_(j, i) : x_(j, i) - x_(j, k));
-          }
-          keep_inside(options_.bounds, problem_, candidates_(Eigen::all, bees));
+          proposed_from = first;
+          for (Eigen::Index bee = first; bee < first + count; ++bee) fly(bee);
         },
         [&](Eigen::Index bee) {
           const Eigen::Index i = source_[bee];
-          if (!(found_[bee] < errors_[i])) {
-            ++failures_[i];
-            return false;
-          }
+          ++failures_[i];
+          if (!(found_[bee] < errors_[i])) return false;
           x_.col(i) = candidates_.col(bee);
           errors_[i] = found_[bee];
           failures_[i] = 0;
+          moved_by_[i] = bee;
           if (!(errors_[best_source_] <= errors_[i])) best_source_ = i;
           best_.improve(candidates_.col(bee), found_[bee]);
-          return last_visit_[i] > bee || i == best_source_ || options_.neighbour == Neighbour::random;
+          return i == best_source_ || options_.neighbour == Neighbour::random;
+        },
+        [&](Eigen::Index bee) {
+          const bool is_stale = moved_by_[source_[bee]] >= proposed_from;
+          if (is_stale) fly(bee);
+          return is_stale;
         });
+  }
+
+  // Moves one joint j of the bee's source i along the difference to the source's neighbour.
+  void fly(Eigen::Index bee) {
+    const Eigen::Index i = source_[bee];
+    const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
+    const Eigen::Index k = options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
+    const double q = x_(j, i), phi = 2 * phi_[bee] - 1;
+    const double moved = q + phi * (k == i ? q : q - x_(j, k));
+    candidates_.col(bee) = x_.col(i);
+    candidates_(j, bee) =
+        options_.bounds == Bounds::clamp ? std::clamp(moved, problem_.lower[j], problem_.upper[j]) : moved;
   }
 
   void find_best_source() {
@@ -156,8 +162,8 @@ class KArtificialBeeColony final : public Solver {
   Problem problem_;
   int limit_ = 0;
   Candidates x_, candidates_;
-  Eigen::VectorX<Eigen::Index> source_, last_visit_;  // the source of each bee; the last bee of each source
-  Eigen::VectorXd errors_, found_;                    // errors of the sources; of the candidates
+  Eigen::VectorX<Eigen::Index> source_, moved_by_;  // each bee's source; the last bee that moved a source
+  Eigen::VectorXd errors_, found_;                  // errors of the sources; of the candidates
   Eigen::VectorXd joint_, neighbour_, phi_, roulette_;
   Roulette share_;
   Eigen::VectorXi failures_;

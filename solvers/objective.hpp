@@ -57,21 +57,32 @@ class Objective {
   // - propose(first, count) writes these columns of q from the solver's present state;
   // - decide(i) accepts candidate i, whose error is errors[i], or not, and says whether that changed anything that
   // later proposals depend on. If so, those are proposed anew.
+  // - renew(i) is for changes that concern few of them: before the decision, it proposes candidate i anew if it has to,
+  // and says whether it did.
   // Only decided candidates count as evaluations, as in the plain loop. `q` are Candidates and `errors` a vector.
-  template <class Q, class Errors, class Propose, class Decide>
-  void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
+  template <class Q, class Errors, class Propose, class Decide, class Renew>
+  void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide, Renew&& renew) {
     for (Eigen::Index i = 0; i < q.cols();) {
       const Eigen::Index count = std::min(look_ahead_, q.cols() - i);
       propose(i, count);
       evaluate(q.middleCols(i, count), errors.segment(i, count));
       Eigen::Index decided = 0;
       bool changed = false;
-      while (decided < count && !changed) changed = decide(i + decided++);
+      while (decided < count && !changed) {
+        const Eigen::Index next = i + decided++;
+        if (renew(next)) evaluate(q.middleCols(next, 1), errors.segment(next, 1));
+        changed = decide(next);
+      }
       i += decided;
       evaluations_ += decided;
       // Looks half as far ahead after a change, twice as far without. The numbers do not depend on it.
       look_ahead_ = std::min(changed ? std::max<Eigen::Index>(look_ahead_ / 2, 8) : 2 * look_ahead_, furthest_ahead_);
     }
+  }
+
+  template <class Q, class Errors, class Propose, class Decide>
+  void one_by_one(Q& q, Errors& errors, Propose&& propose, Decide&& decide) {
+    one_by_one(q, errors, propose, decide, [](Eigen::Index) { return false; });
   }
 
   // Rows of a residual: 3 for a position, 6 for a pose.
