@@ -1,7 +1,6 @@
 // ikbench check-solver: checks a program for its author before a study runs it.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -185,17 +184,17 @@ class Checker {
 
 }  // namespace
 
-void add_check_solver(CLI::App& app, Invocation& invocation) {
+void add_check_solver(Command& app, Invocation& invocation) {
   struct Arguments {
     std::vector<std::string> words;
     double patience = 5;
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
+  Command* command = app.add_subcommand("check-solver", "Check a solver that is a program");
   command->add_option("COMMAND", arguments->words, "the program and its arguments, after --")->required();
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_in({0.1, 3600.0}))
       ->capture_default_str();
   add_json_option(*command, arguments->is_json);
   command->footer(

@@ -1,7 +1,6 @@
 // ikbench compare: is a solver worse than its baseline?
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -139,10 +138,9 @@ std::string markdown_of(const std::vector<Compared>& all) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Invocation& invocation) {
+void add_compare(Command& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
+  Command* command = app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
   command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
   command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
   command->add_option("--store", arguments->store, "store in which A and B are labels");

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "results/files.hpp"
 #include "results/fingerprint.hpp"
@@ -31,12 +31,12 @@ constexpr std::string_view fingerprint_format = "fingerprint";
 
 }  // namespace
 
-void add_export(CLI::App& app, Invocation&) {
+void add_export(Command& app, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON, or for other programs");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
@@ -50,7 +50,7 @@ void add_export(CLI::App& app, Invocation&) {
       fmt::format("{}: a hash of every bit of the results, but times and sessions, the number of solves and the study",
                   fingerprint_format));
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
-      ->check(CLI::IsMember(names))
+      ->check(one_of(names))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
       ->capture_default_str();

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -216,13 +215,13 @@ Listed listed(const std::string& kind, const std::string& name) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Invocation&) {
+void add_list(Command& app, Invocation&) {
   struct Arguments {
     std::string kind, name;
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
+  Command* command = app.add_subcommand(
       "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
   const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
                                        "columns", "metrics", "instruction-sets"};

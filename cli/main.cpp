@@ -13,6 +13,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "experiments/environment.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
@@ -45,7 +46,8 @@ int main(int argc, char** argv) {
   const bool is_help = !words.empty() && words.front() == "help";
   if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-  cli::add_commands(app, invocation);
+  cli::Command program(app);
+  cli::add_commands(program, invocation);
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {

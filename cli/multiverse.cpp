@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -157,13 +156,13 @@ std::optional<Multiverse> solved_multiverse(const std::string& study, const std:
   return with_values(plan, means);
 }
 
-void add_multiverse(CLI::App& app, Invocation& invocation) {
+void add_multiverse(Command& app, Invocation& invocation) {
   auto arguments = std::make_shared<MultiverseArguments>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every reading of what it leaves open");
   add_paper_option(*command, arguments->paper);
   command->add_flag("--list", arguments->list, "list the open questions and the size, without solving");
-  CLI::Option* small =
+  CommandOption* small =
       command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
   command
       ->add_option("--dimensions", arguments->dimensions,

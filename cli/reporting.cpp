@@ -62,7 +62,7 @@ void warn_of_unreachable(const Study& study) {
 
 }  // namespace
 
-void add_report_options(CLI::App& command, ReportArguments& arguments) {
+void add_report_options(Command& command, ReportArguments& arguments) {
   command.add_flag("--no-figures", arguments.without_figures, "write no figures");
   command
       .add_option("--style", arguments.style,
@@ -77,13 +77,13 @@ FigureStyle styled(FigureStyle style, const ReportArguments& arguments) {
   return style;
 }
 
-void add_overrides(CLI::App& command, Overrides& overrides) {
+void add_overrides(Command& command, Overrides& overrides) {
   command
       .add_option("--set", overrides,
                   "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
       ->allow_extra_args(false);
   command
-      .add_option_function<std::vector<std::string>>(
+      .add_option_function(
           "--sweep",
           [&overrides](const std::vector<std::string>& sweeps) {
             for (const std::string& sweep : sweeps) overrides.push_back(sweep_override(sweep));
@@ -94,7 +94,7 @@ void add_overrides(CLI::App& command, Overrides& overrides) {
       ->allow_extra_args(false);
 }
 
-void add_run_options(CLI::App& command, RunArguments& arguments) {
+void add_run_options(Command& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
   command
       .add_option("--jobs", arguments.jobs,
@@ -103,7 +103,7 @@ void add_run_options(CLI::App& command, RunArguments& arguments) {
       ->capture_default_str();
 }
 
-void add_paper_option(CLI::App& command, std::string& paper) {
+void add_paper_option(Command& command, std::string& paper) {
   std::vector<std::string> names;
   for (const papers::Paper& each : papers::papers()) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
   paper = papers::papers().front().name;

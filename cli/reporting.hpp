@@ -1,13 +1,13 @@
 // Shared by `reproduce`, `run` and `report`: options, writing and announcement of a report.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "analysis/compare/study.hpp"
 #include "analysis/show/report.hpp"
+#include "cli/options.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
@@ -16,14 +16,14 @@
 namespace ikbench::cli {
 
 // Adds PAPER, the name of a paper; the first by default.
-void add_paper_option(CLI::App& command, std::string& paper);
+void add_paper_option(Command& command, std::string& paper);
 
 struct ReportArguments {
   bool without_figures = false, is_json = false;
   std::string style = {};  // a file; its keys replace those of the study's [figures]
 };
 
-void add_report_options(CLI::App& command, ReportArguments& arguments);
+void add_report_options(Command& command, ReportArguments& arguments);
 // Reads the style file, if there is one. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const ReportArguments& arguments);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
@@ -43,14 +43,14 @@ compare::StudyResults checked_study(const results::Store& store, const results::
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
 
 // Adds --set and --sweep, which change the study.
-void add_overrides(CLI::App& command, experiments::Overrides& overrides);
+void add_overrides(Command& command, experiments::Overrides& overrides);
 
 struct RunArguments {
   std::string out;
   int jobs = 1;
 };
 
-void add_run_options(CLI::App& command, RunArguments& arguments);
+void add_run_options(Command& command, RunArguments& arguments);
 
 enum class Ended { complete, stopped };
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -126,16 +125,16 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
 
 }  // namespace
 
-void add_reproduce(CLI::App& app, Invocation& invocation) {
+void add_reproduce(Command& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
   command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
       ->check(whole_number({1, 1'000'000}));
-  const CLI::Option* readings_option =
+  const CommandOption* readings_option =
       command
           ->add_option("--readings", arguments->seeds,
                        "number of seeds for the readings of what the paper leaves open; 0: skip them")

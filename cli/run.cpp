@@ -1,13 +1,13 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/shard.hpp"
 #include "experiments/study_reader.hpp"
@@ -38,9 +38,9 @@ struct StudyToRun {
 
 }  // namespace
 
-void add_run(CLI::App& app, Invocation& invocation) {
+void add_run(Command& app, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
-  CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
+  Command* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
   command
       ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies), or path of a TOML file")
       ->required();

@@ -1,7 +1,6 @@
 // ikbench stats: which group of a user's CSV is better, or of printed means and standard deviations.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -78,9 +77,9 @@ void stats(const StatsArguments& arguments) {
 
 }  // namespace
 
-void add_stats(CLI::App& app, Invocation&) {
+void add_stats(Command& app, Invocation&) {
   auto arguments = std::make_shared<StatsArguments>();
-  CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
+  Command* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command->add_option(name, value, meaning);
   };
@@ -97,10 +96,9 @@ void add_stats(CLI::App& app, Invocation&) {
   command->add_flag("--larger", csv.is_larger_better, "larger values are better");
   command->add_flag("--summaries", arguments->are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
-  add("--separator", arguments->separator, "between cells [found]")->check(CLI::IsMember({",", ";", "tab"}));
-  add("--decimal", arguments->decimal, "mark in numbers [found; a point between commas]")
-      ->check(CLI::IsMember({".", ","}));
-  add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
+  add("--separator", arguments->separator, "between cells [found]")->check(one_of({",", ";", "tab"}));
+  add("--decimal", arguments->decimal, "mark in numbers [found; a point between commas]")->check(one_of({".", ","}));
+  add("--test", arguments->test, "of ranks or means [ranks]")->check(one_of({"ranks", "means"}));
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
