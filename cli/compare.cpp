@@ -162,9 +162,6 @@ void add_compare(Command& app, Invocation& invocation) {
       "Exit codes: 0 nothing is worse, 3 something is worse by more than the margin, 4 with --strict something is not decided;\n"
       "1 a mistake in the request, 2 a failure of the program or the system. Times count only within one session.");
   command->callback([arguments, &invocation] {
-    for (const std::string& store : {arguments->a, arguments->b, arguments->store}) {
-      if (!arguments->output.empty() && !store.empty()) refuse_store(arguments->output, store);
-    }
     const std::vector<Compared> all = compare_all(*arguments);
     std::vector<Gate> gates;
     for (const Compared& one : all) gates.push_back(one.gate);

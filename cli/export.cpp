@@ -64,7 +64,6 @@ void add_export(Command& app, Invocation&) {
   command->callback([arguments] {
     const Store store(arguments->store, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
-    if (arguments->file != "-") refuse_store(arguments->file, arguments->store);
     if (arguments->format == fingerprint_format) {
       const auto [text, solves] = fingerprint(store, study);
       const std::string line = fmt::format("{}  {}  {}\n", text, solves, printable(study.name));

@@ -15,6 +15,7 @@
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
+#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -119,6 +120,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
           const std::filesystem::path& folder) {
+  for (const char* name : {"tables", "figures"}) refuse_link(folder / name);
   show::write_table(judged.table, folder / "tables", program_name());
   draw(judged.figure, folder / "figures", {.render = !arguments.without_figures});
   if (arguments.is_json) return show_json(show::to_json(judged.table));

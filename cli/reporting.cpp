@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -172,9 +173,12 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
     for (const std::string& note : arm->notes) say(note);
   }
   warn_of_unreachable(study);
-  for (const LeftOut& left_out : study.left_out) {
-    warn(fmt::format("{} is left out: it is {}", left_out.label, left_out.why));
-  }
+  std::map<std::string, std::vector<std::string>> left_out;  // labels by why
+  for (const LeftOut& each : study.left_out) left_out[each.why].push_back(each.label);
+  std::string without;
+  for (const auto& [why, labels] : left_out)
+    without += fmt::format("{}{} ({})", without.empty() ? "" : "; ", fmt::join(labels, ", "), why);
+  if (!without.empty()) warn("left out: " + without);
   if (is_debug_build()) {
     warn("this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
@@ -224,14 +228,6 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
 
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {
   for (const std::string& error : figures::write_figures({figure}, folder, options)) warn(error);
-}
-
-void refuse_store(const std::string& file, const std::string& store) {
-  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(file, store + part, error)) continue;
-    throw std::invalid_argument(fmt::format("-o {} is the store itself or part of it; choose another file", file));
-  }
 }
 
 std::filesystem::path store_in(const std::filesystem::path& folder) { return folder / "store.sqlite"; }

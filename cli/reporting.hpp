@@ -68,8 +68,6 @@ Ended run_study(const experiments::Study& study, const std::filesystem::path& fo
                 Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
-// Throws std::invalid_argument if an output would replace a store or a part of it.
-void refuse_store(const std::string& file, const std::string& store);
 std::filesystem::path store_in(const std::filesystem::path& folder);
 
 }  // namespace ikbench::cli

@@ -14,6 +14,7 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "experiments/environment.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/csv.hpp"
 
@@ -32,6 +33,7 @@ std::string name_of_source(const std::string& file) { return file == "-" ? "stan
 
 std::string contents_of(const std::string& file) {
   if (file == "-") return results::csv_text(std::cin, name_of_source(file));
+  numerics::note_input(file);
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(file))
     throw std::invalid_argument(fmt::format("cannot read {}; expected a CSV file, or - for standard input", file));

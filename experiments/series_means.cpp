@@ -88,8 +88,9 @@ SeriesMeans::SeriesMeans(std::filesystem::path file) : file_(std::move(file)) {
 
 void SeriesMeans::read() {
   std::error_code error;
-  if (!std::filesystem::exists(file_, error)) return;
-  if (!std::filesystem::is_regular_file(file_, error)) {
+  const std::filesystem::file_status status = std::filesystem::symlink_status(file_, error);
+  if (!std::filesystem::exists(status)) return;
+  if (!std::filesystem::is_regular_file(status)) {
     throw std::invalid_argument(fmt::format("{} is no regular file; choose another --out", file_.string()));
   }
   constexpr std::uintmax_t largest = 2'000'000'000;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -46,6 +47,7 @@ toml::array list_of(const Json& list) {
 }  // namespace
 
 std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest) {
+  note_input(file);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))

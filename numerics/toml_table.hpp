@@ -24,7 +24,7 @@ namespace ikbench::numerics {
 // The `path` of nodes that come from an override; nodes of a file have none.
 constexpr std::string_view override_source = "--set";
 
-// The content of a file; std::invalid_argument if it is larger than `largest` bytes or cannot be read.
+// The content of a user's file, an input; std::invalid_argument if it is larger than `largest` bytes or cannot be read.
 std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest = 10'000'000);
 
 // All of these throw std::invalid_argument with the place, as `source`:line:column, and the mistake.

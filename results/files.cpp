@@ -17,6 +17,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "numerics/inputs.hpp"
+
 namespace ikbench::results {
 
 namespace {
@@ -72,7 +74,7 @@ std::error_code closed(int descriptor, std::error_code error) {
   return ::close(descriptor) != 0 && !error ? last_error() : error;
 }
 
-// Writes into whatever the path opens, or a new file.
+// Writes into a device, a file whose folder takes no new one, or a new file.
 std::error_code write_into(const fs::path& file, const Contents& contents) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) return last_error();
@@ -122,8 +124,8 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
   return error;
 }
 
-// The descriptor under which the shell has the file open, perhaps for appending: standard output, or another as in
-// `exec 3>>log`, named /dev/fd/3.
+// The descriptor under which the shell has the file or pipe open, perhaps for appending: standard output, or another
+// as in `exec 3>>log`, named /dev/fd/3.
 std::optional<int> open_already(const struct stat& file) {
   constexpr int most = 256;
   for (int descriptor = 0; descriptor < most; ++descriptor) {
@@ -137,11 +139,13 @@ std::optional<int> open_already(const struct stat& file) {
 std::error_code write_where_it_leads(const fs::path& file, const Contents& contents) {
   struct stat there {};
   if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
-  if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return write_into(file, contents);
+  if (::stat(file.c_str(), &there) != 0 || S_ISCHR(there.st_mode)) return write_into(file, contents);
   if (const std::optional<int> descriptor = open_already(there)) {
     std::fflush(nullptr);  // earlier prints come first
     return write_all(*descriptor, contents);
   }
+  if (!S_ISREG(there.st_mode))
+    throw std::invalid_argument(fmt::format("'{}' is no regular file; choose another", file.string()));
   if (::access(file.c_str(), W_OK) != 0) return last_error();
   std::error_code error;
   const fs::path place = fs::canonical(file, error);
@@ -152,6 +156,7 @@ std::error_code write_where_it_leads(const fs::path& file, const Contents& conte
 
 template <class Write>
 void write_or_refuse(const fs::path& file, Write&& write) {
+  numerics::refuse_input(file);
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (!error) error = write();

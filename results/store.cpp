@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/store_codec.hpp"
 
@@ -66,6 +67,8 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
         fmt::format("'{}' is a folder; expected a store, as '{}'", file.string(), (file / "store.sqlite").string()));
   if (fs::exists(status) && !fs::is_regular_file(status))
     throw std::invalid_argument(fmt::format("'{}' is not a regular file; expected a store", file.string()));
+  if (mode != Store::Mode::read && fs::is_symlink(path, error))
+    throw std::invalid_argument(fmt::format("'{}' is a link; name the store that it leads to", file.string()));
   if (mode == Store::Mode::read && status.type() == fs::file_type::not_found)
     throw std::invalid_argument(
         fmt::format("'{}' does not exist; expected a store, which `ikbench run` writes", file.string()));
@@ -167,6 +170,7 @@ struct Store::Database {
                    SQLite::OPEN_NOMUTEX,  // a store belongs to one thread at a time
                patience_ms),
         identity(identity_there()) {
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) numerics::note_input(name + part);
     using enum SQLite::TransactionBehavior;
     SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
     const bool is_new = number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0;
@@ -385,8 +389,7 @@ std::vector<fs::path> Store::finish() {
   return guarded(database_->name, [&]() -> std::vector<fs::path> {
     if (database_->mode == Mode::write) database_->fold(folding_patience_ms);
     database_->check_place();
-    const fs::path place = fs::is_symlink(database_->name) ? fs::canonical(database_->name) : fs::path(database_->name);
-    const fs::path log = place.string() + "-wal";
+    const fs::path place = database_->name, log = place.string() + "-wal";
     std::error_code no_log;
     const auto size = fs::file_size(log, no_log);
     if (no_log || size == 0) return {place};
@@ -396,17 +399,20 @@ std::vector<fs::path> Store::finish() {
 
 void Store::write_from(const fs::path& source, const std::function<void(SQLite::Database&)>& action) {
   SQLite::Database& sqlite = database_->sqlite;
+  std::string blamed = database_->name;
   try {
     database_->write([&] {
       SQLite::Statement attach(sqlite,
                                "ATTACH ? AS source");  // within the transaction, so that it locks this store alone
       attach.bind(1, fs::absolute(source).string());
+      blamed = source.string();
       attach.exec();
       action(sqlite);
+      blamed = database_->name;
     });
     sqlite.exec("DETACH source");
   } catch (const SQLite::Exception& error) {
-    refuse(error.getErrorCode() == SQLITE_FULL ? database_->name : source.string(), error);
+    refuse(error.getErrorCode() == SQLITE_FULL ? database_->name : blamed, error);
   }
 }
 

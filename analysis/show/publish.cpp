@@ -6,6 +6,7 @@
 
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/export.hpp"
 #include "results/files.hpp"
@@ -81,6 +82,7 @@ void write_table(const Table& table, const fs::path& folder, const std::string& 
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
                   const std::string& program) {
   for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
+  for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);

@@ -21,7 +21,7 @@ succeeds run "${traced[@]}" --set seed=2 --out seed-2
 [ "$("$program" export seed-2/store.sqlite --format fingerprint)" != "$("$program" export made/store.sqlite --format fingerprint)" ] ||
   fail "the same fingerprint with another seed"
 
-# -o follows links, keeps permissions and other names, and writes into what is no regular file.
+# -o follows links, keeps permissions and other names, and writes into what the shell opened, but into no other pipe.
 echo old >private.csv
 chmod 600 private.csv
 ln -s private.csv link.csv
@@ -30,10 +30,8 @@ succeeds export made/store.sqlite -o link.csv
 [ -z "$out" ] && [ -L link.csv ] && cmp private.csv first.csv && [ "$(<other.csv)" = old ] || fail "-o through a link"
 equal "permissions" "$(stat -c %a private.csv)" 600
 mkfifo pipe
-cat pipe >from-pipe.csv &
-succeeds export made/store.sqlite -o pipe
-wait $!
-[ -p pipe ] && cmp from-pipe.csv first.csv || fail "-o into a pipe writes something else"
+refused pipe export made/store.sqlite -o pipe
+"$program" export made/store.sqlite -o /dev/fd/3 3>&1 | cmp - first.csv || fail "-o into a pipe writes something else"
 ends 2 export made/store.sqlite -o /dev/full
 code=0
 (ulimit -f 1 && "$program" export made/store.sqlite -o limited.csv 2>.err) || code=$?
