@@ -42,7 +42,7 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
   if (!is_same) refuse(solve, fmt::format("{} {} is stored, but {} follows from the answer", column, stored, computed));
 }
 
-void check(const Robot& arm, const SolveRecord& solve) {
+void check(const Definition& study, const Robot& arm, const SolveRecord& solve) {
   const auto joints = static_cast<std::size_t>(arm.joints());
   if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
       solve.answer_rad.size() != joints)
@@ -53,14 +53,30 @@ void check(const Robot& arm, const SolveRecord& solve) {
   const Verification computed = verify(arm, target, vector_of(solve.start_rad), vector_of(solve.answer_rad));
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
+  expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);
+  expect("variation_m", solve, solve.variation_m, computed.variation_m, 1e-9);
+  if (solve.status != Status::ok && solve.status != Status::tolerance_missed && solve.status != Status::limit_violated)
+    return;  // the claim, or what was answered, is not stored
+  const auto status = [&](double rounding) {
+    const auto about = [&](double tolerance) { return tolerance > 0 ? tolerance + rounding : 0; };
+    return judge(computed, {.claimed_error = computed.position_error,
+                            .tolerance = about(study.stop.tolerance_cm * centimetre),
+                            .angle_tolerance = about(study.stop.tolerance_deg * degree)});
+  };
+  if (solve.status != status(1e-8) && solve.status != status(-1e-8))
+    refuse(solve, fmt::format("status {} is stored, but {} follows from the answer", name_of(solve.status),
+                              name_of(status(0))));
 }
 
 }  // namespace
 
 SolveCheck recheck_of(const StudyEntry& study) {
-  std::optional<Robot> stored = stored_arm(definition_of(study.definition).arm);
+  const Definition definition = definition_of(study.definition);
+  std::optional<Robot> stored = stored_arm(definition.arm);
   if (!stored) return nullptr;
-  return [arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) { check(*arm, solve); };
+  return [definition, arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) {
+    check(definition, *arm, solve);
+  };
 }
 
 }  // namespace ikbench::experiments

@@ -1,4 +1,4 @@
-// Computes the errors of stored solves again.
+// Computes errors, joint motion and status of stored solves again.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace ikbench::experiments {
 
-// A check that computes the errors of a study's solves again, from arm, target and answer of each. It throws
+// A check that computes these of a study's solves again, from arm, target, start and answer of each. It throws
 // std::invalid_argument, with the solve's place, where they differ. None for an arm that no arm file
 // can be: some from a URDF file.
 using SolveCheck = std::function<void(const results::SolveRecord&)>;

@@ -85,8 +85,10 @@ template <class Value>
 void read(const SQLite::Column& column, Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {
     value = column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();
+    if (value < 0 && !std::string_view(column.getName()).starts_with("claimed_")) throw Damage(fmt::to_string(value));
   } else if constexpr (std::is_integral_v<Value>) {
-    if (!std::in_range<Value>(column.getInt64())) throw Damage(fmt::to_string(column.getInt64()));
+    if (column.getInt64() < 0 || !std::in_range<Value>(column.getInt64()))
+      throw Damage(fmt::to_string(column.getInt64()));
     value = static_cast<Value>(column.getInt64());
   } else if constexpr (std::is_enum_v<Value>) {
     const auto& names = names_of(value);

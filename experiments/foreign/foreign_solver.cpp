@@ -216,7 +216,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     is_over |= end || tolerance.is_reached(best);
     message = session_->exchange(errors_message(errors, is_over), deadline);
   }
-  account_.cpu_seconds = session_->cpu_seconds() - cpu_before;
+  account_.cpu_seconds = std::max(0.0, session_->cpu_seconds() - cpu_before);  // 0: it ended at once
   if (message.name() == "declined") throw Trouble{Status::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
 

@@ -64,8 +64,8 @@ equal "solves of the files that were named" "$(solves copied/store.sqlite)" 360
 succeeds "${study[@]}" --out read
 [ ! -e read/store.sqlite-wal ] || fail "running again did not make one file of them"
 
-# An error, an answer or a target that somebody changed stops a report and a comparison with its place. So do broken pages.
-for edit in "position_error_cm = -1" "orientation_error = 1" "answer_rad = json_set(answer_rad, '\$[0]', 3)" \
+# An error, a joint motion, a status, an answer or a target that somebody changed stops a report and a comparison with its place. So do broken pages.
+for edit in "position_error_cm = 900" "orientation_error = 1" "variation_deg = 0" "status = 'tolerance_missed'" "answer_rad = json_set(answer_rad, '\$[0]', 3)" \
   "target_position_m = json_set(target_position_m, '\$[0]', 3)"; do
   rm -rf changed
   mkdir changed
@@ -75,11 +75,16 @@ for edit in "position_error_cm = -1" "orientation_error = 1" "answer_rad = json_
   refused "BA, run 2, point 3" compare IK-BA BA --store changed/store.sqlite
   equal "a refused report left" "$(ls changed)" store.sqlite
 done
+cp shared/store.sqlite changed/
+sqlite3 changed/store.sqlite "UPDATE solves SET seconds = -1 WHERE run = 2 AND point = 3"
+refused "seconds: -1" report changed/store.sqlite --no-figures
 printf '%4096s' x | dd of=changed/store.sqlite bs=4096 seek=20 conv=notrunc 2>.dd
 refused damaged report changed/store.sqlite --no-figures
 
-# What lies in somebody else's folder is not run.
-mkdir theirs
+# What lies in somebody else's folder is not run, and no link in it is written through.
+mkdir theirs linked
+ln -s ../another/store.sqlite linked/store.sqlite
+refused "link" "${study[@]}" --out linked
 cp another/store.sqlite theirs/
 succeeds report theirs/store.sqlite
 for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
