@@ -194,7 +194,7 @@ void add_check_solver(Command& app, Invocation& invocation) {
   Command* command = app.add_subcommand("check-solver", "Check a solver that is a program");
   command->add_option("COMMAND", arguments->words, "the program and its arguments, after --")->required();
   command->add_option("--patience", arguments->patience, "seconds after which a solve is given up")
-      ->check(number_in({0.1, 3600.0}))
+      ->check(number_in({0.1, 3600}))
       ->capture_default_str();
   add_json_option(*command, arguments->is_json);
   command->footer(

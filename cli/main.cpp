@@ -1,5 +1,7 @@
 // ikbench: which inverse-kinematics solver is better, and does a published claim hold?
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -56,8 +59,12 @@ int main(int argc, char** argv) {
   }
   const std::string first = words.empty() ? "" : words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
-  const cli::SignalWatch signals;
+  // What is opened later must not become a standard stream that the caller has closed; to write to it fails.
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+  }
   try {
+    const cli::SignalWatch signals;
     static_cast<void>(instruction_set());  // reports a wrong IKBENCH_INSTRUCTION_SET before anything starts
     app.parse(words);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
@@ -92,7 +99,10 @@ int main(int argc, char** argv) {
     cli::say(fmt::format("ikbench: {}", error.what()));
     return 1;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
-    cli::say(fmt::format("ikbench: {}", error.what()));
+    const auto* const system = dynamic_cast<const std::system_error*>(&error);
+    const bool is_thread = system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
+    cli::say(
+        fmt::format("ikbench: {}", is_thread ? "the system starts no more threads; raise ulimit -u" : error.what()));
     return 2;
   } catch (const std::bad_alloc&) {
     cli::say("ikbench: there is not enough memory (ulimit -v, or the machine's); what is stored is kept");

@@ -53,6 +53,7 @@ done <<'END'
 'garbage.toml:1:'|run garbage.toml
 'empty.toml:1:1'|run empty.toml
 'COMMAND'|check-solver
+'--patience'|check-solver --patience nan -- cat
 'file'|run slim2023 --set runs=1 --out file
 'file'|report made/store.sqlite --out file
 'store.sqlite/solves.csv'|export made/store.sqlite -o made/store.sqlite/solves.csv
