@@ -44,8 +44,9 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::plan_changed:
       return fmt::format("the plan was changed after {} solves were made: {}", share, what);
     case DoubtKind::repeats_itself:
-      return fmt::format("{} gave the same {} {:.0f} {}, which count as one", who,
-                         what.empty() ? "answers in all" : what, doubt.count, what.empty() ? "runs" : "times");
+      return fmt::format("{} gave the same {} {:.0f} {}, {}", who, what.empty() ? "answers in all" : what, doubt.count,
+                         what.empty() ? "runs" : "times",
+                         doubt.of > 0 ? "or its spread was rounded away: not compared" : "which count as one");
     case DoubtKind::other_version:
       return fmt::format("{:.0f} solves of another version are ignored ({})", doubt.count, who);
   }

@@ -26,16 +26,30 @@ using Column = std::optional<std::size_t>;
 const Words label_names{"solver", "algorithm", "group", "label", "method", "name"};
 const Words metric_names{"metric", "quantity", "variable", "measure"};
 const Words run_names{"run", "trial", "seed", "repetition", "replicate", "rep", "repeat", "run_id", "seed_id"};
+const Words row_names{"id", "index", "row", "point", "target", "problem", "no", "number"};
 
 // Where things are. Without a label each column of values is a group.
 struct Layout {
-  Column label, block, run;
+  Column label, block, run, rows = {};  // rows: without a label, what tells rows apart
   std::vector<std::size_t> values;
 
   bool has(std::size_t column) const {
     return column == label || column == block || column == run || std::ranges::count(values, column) > 0;
   }
 };
+
+// A column of whole numbers that are named as rows' are, or stand first and count rows: no group of a wide file.
+bool tells_rows(const Sheet& sheet, std::size_t column) {
+  const std::string_view begin = sheet.cell(sheet.rows().front(), column);
+  std::int64_t next = begin == "1" ? 1 : 0;
+  bool is_whole = true, counts = column == 0 && sheet.rows().size() > 4;
+  for (const Index row : sheet.rows()) {
+    const std::string_view text = sheet.cell(row, column);
+    is_whole = is_whole && text.find_first_not_of("0123456789") == std::string_view::npos;
+    counts = counts && text == std::to_string(next++);
+  }
+  return counts || (is_whole && is_one_of(sheet.titles()[column], row_names));
+}
 
 Layout layout_of(const Sheet& sheet, const Request& request) {
   const auto column = [&](const std::string& name) { return name.empty() ? Column() : sheet.column(name); };
@@ -62,6 +76,12 @@ Layout layout_of(const Sheet& sheet, const Request& request) {
         fmt::format("numbers in the columns {}; name one with --value, or, if each is a group, what all groups "
                     "had with --block '{}'",
                     sheet.names_of(numbers), sheet.titles()[*layout.label]));
+  if (!layout.label) {
+    layout.rows = sheet.column_like(run_names);
+    const auto is_row = [&](std::size_t each) { return tells_rows(sheet, each); };
+    if (const auto found = std::ranges::find_if(numbers, is_row); found != numbers.end()) layout.rows = *found;
+    std::erase_if(numbers, is_row);
+  }
   if (!layout.label && (!layout.values.empty() || numbers.size() == 1))
     sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
   if (layout.values.empty()) layout.values = numbers;
@@ -161,14 +181,16 @@ const Metric* metric_of(const Sheet& sheet, const std::string& name) {
   }
   const std::size_t study = sheet.column("study"), status = sheet.column("status"), stop = sheet.column("stop_reason");
   const char* unknown = metric->kind == Kind::time ? "how busy the machine was" : nullptr;
+  const auto has_no_answer = [](std::string_view how) {
+    const auto at = std::ranges::find(results::status_names, how) - results::status_names.begin();
+    return at < std::ssize(results::status_names) && is_without_answer(static_cast<results::Status>(at));
+  };
   for (const Index row : sheet.rows()) {
     const std::string_view how = sheet.cell(row, status);
     if (sheet.cell(row, study) != sheet.cell(sheet.rows().front(), study))
       sheet.refuse(row, study, "is not the only one; choose with --where study=NAME");
     if (how == "tolerance_missed" || sheet.cell(row, stop) == "tolerance") unknown = "the tolerance";
-    if (metric->kind == Kind::cost &&
-        is_one_of(how, {"crashed", "timed_out", "broke_protocol", "declined", "over_budget"}))
-      unknown = "what a solve without an answer costs";
+    if (metric->kind == Kind::cost && has_no_answer(how)) unknown = "what a solve without an answer costs";
   }
   if (unknown)
     sheet.refuse(
@@ -307,10 +329,10 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     for (const Index row : sheet.rows()) refuse_other(sheet, sheet.rows().front(), row, *metric);
   }
   Quantities quantities;
-  if (const Column trial = sheet.column_like(run_names); trial && !layout.label && !layout.block)
+  if (layout.rows && !layout.block)
     quantities.notes.push_back(
         fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
-                    sheet.titles()[*trial]));
+                    sheet.titles()[*layout.rows]));
   const std::size_t count = layout.label ? layout.values.size() : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string title = layout.label ? sheet.titles()[layout.values[i]] : "value";
@@ -369,7 +391,8 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
     groups.push_back({.name = name, .is_apart = is_constant, .summary = summary});
     if (is_constant)
-      found->doubts.push_back({.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .what = "value"});
+      found->doubts.push_back(
+          {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
   return quantities;
 }

@@ -60,6 +60,14 @@ ln -s "$PWD/victim" new/report/tables
 refused "new/report/tables" stats comma.csv --out new/report
 equal "the folder that a link leads to" "$(ls victim) $(<victim/file)" "file precious"
 
+# An input is no output, and a column that counts rows is no group.
+mkdir in && cp comma.csv in/report.md
+refused "in/report.md" stats in/report.md --out in
+cmp comma.csv in/report.md || fail "an input was replaced"
+printf 'id,A,B\n1,5,7\n2,6,8\n3,5,9\n4,6,7\n5,5,7\n' >wide.csv
+succeeds stats wide.csv --json
+json '{each["solver"] for each in of["groups"]} == {"A", "B"} and "--block" in of["notes"][0]'
+
 # An export of ours is read as what it is: runs of targets, and times that a busy machine made are refused.
 succeeds run slim2023 "${small[@]}" --set runs=4 --no-report --out mine
 "$program" export mine/store.sqlite >solves.csv
