@@ -146,11 +146,7 @@ void write_and_announce(const Store& store, const std::string& study, const std:
 
 compare::StudyResults checked_study(const Store& store, const StudyEntry& entry) {
   compare::StudyResults study = compare::read_study(store, entry);
-  if (const SolveCheck check = recheck_of(entry))
-    std::ranges::for_each(study.solves, check);
-  else
-    warn(fmt::format("the arm of study {} cannot be read from the store, so its errors are not computed again",
-                     printable(entry.name)));
+  std::ranges::for_each(study.solves, recheck_of(entry));
   return study;
 }
 

@@ -73,7 +73,9 @@ void check(const Definition& study, const Robot& arm, const SolveRecord& solve) 
 SolveCheck recheck_of(const StudyEntry& study) {
   const Definition definition = definition_of(study.definition);
   std::optional<Robot> stored = stored_arm(definition.arm);
-  if (!stored) return nullptr;
+  if (!stored)
+    throw std::invalid_argument(fmt::format(
+        "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
   return [definition, arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) {
     check(definition, *arm, solve);
   };

@@ -8,8 +8,7 @@
 namespace ikbench::experiments {
 
 // A check that computes these of a study's solves again, from arm, target, start and answer of each. It throws
-// std::invalid_argument, with the solve's place, where they differ. None for an arm that no arm file
-// can be: some from a URDF file.
+// std::invalid_argument, with the solve's place, where they differ; recheck_of throws it if there is no arm.
 using SolveCheck = std::function<void(const results::SolveRecord&)>;
 SolveCheck recheck_of(const results::StudyEntry& study);
 

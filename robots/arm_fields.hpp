@@ -12,14 +12,17 @@
 
 namespace ikbench::robots {
 
+constexpr std::string_view no_limits = "none";
+// Bounds of what people write: 400 m are millimetres. The table of a URDF file may be longer, because axes that are
+// almost parallel have their common normal far away.
+constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
+
 // A link in a file, with its joint's limits: [rad], or [m] if it slides; infinite if it has none.
 struct LimitedLink {
   DhLink link;
   Eigen::Vector2d limits{-180 * numerics::degree, 180 * numerics::degree};
+  std::pair<double, double> lengths = lengths_m;
 };
-
-constexpr std::string_view no_limits = "none";
-constexpr std::pair<double, double> lengths_m{-100, 100}, angles_deg{-3600, 3600};
 
 inline void list_fields(numerics::Fields& io, LimitedLink& one) {
   DhLink& link = one.link;
@@ -27,8 +30,8 @@ inline void list_fields(numerics::Fields& io, LimitedLink& one) {
             numerics::Choices<Joint>{{"turns", Joint::turns}, {"slides", Joint::slides}, {"coupled", Joint::coupled}},
             "turns about z, slides along z, or turns this link alone about y, as in a parallelogram");
   io.number("offset_deg", link.offset, numerics::degree, angles_deg, "added to the joint's angle");
-  io.number("d_m", link.d, 1, lengths_m, "along z");
-  io.number("a_m", link.a, 1, lengths_m, "along x");
+  io.number("d_m", link.d, 1, one.lengths, "along z");
+  io.number("a_m", link.a, 1, one.lengths, "along x");
   io.number("alpha_deg", link.alpha, numerics::degree, angles_deg, "about x");
   if (link.joint == Joint::slides) {
     io.numbers("limits_m", one.limits, 1, 2, "from, to");

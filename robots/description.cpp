@@ -127,13 +127,14 @@ Chain chain_of(const Description& description) {
   Chain chain(links, base, frame_of(frame.inverse() * pose));
 
   constexpr double allowed = 1e-9;  // [m], [rad]
+  const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
+  const bool is_bounded = std::max(std::abs(farthest->d), chain.tool().position.norm()) <= longest_m;
   Random random(Key(1).with("conversion"));
   Configuration q(chain.joints());
   for (int trial = 0; trial < 100; ++trial) {
     for (double& joint : q) joint = random.uniform(-180 * degree, 180 * degree);
     const double difference = (chain.forward(q).matrix() - pose_of(description, q).matrix()).cwiseAbs().maxCoeff();
-    if (difference < allowed) continue;
-    const auto farthest = std::ranges::max_element(links, {}, [](const DhLink& link) { return std::abs(link.d); });
+    if (is_bounded && difference < allowed) continue;
     throw std::invalid_argument(fmt::format(
         "the axes of joints {} and {} are almost parallel: too little for a common normal, too much for none; expected "
         "axes that are parallel, or a larger snap_deg",

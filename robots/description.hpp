@@ -30,8 +30,9 @@ Frame frame_of(const Pose& pose);
 // T_base_tool by the product of origins and of rotations about the axes; `q` has only the joints that move.
 Pose pose_of(const Description& description, const ConfigurationRef& q);
 
-// The same arm to 1e-9 m and rad. Throws std::invalid_argument if there is none (axes almost parallel), or if no joint
-// or more than 64 joints move.
+// The same arm to 1e-9 m and rad, with no length beyond longest_m. Throws std::invalid_argument if there is none (axes
+// almost parallel), or if no joint or more than 64 joints move.
+constexpr double longest_m = 1e6;
 Chain chain_of(const Description& description);
 
 // Makes angles within `within` [rad] of multiples of 15 degrees exact, and axes that are so near to those of a frame or

@@ -26,8 +26,10 @@ constexpr EmbeddedFile arm_files[]{
 
 Robot built_in(const EmbeddedFile& file) { return parse_robot(file.text, file.name); }
 
-LimitedLink read_link(TomlReader reader) {
-  LimitedLink one;
+using Bounds = std::pair<double, double>;
+
+LimitedLink read_link(TomlReader reader, Bounds lengths) {
+  LimitedLink one{.lengths = lengths};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool is_endless = reader.table()["limits_deg"].value<std::string_view>() == no_limits;
   if (is_endless) one.limits = {-infinity, infinity};
@@ -38,59 +40,40 @@ LimitedLink read_link(TomlReader reader) {
   const toml::node* const limits = reader.table().get(key);
   if (slides && limits == nullptr)
     throw reader.mistake(key, "a joint that slides has no limits_m; expected them, such as limits_m = [0, 0.5]");
-  const double largest = slides ? lengths_m.second : angles_deg.second * degree;
+  const auto [largest, unit] = slides ? std::pair(lengths.second, 1.0) : std::pair(angles_deg.second, degree);
   if (is_endless) return one;
-  if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest)) {
-    reader.fail(
-        key, *limits,
-        fmt::format("the lower limit and then the upper, within +-{}", slides ? lengths_m.second : angles_deg.second));
-  }
+  if (!(one.limits[0] < one.limits[1]) || !(one.limits.cwiseAbs().maxCoeff() <= largest * unit))
+    reader.fail(key, *limits, fmt::format("the lower limit and then the upper, within +-{}", largest));
   return one;
 }
 
-std::vector<LimitedLink> read_links(TomlReader& reader) {
-  std::vector<LimitedLink> links;
-  for (const toml::table* link :
-       reader.tables("links", most_joints,
-                     fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints)))
-    links.push_back(read_link(reader.nested(*link, "links.")));
-  return links;
-}
-
-Frame read_frame(TomlReader& reader, const std::string& key) {
+Frame read_frame(TomlReader& reader, const std::string& key, Bounds lengths) {
   Frame frame;
   const toml::table* const table = reader.subtable(key);
   if (table == nullptr) return frame;
   TomlReader frame_reader = reader.nested(*table, key + ".");
   list_fields(frame_reader, frame);
   frame_reader.refuse_unknown_keys();
-  if (!(frame.position.cwiseAbs().maxCoeff() <= lengths_m.second)) {
-    frame_reader.fail("position_m", *table->get("position_m"), fmt::format("lengths within +-{}", lengths_m.second));
-  }
+  if (!(frame.position.cwiseAbs().maxCoeff() <= lengths.second))
+    frame_reader.fail("position_m", *table->get("position_m"), fmt::format("lengths within +-{}", lengths.second));
   return frame;
 }
 
-void refuse_name(const std::filesystem::path& file) {
-  if (file.stem().empty() || !TomlReader::is_plain(file.stem().string())) {
-    throw std::invalid_argument(
-        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
-  }
-}
-
-Robot read_robot(TomlReader reader, std::string name) {
-  const std::vector<LimitedLink> links = read_links(reader);
-  std::vector<DhLink> chain;
+Robot read_robot(TomlReader reader, std::string name, Bounds lengths) {
+  std::vector<DhLink> links;
   JointLimits limits;
-  limits.lower.resize(static_cast<Eigen::Index>(links.size()));
-  limits.upper.resize(limits.lower.size());
-  for (const LimitedLink& one : links) {
-    const auto joint = static_cast<Eigen::Index>(chain.size());
-    limits.lower[joint] = one.limits[0];
-    limits.upper[joint] = one.limits[1];
-    chain.push_back(one.link);
+  for (const toml::table* link :
+       reader.tables("links", most_joints,
+                     fmt::format("a list of 1 to {} links such as {{ d_m = 0.36, alpha_deg = -90 }}", most_joints))) {
+    const LimitedLink one = read_link(reader.nested(*link, "links."), lengths);
+    links.push_back(one.link);
+    limits.lower.conservativeResize(std::ssize(links));
+    limits.upper.conservativeResize(std::ssize(links));
+    limits.lower.tail<1>()[0] = one.limits[0];
+    limits.upper.tail<1>()[0] = one.limits[1];
   }
-  const Frame base = read_frame(reader, "base"), tool = read_frame(reader, "tool");
-  Robot arm{std::move(name), "", "", Chain(std::move(chain), base, tool), std::move(limits)};
+  const Frame base = read_frame(reader, "base", lengths), tool = read_frame(reader, "tool", lengths);
+  Robot arm{std::move(name), "", "", Chain(std::move(links), base, tool), std::move(limits)};
   list_fields(reader, arm);
   reader.refuse_unknown_keys();
   return arm;
@@ -136,9 +119,11 @@ bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_u
 
 Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   const toml::table table = parse_toml(text, file.string());
-  Robot arm = read_robot(TomlReader(table, file.string(), ""), file.stem().string());
-  refuse_name(file);
-  return arm;
+  std::string name = file.stem().string();
+  if (name.empty() || !TomlReader::is_plain(name))
+    throw std::invalid_argument(
+        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
+  return read_robot(TomlReader(table, file.string(), ""), std::move(name), lengths_m);
 }
 
 Robot load_robot(const std::filesystem::path& file) { return load_robot(file, UrdfChoice{}); }
@@ -165,7 +150,7 @@ std::optional<Robot> stored_arm(Json arm) {
     for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);
-    return read_robot(TomlReader(table, "stored arm", ""), "stored");
+    return read_robot(TomlReader(table, "stored arm", ""), "stored", {-longest_m, longest_m});
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   } catch (const nlohmann::json::exception&) {
