@@ -11,6 +11,7 @@
 #include <optional>
 #include <ranges>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -41,12 +42,27 @@ double last_digit(std::string_view number, double value) {
   return number_from(fmt::format("1e{:.0f}", places)).value_or(0);
 }
 
+std::string lowered(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower) letter = 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  return lower;
+}
+
+bool is_joint(const XMLElement& element) { return std::string_view(element.Name()) == "joint"; }
+
 // A file, for messages about places in it.
 class Place {
  public:
   explicit Place(const std::filesystem::path& file) : file_(file) {}
 
-  [[noreturn]] void fail(const XMLElement& at, std::string_view message) const { fail(at.GetLineNum(), message); }
+  // Names the joint that has the place, too.
+  [[noreturn]] void fail(const XMLElement& at, std::string_view message) const {
+    const XMLElement* const parent = at.Parent()->ToElement();
+    const XMLElement& joint = parent != nullptr && is_joint(*parent) ? *parent : at;
+    const char* const name = is_joint(joint) ? joint.Attribute("name") : nullptr;
+    fail(at.GetLineNum(),
+         name == nullptr ? std::string(message) : fmt::format("joint \"{}\": {}", shown(name), message));
+  }
   [[noreturn]] void fail(int line, std::string_view message) const {
     throw std::invalid_argument(fmt::format("{}:{}: {}", file_.string(), line, message));
   }
@@ -61,11 +77,22 @@ class Place {
   // The name in an attribute.
   std::string name(const XMLElement& at, const char* attribute) const {
     const char* const text = at.Attribute(attribute);
-    if (text == nullptr || *text == '\0') {
-      fail(at, fmt::format("<{}> has no {}", shown(at.Name()), attribute));
-    }
+    if (text == nullptr || *text == '\0') fail(at, fmt::format("<{}> has no {}", at.Name(), attribute));
     if (!TomlReader::is_plain(text)) fail(at, fmt::format("a {} is not {}", attribute, TomlReader::plain));
     return text;
+  }
+
+  // Refuses what would be left out silently: tags that are misspelt or doubled, and xacro.
+  void refuse_stray(const XMLElement& joint) const {
+    const std::vector<std::string> read{"origin", "axis", "limit", "mimic", "parent", "child", "safety_controller"};
+    std::set<std::string> seen;
+    for (const XMLElement* each = joint.FirstChildElement(); each != nullptr; each = each->NextSiblingElement()) {
+      const std::string name = each->Name(), lower = lowered(name), meant = nearest_name(lower, read);
+      if (name.starts_with("xacro:")) fail_as_xacro(*each);
+      if (meant.empty() || meant.front() != lower.front()) continue;  // a tag of another program
+      if (meant != name) fail(*each, fmt::format("unknown <{}>; did you mean <{}>?", shown(name), meant));
+      if (!seen.insert(name).second) fail(*each, fmt::format("a second <{}>; expected one", name));
+    }
   }
 
   // Numbers, and what their last digits stand for.
@@ -73,41 +100,29 @@ class Place {
     Eigen::Vector4d values = Eigen::Vector4d::Zero(), digits = Eigen::Vector4d::Zero();
   };
   Printed numbers(const XMLElement& at, const char* attribute, int count, double most = 1e6) const {
-    const std::string_view text = at.Attribute(attribute);
+    const char* const given = at.Attribute(attribute);
+    if (given == nullptr) fail(at, fmt::format("<{}> has no {}", at.Name(), attribute));
+    const std::string_view text = given;
     refuse_xacro(at, text);
     Printed printed;
+    std::istringstream words{std::string(text)};
+    std::string number;
     int found = 0;
-    constexpr std::string_view blanks = " \t\r\n";
-    for (std::size_t from = text.find_first_not_of(blanks); from != std::string_view::npos; ++found) {
-      const std::size_t to = std::min(text.find_first_of(blanks, from), text.size());
-      const std::string_view number = text.substr(from, to - from);
+    for (; words >> number; ++found) {
       const std::optional<double> value = number_from(number);
-      if (!value || !(std::abs(*value) <= most) || found == count) {
-        found = -1;
-        break;
-      }
+      if (found == count || !value || !(std::abs(*value) <= most)) break;
       printed.values[found] = *value;
       printed.digits[found] = last_digit(number, *value);
-      from = text.find_first_not_of(blanks, to);
     }
-    if (found != count) {
+    if (found != count || words)
       fail(at, fmt::format("{} of <{}> is \"{}\"; expected {}", attribute, at.Name(), shown(text),
                            count == 1 ? "a number" : fmt::format("{} numbers within +-{:g}", count, most)));
-    }
     return printed;
   }
 
   double limit(const XMLElement& at, const char* attribute, double if_none) const {
     constexpr double any = std::numeric_limits<double>::infinity();
     return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 1, any).values[0];
-  }
-
-  void expect_attributes(const XMLElement& at, const std::vector<std::string>& known) const {
-    for (const XMLAttribute* each = at.FirstAttribute(); each != nullptr; each = each->Next()) {
-      if (std::ranges::find(known, each->Name()) != known.end()) continue;
-      fail(at, fmt::format("<{}> has the unknown attribute \"{}\"; expected {}", at.Name(), shown(each->Name()),
-                           fmt::join(known, ", ")));
-    }
   }
 
   static std::string shown(std::string_view text) {
@@ -149,11 +164,11 @@ class Tree {
     for (const XMLElement* joint = robot.FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
       const std::string name = place.name(*joint, "name"), child = end(*joint, "child"), parent = end(*joint, "parent");
-      if (!joints.insert(name).second) place.fail(*joint, fmt::format("there are two joints \"{}\"", name));
+      if (!joints.insert(name).second) place.fail(*joint, "there are two of this name");
       const auto [known, is_new] = before_.emplace(child, joint);
       if (!is_new) {
-        place.fail(*joint, fmt::format("link \"{}\" is the child of two joints, \"{}\" and \"{}\"; expected a tree",
-                                       child, known->second->Attribute("name"), name));
+        place.fail(*joint, fmt::format("its child, \"{}\", is also that of joint \"{}\"; expected a tree", child,
+                                       known->second->Attribute("name")));
       }
       after_[parent].push_back(child);
       if (!mimics(*joint)) continue;
@@ -260,14 +275,9 @@ class Tree {
   // The link at one end of a joint.
   std::string end(const XMLElement& joint, const char* which) const {
     const XMLElement* const element = joint.FirstChildElement(which);
-    if (element == nullptr) {
-      place_.fail(joint, fmt::format("joint \"{}\" has no <{}>", place_.name(joint, "name"), which));
-    }
+    if (element == nullptr) place_.fail(joint, fmt::format("it has no <{}>", which));
     std::string link = place_.name(*element, "link");
-    if (!links_.contains(link)) {
-      place_.fail(*element, fmt::format("the {} of joint \"{}\" is \"{}\", which is no link", which,
-                                        place_.name(joint, "name"), link));
-    }
+    if (!links_.contains(link)) place_.fail(*element, fmt::format("its {} is \"{}\", which is no link", which, link));
     return link;
   }
 
@@ -326,23 +336,23 @@ class Tree {
 };
 
 Motion motion_of(const XMLElement& joint, const Place& place) {
-  const std::string name = place.name(joint, "name"), type = place.name(joint, "type");
+  const std::string_view type = type_of(joint);
   if (type == "fixed") return Motion::none;
-  if (type != "revolute" && type != "continuous" && type != "prismatic") {
-    place.fail(joint, fmt::format("joint \"{}\" is {}; expected revolute, continuous, prismatic or fixed", name, type));
-  }
-  if (mimics(joint)) {
-    place.fail(joint, fmt::format("joint \"{}\" mimics another; expected joints that move by themselves", name));
-  }
+  if (type != "revolute" && type != "continuous" && type != "prismatic")
+    place.fail(joint, fmt::format("its type is {}; expected revolute, continuous, prismatic or fixed", type));
+  if (mimics(joint)) place.fail(joint, "it mimics another; expected joints that move by themselves");
   return type == "prismatic" ? Motion::slides : Motion::turns;
 }
 
 void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& joint) {
-  place.expect_attributes(origin, {"xyz", "rpy", "quat_xyzw"});
-  const auto has = [&](const char* attribute) { return origin.Attribute(attribute) != nullptr; };
-  if (has("rpy") && has("quat_xyzw")) {
-    place.fail(origin, fmt::format("<origin> of joint \"{}\" has rpy and quat_xyzw; expected one", joint.name));
+  const auto has = [&](std::string_view attribute) { return origin.Attribute(attribute.data()) != nullptr; };
+  for (const XMLAttribute* each = origin.FirstAttribute(); each != nullptr; each = each->Next()) {
+    const std::string_view name = each->Name();
+    if (name != "xyz" && name != "rpy" && name != "quat_xyzw")
+      place.fail(origin, fmt::format("<origin> has the unknown attribute \"{}\"; expected xyz, rpy, quat_xyzw",
+                                     Place::shown(name)));
   }
+  if (has("rpy") && has("quat_xyzw")) place.fail(origin, "<origin> has rpy and quat_xyzw; expected one");
   if (has("rpy")) {
     const auto [values, digits] = place.numbers(origin, "rpy", 3);
     joint.origin.rpy = values.head<3>();
@@ -355,24 +365,18 @@ void read_origin(const XMLElement& origin, const Place& place, DescribedJoint& j
     joint.origin.rpy = frame_of(turned).rpy;
     joint.rpy_digits.setConstant(2 * digits.norm() / values.norm());
   }
-  if (has("xyz")) joint.origin.position = place.numbers(origin, "xyz", 3).values.head<3>();
-  if (!(joint.origin.position.cwiseAbs().maxCoeff() <= lengths_m.second)) {
-    place.fail(origin, fmt::format("xyz of joint \"{}\" has lengths of more than {} m", joint.name, lengths_m.second));
-  }
+  if (has("xyz")) joint.origin.position = place.numbers(origin, "xyz", 3, lengths_m.second).values.head<3>();
 }
 
 DescribedJoint described(const XMLElement& joint, const Place& place) {
+  place.refuse_stray(joint);
   DescribedJoint read{.name = place.name(joint, "name"), .motion = motion_of(joint, place)};
   place.refuse_xacro(joint, read.name);
   if (const XMLElement* const origin = joint.FirstChildElement("origin")) read_origin(*origin, place, read);
   const XMLElement* const axis = joint.FirstChildElement("axis");
   if (read.motion == Motion::none || axis == nullptr) return read;  // the axis of a fixed joint is often 0 0 0
-  place.expect_attributes(*axis, {"xyz"});
-  if (axis->Attribute("xyz") == nullptr) return read;
   const auto [values, digits] = place.numbers(*axis, "xyz", 3);
-  if (!(values.norm() > 1e-6)) {
-    place.fail(*axis, fmt::format("the axis of joint \"{}\" has no direction; expected one such as 0 0 1", read.name));
-  }
+  if (!(values.norm() > 1e-6)) place.fail(*axis, "its axis has no direction; expected one such as 0 0 1");
   read.axis = values.head<3>().normalized();
   read.axis_digits = digits.head<3>() / values.norm();
   return read;
@@ -380,27 +384,25 @@ DescribedJoint described(const XMLElement& joint, const Place& place) {
 
 // Lower and upper limit; infinite if the joint turns without end.
 Eigen::Vector2d limits_of(const XMLElement& joint, const Place& place, UrdfChoice::Limits which) {
-  const std::string name = place.name(joint, "name"), type = place.name(joint, "type");
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (type == "continuous") return {-infinity, infinity};
-  const bool slides = type == "prismatic";
+  constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  if (type_of(joint) == "continuous") return {-infinity, infinity};
+  const bool slides = type_of(joint) == "prismatic";
   const std::string_view advice = slides ? "a slide needs its way in metres, such as <limit lower=\"0\" upper=\"0.5\"/>"
                                          : "if it turns without end, its type is continuous";
   const XMLElement* const limit = joint.FirstChildElement("limit");
-  if (limit == nullptr) place.fail(joint, fmt::format("joint \"{}\" is {} and has no <limit>; {}", name, type, advice));
-  place.expect_attributes(*limit, {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
-  Eigen::Vector2d limits(place.limit(*limit, "lower", 0), place.limit(*limit, "upper", 0));
+  if (limit == nullptr) place.fail(joint, fmt::format("it is {} and has no <limit>; {}", type_of(joint), advice));
+  Eigen::Vector2d limits(place.limit(*limit, "lower", none), place.limit(*limit, "upper", none));
   const XMLElement* const safety = joint.FirstChildElement("safety_controller");
   if (which == UrdfChoice::Limits::soft && safety != nullptr) {
     limits[0] = std::max(limits[0], place.limit(*safety, "soft_lower_limit", -infinity));
     limits[1] = std::min(limits[1], place.limit(*safety, "soft_upper_limit", infinity));
   }
+  const auto shown = [](double value) { return std::isnan(value) ? "none" : fmt::format("{:g}", value); };
   const double most = slides ? lengths_m.second : angles_deg.second * degree;
-  if (!(limits[0] < limits[1]) || !(limits.cwiseAbs().maxCoeff() <= most)) {
-    place.fail(*limit, fmt::format("the limits of joint \"{}\" are {:g} and {:g}; expected the lower and then the "
-                                   "upper, within +-{:.6g} {}; {}",
-                                   name, limits[0], limits[1], most, slides ? "m" : "rad", advice));
-  }
+  if (!(limits[0] < limits[1]) || !(limits.cwiseAbs().maxCoeff() <= most))
+    place.fail(*limit,
+               fmt::format("its limits are {} and {}; expected the lower and then the upper, within +-{:.6g} {}; {}",
+                           shown(limits[0]), shown(limits[1]), most, slides ? "m" : "rad", advice));
   return limits;
 }
 
@@ -423,7 +425,8 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
     place.fail(std::max(document.ErrorLineNum(), 1),
                document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT
                    ? "the file is empty; expected a <robot>"
-                   : fmt::format("not XML: {}", tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID())));
+                   : "not well-formed XML: near this line a tag, a comment or a quote is not closed, or an attribute "
+                     "is not NAME=\"VALUE\"");
   }
   const XMLElement* const robot = document.RootElement();
   if (robot == nullptr || std::string_view(robot->Name()) != "robot") {
@@ -435,8 +438,7 @@ const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text,
 }  // namespace
 
 bool is_urdf_file(std::string_view name) {
-  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
-  for (char& letter : ending) letter = 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  const std::string ending = lowered(name.substr(std::min(name.rfind('.'), name.size())));
   return ending == ".urdf" || ending == ".xacro";
 }
 
@@ -487,7 +489,10 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     Robot arm{.name = file.stem().string(),
               .summary = fmt::format("{} from {} to {}", name, base, tip),
               .source = file.filename().string(),
-              .chain = chain_of(snapped)};
+              .chain = chain_of(snapped),
+              .description = snapped,
+              .base_link = base,
+              .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
     if (!changed.empty()) {
       changed.erase(std::ranges::unique(changed).begin(), changed.end());
@@ -497,9 +502,6 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
                       "moves the tool by at most {:.2g} um",
                       Tree::some(changed), 1e6 * arm.snapped));
     }
-    arm.base_link = base;
-    arm.tip_link = tip;
-    arm.description = std::move(snapped);
     arm.notes = std::move(notes);
     return arm;
   } catch (const std::invalid_argument& error) {
