@@ -67,29 +67,6 @@ TEST_CASE("an arm may be one link, written as a list or as tables", "[arm]") {
   CHECK(read_arm("[[links]]\na_m = 1\n[[links]]\njoint = 'coupled'\n").chain.links()[1].joint == Joint::coupled);
 }
 
-TEST_CASE("published arms on a base and with a turned tool are where their descriptions have them", "[arm]") {
-  // Links of the makers' URDF files (Kinovarobotics/ros_kortex 6cd75d4, Kinovarobotics/kinova-ros 924781d), and the
-  // tool at zeros and at (0.1, 0.2, ...) by the product of their transforms.
-  const auto check = [](const std::string& text, const Eigen::Vector3d& at_zeros, const Eigen::Vector3d& at_tenths) {
-    const Chain arm = read_arm(text).chain;
-    const Eigen::VectorXd tenths = Eigen::VectorXd::LinSpaced(arm.joints(), 0.1, 0.1 * arm.joints());
-    CHECK((arm.position(0 * tenths) - at_zeros).norm() < 1e-9);  // to the printed digits
-    CHECK((arm.position(tenths) - at_tenths).norm() < 1e-9);     // to the printed digits
-  };
-  check(R"(base = { rpy_deg = [180, 0, 0] }
-           links = [{ d_m = -0.28481, alpha_deg = 90 }, { d_m = -0.01175, alpha_deg = -90 },
-                    { d_m = -0.42076, alpha_deg = 90 }, { d_m = -0.01275, alpha_deg = -90 },
-                    { d_m = -0.31436, alpha_deg = 90 }, { d_m = -0.0003501, alpha_deg = -90 }, { alpha_deg = 180 }]
-           tool = { position_m = [0, 0, 0.167455] })",
-        {0, -0.0248501, 1.187385}, {0.363424486373, -0.179329891055, 1.02961295177});  // Kinova Gen3
-  check(R"(base = { rpy_deg = [180, 0, 0] }
-           links = [{ d_m = -0.2755, alpha_deg = -90 }, { offset_deg = -90, a_m = 0.41, alpha_deg = 180 },
-                    { offset_deg = 90, d_m = -0.0098, alpha_deg = 90 }, { d_m = -0.2500607195, alpha_deg = 60 },
-                    { d_m = -0.08551928047, alpha_deg = -60 }, { alpha_deg = 180 }]
-           tool = { position_m = [0, 0, 0.2027585609], rpy_deg = [0, 0, 90] })",
-        {0, 0.0642618693987, 0.361078920702}, {0.0944506624006, 0.092128789487, 0.35269673066});  // Jaco 2
-}
-
 TEST_CASE("a mistake in an arm file is told with file, line, column, value and what was expected", "[arm][mistakes]") {
   struct Mistake {
     std::string text, said;

@@ -66,14 +66,6 @@ TEST_CASE("of the library, the KUKA arms, the IRB 120, the Puma and the Stanford
   CHECK(found == std::vector<std::string>{"abb_irb120", "kuka_iiwa14", "kuka_iiwa7", "puma560", "stanford"});
 }
 
-TEST_CASE("an arm of the library names its source, and fits in a line", "[arms]") {
-  for (const Robot& arm : all_robots()) {
-    CAPTURE(arm.name);
-    CHECK_FALSE(arm.source.empty());
-    CHECK(arm.summary.size() <= 80);
-  }
-}
-
 TEST_CASE("a joint that turns without end has no limits, and is drawn from half a turn each way of where it is",
           "[arms]") {
   const JointLimits limits = robot("kinova_gen3").limits;

@@ -7,10 +7,13 @@
 using namespace ikbench;
 using namespace ikbench::robots;
 
-TEST_CASE("every robot is found by its name, and has limits for each joint", "[robot]") {
+TEST_CASE("every robot is found by its name, names its source, and has limits for each joint", "[robot]") {
   for (const Robot& arm : all_robots()) {
+    CAPTURE(arm.name);
     CHECK(robot(arm.name).name == arm.name);
     CHECK_FALSE(arm.summary.empty());
+    CHECK(arm.summary.size() <= 80);  // a line
+    CHECK_FALSE(arm.source.empty());
     CHECK(arm.limits.lower.size() == arm.chain.joints());
     CHECK(arm.limits.upper.size() == arm.chain.joints());
     CHECK((arm.limits.lower.array() < arm.limits.upper.array()).all());
