@@ -30,7 +30,7 @@ Configuration joint_units(const Chain& arm) {
   return units;
 }
 
-SolverInfo info_of(const SolverEntry& entry) { return entry.own ? *entry.own : solver(entry.solver); }
+const SolverInfo& info_of(const SolverEntry& entry) { return entry.own ? *entry.own : solver(entry.solver); }
 
 Settings options_with(const SolverEntry& entry, const Settings& settings) {
   return entry.program ? options_of(entry.program->hello, settings) : info_of(entry).options(settings);
@@ -38,7 +38,7 @@ Settings options_with(const SolverEntry& entry, const Settings& settings) {
 
 Settings effective_options(const Study& study, const SolverEntry& entry) {
   if (entry.program) return options_with(entry, entry.options);
-  const SolverInfo info = info_of(entry);
+  const SolverInfo& info = info_of(entry);
   Settings settings;
   const bool is_clamped = study.bounds == StudyBounds::clamp || study.limits == Limits::enforced;
   if ((is_clamped || study.bounds == StudyBounds::initial) && info.options({}).contains("bounds")) {

@@ -74,7 +74,7 @@ struct SolverEntry {
 };
 
 // The solver of an entry that is no program.
-solvers::SolverInfo info_of(const SolverEntry& entry);
+const solvers::SolverInfo& info_of(const SolverEntry& entry);
 
 struct LeftOut {
   std::string label;

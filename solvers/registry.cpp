@@ -40,20 +40,24 @@ struct Registry {
   }
 };
 
+const Registry& registry() {
+  static const Registry all;
+  return all;
+}
+
 }  // namespace
 
-std::vector<SolverInfo> all_solvers() { return Registry().solvers; }
+std::vector<SolverInfo> all_solvers() { return registry().solvers; }
 
-std::vector<MissingPeer> missing_peers() { return Registry().missing; }
+std::vector<MissingPeer> missing_peers() { return registry().missing; }
 
-SolverInfo solver(std::string_view name) {
-  Registry registry;
+const SolverInfo& solver(std::string_view name) {
   std::vector<std::string> names;
-  for (SolverInfo& info : registry.solvers) {
-    if (info.name == name) return std::move(info);
+  for (const SolverInfo& info : registry().solvers) {
+    if (info.name == name) return info;
     names.push_back(info.name);
   }
-  for (const MissingPeer& peer : registry.missing) {
+  for (const MissingPeer& peer : registry().missing) {
     if (peer.name == name) throw std::invalid_argument(fmt::format("the solver {} is {}", name, peer.how));
   }
   throw std::invalid_argument(unknown_name("solver", name, names));

@@ -32,7 +32,7 @@ struct SolverInfo {
 
 std::vector<SolverInfo> all_solvers();
 // Finds a solver; std::invalid_argument lists the names, or names the package that a peer lacks.
-SolverInfo solver(std::string_view name);
+const SolverInfo& solver(std::string_view name);
 
 // A peer that this program was built without.
 struct MissingPeer {
