@@ -9,12 +9,17 @@
 
 namespace ikbench::numerics {
 
+void append(std::string& text, double value) {
+  std::array<char, 32> buffer;  // the longest is -2.2250738585072014e-308: 24
+  text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
 std::string text_of(double value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0 ? "Inf" : "-Inf";
-  std::array<char, 32> buffer;  // the longest is -2.2250738585072014e-308: 24
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
+  std::string text;
+  append(text, value);
+  return text;
 }
 
 std::optional<double> number_from(std::string_view text) {

@@ -9,6 +9,7 @@ namespace ikbench::numerics {
 
 // Writes NaN, Inf or -Inf for values that are not finite, as R and Python read them.
 std::string text_of(double value);
+void append(std::string& text, double value);  // of a finite value
 
 // The whole text as a number, ignoring blanks around it; nothing if it is no number, or too large or too small for a
 // double.

@@ -27,7 +27,7 @@ std::string json_array(const std::vector<double>& numbers) {
   for (const double number : numbers) {
     if (text.size() > 1) text += ',';
     if (std::isfinite(number))
-      text += text_of(number);
+      append(text, number);
     else
       text += std::isnan(number) ? json_nan : number > 0 ? json_infinity : json_minus_infinity;
   }
