@@ -378,7 +378,7 @@ std::string to_json(const Robot& arm) { return numerics::text_of(arm_definition(
 std::string to_json(results::Plan plan) { return numerics::text_of(json_of(written(plan))); }
 
 std::string configuration_key(const Study& study, const SolverEntry& entry) {
-  // The fields marked InKey::in_text, as in the first stores, whose keys are this hash alone.
+  // The fields marked InKey::in_text. Another word or order here would solve all stored solves anew.
   const Robot arm = arm_of(study);
   std::string text = "numerics 2\nrobot";
   text += arm.chain.definition() + exact(arm.limits.lower) + exact(arm.limits.upper) + "\ntargets ";
@@ -388,7 +388,7 @@ std::string configuration_key(const Study& study, const SolverEntry& entry) {
                       effective_population(study, entry), study.seed, static_cast<int>(study.trace));
   text += fmt::format("\nstop {} {} {} {}", study.stop.iterations, study.stop.tolerance, study.stop.evaluations,
                       study.stop.seconds);
-  // Later fields enter only if they differ from their defaults, so that old stores keep their solves.
+  // Other fields enter only if they differ from their defaults, so that a new one leaves stored solves as they are.
   text += said_by_name(study, Study{});
   text += said_by_name(study.stop, StopRule{}, "stop.");
   // Does not compile with a further field of SolverEntry. Options and population enter as they are in effect, whether

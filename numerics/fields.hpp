@@ -21,7 +21,7 @@ constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 // Says how a field enters the key of a series (experiments/study_writer.hpp).
 enum class InKey {
   by_name,  // "name value" if it is not the default: the usual case
-  in_text,  // in the text of the first stores, directly or as part of the effective settings
+  in_text,  // always: configuration_key writes it out, or the effective settings that it decides
   no        // never: the field decides no number
 };
 
