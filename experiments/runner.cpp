@@ -185,14 +185,11 @@ StudyEntry entry_of(const Plan& plan) {
 std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
   for (const SolveRunner& solve_runner : plan.solve_runners) {
-    const std::optional<ProgramNotes> notes = solve_runner.notes();
-    if (!notes) continue;
+    const std::string failure = solve_runner.last_failure();
+    if (failure.empty()) continue;
     const std::string& label = solve_runner.series().label;
-    if (notes->last_failure.empty()) continue;
-    const std::string text =
-        fmt::format("it was started anew {} times; last failure: {}", notes->deaths, notes->last_failure);
-    sentences.push_back(fmt::format("{}: {}", label, text));
-    store.add_to_session(session, {{"program." + label, text}});
+    sentences.push_back(fmt::format("{}: last failure: {}", label, failure));
+    store.add_to_session(session, {{"program." + label, "last failure: " + failure}});
   }
   return sentences;
 }

@@ -55,25 +55,11 @@ std::string options_text(Settings options, const SolverEntry& entry) {
 
 std::vector<double> to_vector(const Configuration& values) { return {values.begin(), values.end()}; }
 
-// The arm as a program gets it; `searched` has its joints before the wrist, or all.
-ArmToSearch arm_to_search(const Study& study, const SolverEntry& entry, const Robot& arm, const Chain& searched) {
-  const bool is_whole = searched.joints() == arm.joints();
-  ArmToSearch told{.name = arm.name,
-                   .arm = searched,
-                   .limits = arm.limits,
-                   .base = arm.base_link.empty() ? "base" : arm.base_link,
-                   .tip = !is_whole              ? "last joint searched"
-                          : arm.tip_link.empty() ? "tool"
-                                                 : arm.tip_link,
-                   .rotation_weight = study.search == Search::pose ? study.rotation_weight : 0,
-                   .claim_slack = claim_slack(arm)};
-  for (const DescribedJoint& joint : arm.description) {
-    if (joint.motion != DescribedJoint::Motion::none) told.joint_names.push_back(joint.name);
-  }
+// The text of the arm's URDF file; empty if it is of none.
+std::string urdf_of(const Study& study, const SolverEntry& entry) {
   const std::filesystem::path file = entry.program->folder / study.robot;
   std::error_code none;
-  if (is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none)) told.urdf = text_of_file(file);
-  return told;
+  return is_urdf_file(study.robot) && std::filesystem::is_regular_file(file, none) ? text_of_file(file) : "";
 }
 
 StopReason recorded(Stopped stopped) {
@@ -122,18 +108,18 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
                                : Timing::clean),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
-  sessions_ = std::make_unique<Sessions>(
-      entry.program, robot_message(arm_to_search(study, entry, arm, task_.arm()), entry.program->hello, options_));
+  const double rotation_weight = study.search == Search::pose ? study.rotation_weight : 0;
+  conversations_ = std::make_unique<Conversations>(
+      entry.program,
+      robot_message(arm, task_.arm(), rotation_weight, urdf_of(study, entry), entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
-  if (sessions_) return std::make_unique<ForeignSolver>(*sessions_, study_.stop);
+  if (conversations_) return std::make_unique<ForeignSolver>(*conversations_, study_.stop);
   return info_of(entry_).make(options_);
 }
 
-std::optional<ProgramNotes> SolveRunner::notes() const {
-  return sessions_ ? std::optional(sessions_->notes()) : std::nullopt;
-}
+std::string SolveRunner::last_failure() const { return conversations_ ? conversations_->last_failure() : ""; }
 
 SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& start, int run, int point) const {
   return {.target = target,
@@ -148,7 +134,7 @@ SolveRunner::Posed SolveRunner::posed(const Pose& target, const Configuration& s
 SolveRunner::Timed SolveRunner::timed(Solver& solver, const Posed& given) const {
   Objective objective(task_.arm(), task_.goal(given.target));
   Random random(given.stream);
-  auto* const program = sessions_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
+  auto* const program = conversations_ ? static_cast<ForeignSolver*>(&solver) : nullptr;
   if (program != nullptr) program->prepare(given.problem, objective);
   Timed timed{task_.clocked(solver, given.problem, objective, random, given.target, given.start)};
   if (program != nullptr) {
@@ -251,7 +237,7 @@ StopReason SolveRunner::stop_reason_of(const Timed& timed) const {
   if (!timed.account) return ours;
   if (timed.account->failure)
     return *timed.account->failure == Status::timed_out ? StopReason::time : StopReason::finished;
-  return ours == StopReason::finished ? timed.account->stopped : ours;
+  return ours == StopReason::finished ? recorded(timed.account->stopped) : ours;
 }
 
 Status SolveRunner::status_of(const Timed& timed, const Verification& verified, const Pose& target) const {

@@ -23,8 +23,7 @@ class SolveRunner {
   const results::Series& series() const { return series_; }
   // Makes a solver for any number of solves, one after the other: starting it anew makes it forget all.
   std::unique_ptr<solvers::Solver> make_solver() const;
-  // Notes about its program, once all its solvers are gone; none if it is built in.
-  std::optional<ProgramNotes> notes() const;
+  std::string last_failure() const;  // of its program, if there was one
   // Solves once, untimed, if repeats are timed, so that the first is no slower than the others.
   void warm_up(solvers::Solver& solver, const robots::Pose& target, const robots::Configuration& start) const;
   // Throws std::runtime_error if a repeat has another answer, to the bit.
@@ -58,8 +57,8 @@ class SolveRunner {
   results::Series series_;
   int repeats_;
   results::Timing timing_;
-  bool is_counted_;                     // we count its evaluations; false if the program does
-  std::unique_ptr<Sessions> sessions_;  // null if no program solves
+  bool is_counted_;                               // we count its evaluations; false if the program does
+  std::unique_ptr<Conversations> conversations_;  // null if no program solves
 };
 
 }  // namespace ikbench::experiments

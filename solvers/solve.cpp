@@ -28,12 +28,18 @@ void add_start(Improvements& improved, const Problem& problem, const Objective& 
 
 }  // namespace
 
+std::optional<Stopped> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
+                             std::chrono::steady_clock::time_point started) {
+  if (iterations >= stop.iterations) return Stopped::iterations;
+  if (stop.evaluations > 0 && evaluations >= stop.evaluations) return Stopped::evaluations;
+  const std::chrono::duration<double> given(stop.seconds);
+  if (stop.seconds > 0 && std::chrono::steady_clock::now() - started >= given) return Stopped::time;
+  return std::nullopt;
+}
+
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, Random& random, const StopRule& stop,
                Trace trace) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point started = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - started).count(); };
-
+  const auto started = std::chrono::steady_clock::now();
   Solution solution;
   if (trace == Trace::best_error) solution.trace.reserve(static_cast<std::size_t>(std::min(stop.iterations, 100'000)));
   Tolerance tolerance(stop.tolerance, stop.angle_tolerance, objective);
@@ -52,12 +58,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
       solution.stopped = Stopped::tolerance;
     } else if (solver.finished()) {
       solution.stopped = solver.gave_up() ? Stopped::gave_up : Stopped::finished;
-    } else if (solution.iterations >= stop.iterations) {
-      solution.stopped = Stopped::iterations;
-    } else if (stop.evaluations > 0 && objective.evaluations() >= stop.evaluations) {
-      solution.stopped = Stopped::evaluations;
-    } else if (stop.seconds > 0 && seconds() >= stop.seconds) {
-      solution.stopped = Stopped::time;
+    } else if (const auto limit = spent(stop, solution.iterations, objective.evaluations(), started)) {
+      solution.stopped = *limit;
     } else {
       solver.step(objective, random);
       ++solution.iterations;

@@ -1,7 +1,9 @@
 // The loop that drives every solver, and stops, counts, traces and times all of them alike.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solvers/solver.hpp"
@@ -25,6 +27,10 @@ struct Solution {
   // the last evaluation.
   Improvements improved;
 };
+
+// The limit of the rule that is reached, but its tolerance; none while there is budget.
+std::optional<Stopped> spent(const StopRule& stop, std::int64_t iterations, std::int64_t evaluations,
+                             std::chrono::steady_clock::time_point started);
 
 // Stops with `not_finite` if the best error or the answer is not finite.
 Solution solve(Solver& solver, const Problem& problem, Objective& objective, numerics::Random& random,

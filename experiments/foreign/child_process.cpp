@@ -63,36 +63,26 @@ pid_t start_guard(int lifeline) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) ::signal(signal, SIG_IGN);
   ::dup2(lifeline, STDIN_FILENO);
   ::closefrom(STDIN_FILENO + 1);
-  pid_t process = 0, ignored = 0;
-  while (::read(STDIN_FILENO, &process, sizeof(process)) < 0 && errno == EINTR) {
-  }
-  while (::read(STDIN_FILENO, &ignored, sizeof(ignored)) < 0 && errno == EINTR) {
+  pid_t process = 0;
+  while (::read(STDIN_FILENO, &process, sizeof(process)) > 0) {  // its number, then nothing until the end
   }
   if (process > 0) kill_all(::getpid(), process);
   ::kill(0, SIGKILL);
   ::_exit(0);
 }
 
-std::vector<std::string> environment_of_child() {
-  std::vector<std::string> variables{"LC_ALL=C", "OMP_NUM_THREADS=1"};
-  for (char** variable = environ; *variable != nullptr; ++variable) {
-    const std::string_view text = *variable;
-    if (!text.starts_with("LC_ALL=") && !text.starts_with("OMP_NUM_THREADS=")) variables.emplace_back(text);
-  }
-  return variables;
-}
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
 // Returns an error number, or 0 if the process runs.
 int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem::path& folder, pid_t group,
           const std::array<int, 3>& descriptors) {
-  std::vector<std::string> variables = environment_of_child();
+  std::string locale = "LC_ALL=C", threads = "OMP_NUM_THREADS=1";
+  std::vector<char*> arguments, variables{locale.data(), threads.data()};
+  for (std::string& word : words) arguments.push_back(word.data());
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (!text.starts_with("LC_ALL=") && !text.starts_with("OMP_NUM_THREADS=")) variables.push_back(*variable);
+  }
+  arguments.push_back(nullptr);
+  variables.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   ::posix_spawn_file_actions_init(&actions);
@@ -109,19 +99,14 @@ int spawn(pid_t& process, std::vector<std::string>& words, const std::filesystem
   ::posix_spawnattr_setsigdefault(&attributes, &all);
   ::posix_spawnattr_setpgroup(&attributes, group);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  const int error = ::posix_spawnp(&process, words[0].c_str(), &actions, &attributes, pointers_to(words).data(),
-                                   pointers_to(variables).data());
+  const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   return error;
 }
 
-void close_one(int& descriptor) {
-  if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
-}
-
-void bury(pid_t process, int& status) {
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+void bury(pid_t process, int* status = nullptr) {
+  while (::waitpid(process, status, 0) < 0 && errno == EINTR) {
   }
 }
 
@@ -135,9 +120,8 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
   if (guard_ < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
   const int error = spawn(process_, words, folder, guard_, {input.ends[0], output.ends[1], errors.ends[1]});
   if (error != 0) {
-    int ignored = 0;
     ::kill(guard_, SIGKILL);
-    bury(guard_, ignored);
+    bury(guard_);
     throw std::invalid_argument(fmt::format("cannot start \"{}\": {}", words[0], std::strerror(error)));
   }
   lifeline_ = lifeline.take(1);
@@ -154,23 +138,15 @@ bool ChildProcess::is_running() {
   return !has_ended_;
 }
 
-std::string ChildProcess::how_it_ended() const {
-  return WIFSIGNALED(status_) ? fmt::format("signal {}", WTERMSIG(status_))
-                              : fmt::format("exit code {}", WEXITSTATUS(status_));
-}
-
-std::string ChildProcess::last_words() const {
-  std::string_view last = wrote_;
-  last = last.substr(0, last.find_last_not_of("\n ") + 1);
-  last = last.substr(last.find_last_of('\n') + 1);
-  return last.empty() ? "" : fmt::format("; its last words: {}", numerics::front(last, 200));
-}
-
 double ChildProcess::cpu_seconds() const {
   clockid_t clock{};
   timespec time{};
   if (has_ended_ || ::clock_getcpuclockid(process_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void ChildProcess::close_one(int& descriptor) {
+  if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
 }
 
 void ChildProcess::drain(int& from, std::string& into) {
@@ -237,13 +213,25 @@ void ChildProcess::end(std::chrono::milliseconds patience) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   kill_all(guard_, has_ended_ ? guard_ : process_);  // its children may be left, and the guard
-  if (!has_ended_) bury(process_, status_);
+  if (!has_ended_) bury(process_, &status_);
   has_ended_ = true;
   if (errors_ >= 0) drain(errors_, wrote_);
-  int ignored = 0;
-  bury(guard_, ignored);
+  bury(guard_);
   guard_ = -1;
   for (int* descriptor : {&lifeline_, &output_, &errors_}) close_one(*descriptor);
+}
+
+std::string ChildProcess::end_after(Status trouble) {
+  const bool by_itself = trouble == Status::crashed;
+  end(std::chrono::seconds(by_itself ? 1 : 0));
+  std::string told;
+  if (by_itself && WIFSIGNALED(status_)) told = fmt::format(" (signal {})", WTERMSIG(status_));
+  if (by_itself && WIFEXITED(status_)) told = fmt::format(" (exit code {})", WEXITSTATUS(status_));
+  std::string_view last = wrote_;
+  last = last.substr(0, last.find_last_not_of("\n ") + 1);
+  last = last.substr(last.find_last_of('\n') + 1);
+  if (!last.empty()) told += fmt::format("; its last words: {}", numerics::front(last, 200));
+  return told;
 }
 
 }  // namespace ikbench::experiments

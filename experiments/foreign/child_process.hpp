@@ -30,7 +30,7 @@ class ChildProcess {
   // Starts a program, found as a shell finds it, with its arguments in a folder (empty: the current one). It gets our
   // environment with LC_ALL=C and OMP_NUM_THREADS=1. Throws std::invalid_argument if it cannot be started.
   ChildProcess(std::vector<std::string> words, const std::filesystem::path& folder);
-  ~ChildProcess() { end(std::chrono::milliseconds(0)); }
+  ~ChildProcess() { end(std::chrono::seconds(1)); }
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
@@ -38,16 +38,17 @@ class ChildProcess {
   void write(std::string_view text, Clock::time_point deadline);
   std::string read_line(Clock::time_point deadline);
   bool has_line();  // one can be read without waiting
+  void end_input() { close_one(input_); }
 
   bool is_running();
   double cpu_seconds() const;  // of all its threads; 0 if unknown
   // Closes its standard input, waits for `patience`, then ends its whole group by force.
   void end(std::chrono::milliseconds patience);
-  // After end(): "exit code 3", "signal 11"; "; its last words: " and the last line of its standard error, if any.
-  std::string how_it_ended() const;
-  std::string last_words() const;
+  // Ends it after a trouble; returns how it ended by itself and its last words, " (exit code 3); its last words: x".
+  std::string end_after(results::Status trouble);
 
  private:
+  static void close_one(int& descriptor);
   static void drain(int& from, std::string& into);
   // Waits until it can write (to `input`, if that is open) or has read something.
   void wait(int input, Clock::time_point deadline, const char* what);

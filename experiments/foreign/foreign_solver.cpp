@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solvers/solve.hpp"
 #include "solvers/tolerance.hpp"
 
 namespace ikbench::experiments {
@@ -18,14 +17,7 @@ using namespace results;
 
 namespace {
 
-constexpr int warm_ups = 3, most_deaths_in_a_row = 3;
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// The seed that a program gets: the first number of the solve's stream.
-std::uint32_t seed_of(Random& random) {
-  constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
-  return static_cast<std::uint32_t>(random.uniform() * seeds);
-}
+constexpr int warm_ups = 3, most_failures_in_a_row = 3;
 
 // Records the course of the best error as solvers::solve does.
 void add_best(Account& account, std::int64_t evaluations, double best, double at_start) {
@@ -41,110 +33,28 @@ void add_best(Account& account, std::int64_t evaluations, double best, double at
 
 }  // namespace
 
-class Session {
- public:
-  Session(const Program& program, const std::string& robot) : program_(program), robot_(robot) {}
-  ~Session() {
-    if (child_) child_->end(std::chrono::seconds(1));
-  }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-
-  // Returns true if the process is new. Throws std::runtime_error if the program is not what it was.
-  bool ensure_running() {
-    if (refusal_) throw Trouble(*refusal_);
-    if (child_ && !child_->is_running()) fail({Status::crashed, "it ended between two solves"});
-    if (refusal_) throw Trouble(*refusal_);
-    if (child_) {
-      for (int i = 0; i < 1000 && child_->has_line(); ++i) {
-        if (const std::string line = child_->read_line(Clock::now()); line.starts_with('{'))
-          Message(line).fail("nothing before it is asked");
-      }
-      return false;
-    }
-    constexpr const char* advice = "run the study again, and it goes on";
-    if (!program_.is_unchanged())
-      throw std::runtime_error(
-          fmt::format("the files of {} changed while it ran; {}", program_.choice.process[0], advice));
-    try {
-      Hello hello;
-      child_ = started(program_.choice, program_.folder, hello);
-    } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
-      throw std::runtime_error(fmt::format("{}, which it could before; {}", error.what(), advice));
-    }
-    child_->write(robot_, Clock::now() + std::chrono::seconds(20));
-    return true;
-  }
-
-  Message exchange(const std::string& text, Clock::time_point deadline) {
-    child_->write(text, deadline);
-    return next_message(*child_, deadline);
-  }
-
-  // Notes the trouble and ends the process, unless it only declined.
-  void fail(const Trouble& trouble) {
-    if (refusal_) return;
-    notes_.last_failure = fmt::format("{}: {}", name_of(trouble.status), trouble.why);
-    if (trouble.status == Status::declined) return;
-    if (child_) {
-      const bool has_ended = trouble.status == Status::crashed;
-      child_->end(std::chrono::seconds(has_ended ? 1 : 0));
-      if (has_ended) notes_.last_failure += fmt::format(" ({})", child_->how_it_ended());
-      notes_.last_failure += child_->last_words();
-    }
-    child_.reset();
-    ++notes_.deaths;
-    if (++deaths_in_a_row_ < most_deaths_in_a_row) return;
-    notes_.last_failure += "; it is given up after three failures in a row";
-    refusal_ = trouble;
-  }
-
-  const Program& program() const { return program_; }
-  double cpu_seconds() const { return child_->cpu_seconds(); }
-  void forgive() { deaths_in_a_row_ = 0; }
-  const ProgramNotes& notes() const { return notes_; }
-
- private:
-  const Program& program_;
-  const std::string& robot_;
-  std::unique_ptr<ChildProcess> child_;
-  int deaths_in_a_row_ = 0;
-  std::optional<Trouble> refusal_;  // set if it is given up
-  ProgramNotes notes_;
-};
-
-Sessions::Sessions(std::shared_ptr<const Program> program, std::string robot)
-    : program_(std::move(program)), robot_(std::move(robot)) {}
-
-Sessions::~Sessions() = default;
-
-std::unique_ptr<Session> Sessions::take() {
+Conversation Conversations::take() {
   const std::scoped_lock lock(mutex_);
-  if (idle_.empty()) return std::make_unique<Session>(*program_, robot_);
-  std::unique_ptr<Session> session = std::move(idle_.back());
+  if (idle_.empty()) return {};
+  Conversation conversation = std::move(idle_.back());
   idle_.pop_back();
-  return session;
+  return conversation;
 }
 
-void Sessions::give_back(std::unique_ptr<Session> session) {
+void Conversations::give_back(Conversation conversation) {
   const std::scoped_lock lock(mutex_);
-  idle_.push_back(std::move(session));
+  idle_.push_back(std::move(conversation));
 }
 
-ProgramNotes Sessions::notes() const {
+void Conversations::note(std::string failure) {
   const std::scoped_lock lock(mutex_);
-  ProgramNotes all;
-  for (const auto& session : idle_) {
-    all.deaths += session->notes().deaths;
-    if (!session->notes().last_failure.empty()) all.last_failure = session->notes().last_failure;
-  }
-  return all;
+  last_failure_ = std::move(failure);
 }
 
-ForeignSolver::ForeignSolver(Sessions& sessions, const StopRule& stop)
-    : sessions_(sessions), stop_(stop), session_(sessions.take()) {}
-
-ForeignSolver::~ForeignSolver() { sessions_.give_back(std::move(session_)); }
+std::string Conversations::last_failure() const {
+  const std::scoped_lock lock(mutex_);
+  return last_failure_;
+}
 
 template <class Talk>
 void ForeignSolver::guarded(Talk&& talk) {
@@ -152,47 +62,75 @@ void ForeignSolver::guarded(Talk&& talk) {
   try {
     talk();
   } catch (const Trouble& trouble) {
-    session_->fail(trouble);
+    fail(trouble);
     account_ = {.failure = trouble.status};
-    best_.error = infinite;
+    best_.error = std::numeric_limits<double>::infinity();
   }
+}
+
+// Throws std::runtime_error if the program is not what it was.
+bool ForeignSolver::ensure_running() {
+  if (own_.child && !own_.child->is_running()) fail({Status::crashed, "it ended between two solves"});
+  if (own_.refusal) throw Trouble(*own_.refusal);
+  if (own_.child) return false;
+  const Program& program = *all_.program;
+  try {
+    if (!program.is_unchanged())
+      throw std::invalid_argument("the files of " + program.choice.process[0] + " changed while it ran");
+    Hello hello;
+    own_.child = started(program.choice, program.folder, hello);
+  } catch (const std::invalid_argument& error) {  // it started before, so this is no result of the program
+    throw std::runtime_error(fmt::format("{}; run the study again, and it goes on", error.what()));
+  }
+  own_.child->write(all_.robot, Clock::now() + std::chrono::seconds(20));
+  return true;
+}
+
+// Notes the trouble and ends the process, unless it only declined.
+void ForeignSolver::fail(const Trouble& trouble) {
+  if (own_.refusal) return;
+  std::string told = fmt::format("{}: {}", name_of(trouble.status), trouble.why);
+  if (trouble.status == Status::declined) return all_.note(told);
+  if (own_.child) told += own_.child->end_after(trouble.status);
+  own_.child.reset();
+  if (++own_.failures_in_a_row == most_failures_in_a_row) {
+    told += "; it is given up after three failures in a row";
+    own_.refusal = trouble;
+  }
+  all_.note(told);
 }
 
 void ForeignSolver::prepare(const Problem& problem, const Objective& objective) {
   account_ = {};
   guarded([&] {
-    if (!session_->ensure_running()) return;
-    for (std::uint32_t i = 0; i < warm_ups; ++i) {
+    const bool is_new = ensure_running();
+    for (std::uint32_t i = 0; is_new && i < warm_ups; ++i) {
       Objective unrecorded(objective.arm(), objective.goal());
       converse(problem, unrecorded, i);
     }
+    if (!is_new && !own_.child->has_line()) return;
+    // Who answers twice after a pause would stay behind, each answer that of the solve before.
+    const Trouble heard = unasked(*own_.child, std::chrono::milliseconds(is_new ? 100 : 0));
+    if (heard.status != Status::timed_out) throw Trouble(heard);
   });
 }
 
 void ForeignSolver::start(const Problem& problem, Objective& objective, Random& random) {
   best_ = {problem.start};
   guarded([&] {
-    converse(problem, objective, seed_of(random));
-    session_->forgive();
+    constexpr double seeds = 4294967296;  // 2^32: larger seeds do not survive every language's numbers
+    converse(problem, objective, static_cast<std::uint32_t>(random.uniform() * seeds));
+    own_.failures_in_a_row = 0;
   });
-}
-
-// The rule that ends the evaluations, in the order of solvers::solve.
-std::optional<StopReason> ForeignSolver::end_of_budget(const Objective& objective, Clock::time_point began) const {
-  if (account_.iterations >= stop_.iterations) return StopReason::iterations;
-  if (stop_.evaluations > 0 && objective.evaluations() >= stop_.evaluations) return StopReason::evaluations;
-  const std::chrono::duration<double> took = Clock::now() - began;
-  if (stop_.seconds > 0 && took.count() >= stop_.seconds) return StopReason::time;
-  return std::nullopt;
 }
 
 void ForeignSolver::converse(const Problem& problem, Objective& objective, std::uint32_t seed) {
   account_ = {};
   const Clock::time_point began = Clock::now();
-  const double patience = session_->program().choice.patience;
+  const double patience = all_.program->choice.patience;
   const std::chrono::duration<double> given(patience > 0 ? patience : std::clamp(20 * stop_.seconds, 5.0, 1e6));
   const Clock::time_point deadline = began + std::chrono::duration_cast<Clock::duration>(given);
-  const double cpu_before = session_->cpu_seconds();
+  const double cpu_before = own_.child->cpu_seconds();
   const int joints = problem.joints();
   Objective uncounted(objective.arm(), objective.goal());
   Tolerance tolerance(stop_.tolerance, stop_.angle_tolerance, uncounted);
@@ -200,7 +138,7 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   Best best;
   std::vector<double> seen;  // errors
   bool is_over = false;
-  Message message = session_->exchange(solve_message(problem, objective.goal(), stop_, seed), deadline);
+  Message message = exchange(*own_.child, solve_message(problem, objective.goal(), stop_, seed), deadline);
   for (; message.name() == "evaluate"; ++account_.iterations) {
     const Candidates q = message.candidates(joints);
     account_.went_on |= is_over;
@@ -211,12 +149,12 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
     for (Eigen::Index i = 0; i < taken; ++i) best.improve(q.col(i), errors[i]);
     seen.insert(seen.end(), errors.begin(), errors.begin() + taken);
     if (taken > 0) add_best(account_, objective.evaluations(), best.error, at_start);
-    const std::optional<StopReason> end = end_of_budget(objective, began);
+    const std::optional<Stopped> end = spent(stop_, account_.iterations, objective.evaluations(), began);
     if (end && !is_over) account_.stopped = *end;
     is_over |= end || tolerance.is_reached(best);
-    message = session_->exchange(errors_message(errors, is_over), deadline);
+    message = exchange(*own_.child, errors_message(errors, is_over), deadline);
   }
-  account_.cpu_seconds = std::max(0.0, session_->cpu_seconds() - cpu_before);  // 0: it ended at once
+  account_.cpu_seconds = std::max(0.0, own_.child->cpu_seconds() - cpu_before);  // 0: it ended at once
   if (message.name() == "declined") throw Trouble{Status::declined, message.why()};
   if (message.name() != "solved") message.fail("\"evaluate\", \"solved\" or \"declined\"");
 

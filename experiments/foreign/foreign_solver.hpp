@@ -10,21 +10,15 @@
 
 #include "experiments/foreign/program.hpp"
 #include "results/record.hpp"
-#include "solvers/solver.hpp"
+#include "solvers/solve.hpp"
 
 namespace ikbench::experiments {
-
-// Facts about a program besides its solves.
-struct ProgramNotes {
-  std::int64_t deaths = 0;
-  std::string last_failure;  // "crashed: it ended (exit code 3; its last words: ...)"
-};
 
 // Facts about one solve besides its answer.
 struct Account {
   std::optional<results::Status> failure;
   double cpu_seconds = 0;  // of the program
-  results::StopReason stopped = results::StopReason::finished;
+  solvers::Stopped stopped = solvers::Stopped::finished;
   bool went_on = false;  // it wanted more evaluations after it was told that its budget is used up
   // It is not `suite` if its answer is none of the candidates evaluated here, or if these are too few to have found it:
   // then it has kinematics of its own, and `evaluations` is its own count.
@@ -36,33 +30,41 @@ struct Account {
   double claimed_seconds = std::numeric_limits<double>::quiet_NaN();
 };
 
-// A process of a program, with the state kept from solve to solve.
-class Session;
+// A process of a program, and what is kept from solve to solve.
+struct Conversation {
+  std::unique_ptr<ChildProcess> child = {};  // null until it is needed, and after a failure
+  int failures_in_a_row = 0;
+  std::optional<Trouble> refusal = {};  // set if it is given up
+};
 
-// The idle processes of a program. Any thread may take one and give it back.
-class Sessions {
+// The idle conversations with a program. Any thread may take one and give it back.
+class Conversations {
  public:
   // `robot` is the first message to each process.
-  Sessions(std::shared_ptr<const Program> program, std::string robot);
-  ~Sessions();
+  Conversations(std::shared_ptr<const Program> its_program, std::string its_robot)
+      : program(std::move(its_program)), robot(std::move(its_robot)) {}
 
-  std::unique_ptr<Session> take();
-  void give_back(std::unique_ptr<Session> session);
-  ProgramNotes notes() const;  // of all processes so far; none may be taken
+  Conversation take();
+  void give_back(Conversation conversation);
+  void note(std::string failure);
+  std::string last_failure() const;  // "crashed: it ended (exit code 3); its last words: ..."; empty: none so far
+
+  const std::shared_ptr<const Program> program;
+  const std::string robot;
 
  private:
-  std::shared_ptr<const Program> program_;
-  std::string robot_;
   mutable std::mutex mutex_;
-  std::vector<std::unique_ptr<Session>> idle_;
+  std::vector<Conversation> idle_;
+  std::string last_failure_;
 };
 
 // solvers::solve drives it like any other solver; `start` is the whole conversation. If the program fails, the error is
 // infinite.
 class ForeignSolver final : public solvers::Solver {
  public:
-  ForeignSolver(Sessions& sessions, const solvers::StopRule& stop);  // both outlive it
-  ~ForeignSolver() override;
+  ForeignSolver(Conversations& all, const solvers::StopRule& stop)  // both outlive it
+      : all_(all), stop_(stop), own_(all.take()) {}
+  ~ForeignSolver() override { all_.give_back(std::move(own_)); }
 
   // Call before the clock starts: starts the process if there is none, and warms it up.
   void prepare(const solvers::Problem& problem, const solvers::Objective& objective);
@@ -75,12 +77,13 @@ class ForeignSolver final : public solvers::Solver {
  private:
   template <class Talk>
   void guarded(Talk&& talk);  // Trouble becomes the account's failure
+  bool ensure_running();      // true if the process is new
+  void fail(const Trouble& trouble);
   void converse(const solvers::Problem& problem, solvers::Objective& objective, std::uint32_t seed);
-  std::optional<results::StopReason> end_of_budget(const solvers::Objective& objective, Clock::time_point began) const;
 
-  Sessions& sessions_;
+  Conversations& all_;
   const solvers::StopRule& stop_;
-  std::unique_ptr<Session> session_;
+  Conversation own_;
   solvers::Best best_;
   Account account_;
 };

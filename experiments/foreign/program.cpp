@@ -1,17 +1,17 @@
 #include "experiments/foreign/program.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "numerics/names.hpp"
+#include "numerics/random.hpp"
 
 namespace ikbench::experiments {
 
@@ -24,13 +24,7 @@ namespace {
 constexpr double hello_patience = 20;  // [s]
 
 std::string digest_of_text(const std::string& text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-  unsigned int size = 0;
-  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("no SHA-256");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes.at(i));
-  return hex;
+  return fmt::format("{:016x}", numerics::Key(0).with(text).value());
 }
 
 bool is_file(const fs::path& file) {
@@ -42,10 +36,8 @@ bool is_file(const fs::path& file) {
 fs::path executable(const std::string& word, const fs::path& folder) {
   if (word.find('/') != std::string::npos) return folder / word;
   const char* const path = std::getenv("PATH");
-  std::string_view rest = path == nullptr ? "/usr/bin:/bin" : path;
-  while (!rest.empty()) {
-    const std::string_view place = rest.substr(0, rest.find(':'));
-    rest.remove_prefix(std::min(place.size() + 1, rest.size()));
+  std::istringstream places(path == nullptr ? "/usr/bin:/bin" : path);
+  for (std::string place; std::getline(places, place, ':');) {
     const fs::path file = fs::path(place) / word;
     if (is_file(file) && ::access(file.c_str(), X_OK) == 0) return file;
   }
@@ -93,30 +85,34 @@ Message next_message(ChildProcess& child, Clock::time_point deadline) {
   }
 }
 
+Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline) {
+  child.write(text, deadline);
+  return next_message(child, deadline);
+}
+
+Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience) {
+  try {
+    next_message(child, Clock::now() + patience).fail("nothing after its answer");
+  } catch (const Trouble& trouble) {
+    return trouble;
+  }
+}
+
 std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const fs::path& folder, Hello& hello) {
   auto child = std::make_unique<ChildProcess>(choice.process, folder);
   const std::chrono::duration<double> patience(std::max(hello_patience, choice.patience));
   try {
     hello = next_message(*child, Clock::now() + std::chrono::duration_cast<Clock::duration>(patience)).hello();
   } catch (const Trouble& trouble) {
-    child->end(std::chrono::seconds(trouble.status == Status::crashed ? 1 : 0));
-    std::string why = trouble.why;
-    if (trouble.status == Status::crashed)
-      why = fmt::format("it ended before its hello ({}{})", child->how_it_ended(), child->last_words());
-    if (trouble.status == Status::timed_out)
-      why = fmt::format("it says no hello within {:g} s; a larger patience_s waits longer", patience.count());
-    throw Trouble{trouble.status, why};
+    const std::string told = child->end_after(trouble.status);
+    if (trouble.status != Status::timed_out) throw Trouble{trouble.status, trouble.why + told};
+    throw Trouble{trouble.status, fmt::format("it says no hello within {:g} s; a larger patience_s waits longer{}",
+                                              patience.count(), told)};
   }
   return child;
 }
 
-bool Program::is_unchanged() const {
-  try {
-    return digest_of(choice, folder, hello) == digest;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
+bool Program::is_unchanged() const { return digest_of(choice, folder, hello) == digest; }
 
 std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path& folder) {
   for (const std::string& name : choice.files) {
@@ -125,7 +121,7 @@ std::shared_ptr<const Program> meet(const ProgramChoice& choice, const fs::path&
   }
   auto program = std::make_shared<Program>(Program{.choice = choice, .folder = folder, .hello = {}, .digest = {}});
   try {
-    started(choice, folder, program->hello)->end(std::chrono::seconds(1));
+    started(choice, folder, program->hello);
   } catch (const Trouble& trouble) {
     throw std::invalid_argument(trouble.why);
   }

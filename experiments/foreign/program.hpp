@@ -20,7 +20,7 @@ struct ProgramChoice {
 
 void list_fields(numerics::Fields& io, ProgramChoice& choice);
 
-// SHA-256 in hexadecimal digits; std::invalid_argument if the file cannot be read.
+// Throws std::invalid_argument if the file cannot be read.
 std::string digest_of_file(const std::filesystem::path& file);
 
 struct Program {
@@ -29,7 +29,8 @@ struct Program {
   Hello hello;
   std::string digest;  // of its name, its version and its files
 
-  bool is_unchanged() const;  // its files are as they were at its hello
+  // Its files are as they were at its hello. Throws std::invalid_argument if one cannot be read.
+  bool is_unchanged() const;
 };
 
 // Starts the program and reads its hello. std::invalid_argument says what is wrong with it, or which file is missing.
@@ -40,5 +41,8 @@ std::unique_ptr<ChildProcess> started(const ProgramChoice& choice, const std::fi
 
 // The next message; lines that do not begin with { are noise, which is told if no message follows. Throws Trouble.
 Message next_message(ChildProcess& child, Clock::time_point deadline);
+Message exchange(ChildProcess& child, const std::string& text, Clock::time_point deadline);
+// What it does within `patience` though nothing is asked: `timed_out` is silence, `crashed` its end.
+Trouble unasked(ChildProcess& child, std::chrono::milliseconds patience);
 
 }  // namespace ikbench::experiments

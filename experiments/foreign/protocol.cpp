@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <deque>
 #include <utility>
 
+#include "experiments/verifier.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -26,17 +29,9 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string line_of(const OrderedJson& json) { return numerics::text_of(json) + '\n'; }
 
+// Of a matrix that is transposed and reshaped: row by row.
 OrderedJson numbers(const Eigen::VectorXd& values) {
   return std::vector<double>(values.begin(), values.end());  // values that are not finite are dumped as null
-}
-
-template <class Matrix>
-OrderedJson row_by_row(const Matrix& matrix) {
-  OrderedJson list = OrderedJson::array();
-  for (const auto& row : matrix.rowwise()) {
-    for (const double value : row) list.push_back(value);
-  }
-  return list;
 }
 
 double number_in(const OrderedJson& object, const char* key, double fallback) {
@@ -44,46 +39,77 @@ double number_in(const OrderedJson& object, const char* key, double fallback) {
   return found != object.end() && found->is_number() ? found->get<double>() : fallback;
 }
 
-// An OptionList and the values behind it.
-class HelloOptions {
- public:
-  explicit HelloOptions(const Hello& hello) {
-    for (const HelloOption& option : hello.options) {
-      if (!option.choices.empty()) {
-        std::vector<std::pair<std::string, std::size_t>> choices;
-        for (const std::string& choice : option.choices) choices.emplace_back(choice, choices.size());
-        list.choice(option.name, chosen_.emplace_back(0), choices, option.meaning);
-      } else if (option.is_whole) {
-        list.count(option.name, wholes_.emplace_back(static_cast<int>(option.preset)),
-                   {static_cast<int>(option.low), static_cast<int>(option.high)}, option.meaning);
-      } else {
-        list.number(option.name, numbers_.emplace_back(option.preset), {option.low, option.high}, option.meaning);
-      }
-    }
-  }
-
-  OptionList list;
-
- private:
-  std::deque<double> numbers_;
-  std::deque<int> wholes_;
-  std::deque<std::size_t> chosen_;
-};
+// Takes a number as JSON writes it.
+bool take_number(const char*& at, const char* end, double& value) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  while (*at == ' ') ++at;
+  const char* const first = at + (*at == '-' ? 1 : 0);
+  const auto [next, error] = std::from_chars(at, end, value);
+  if (error != std::errc{} || !is_digit(*first) || (*first == '0' && is_digit(first[1]))) return false;
+  const char* const point = std::find(std::exchange(at, next), next, '.');
+  return point == next || is_digit(point[1]);
+}
 
 }  // namespace
 
 Settings options_of(const Hello& hello, const Settings& settings) {
-  HelloOptions options(hello);
-  options.list.set(settings);
-  return options.list.values();
+  OptionList list;  // of references
+  std::deque<double> numbers;
+  std::deque<int> wholes;
+  std::deque<std::size_t> chosen;
+  for (const HelloOption& option : hello.options) {
+    if (!option.choices.empty()) {
+      std::vector<std::pair<std::string, std::size_t>> choices;
+      for (const std::string& choice : option.choices) choices.emplace_back(choice, choices.size());
+      list.choice(option.name, chosen.emplace_back(0), choices, option.meaning);
+    } else if (option.is_whole) {
+      list.count(option.name, wholes.emplace_back(static_cast<int>(option.preset)),
+                 {static_cast<int>(option.low), static_cast<int>(option.high)}, option.meaning);
+    } else {
+      list.number(option.name, numbers.emplace_back(option.preset), {option.low, option.high}, option.meaning);
+    }
+  }
+  list.set(settings);
+  return list.values();
 }
 
 Message::Message(std::string line) : line_(std::move(line)) {
+  if (read_candidates()) return;
   constexpr int deepest = 20;  // copies of deeper values would overflow the stack
   json_ = numerics::parsed_ordered_json(line_, deepest);
   if (!json_.is_object()) fail("JSON, in which a number that is not finite is null");
   name_ = text(json_, "message");
   if (name_.empty()) fail("a \"message\"");
+}
+
+// Reads the usual {"message":"evaluate","candidates":[[...],...]}, for which the JSON library takes ten times as long.
+bool Message::read_candidates() {
+  const char* at = line_.c_str();
+  const char* const end = at + line_.size();
+  const auto take = [&at](std::string_view token) {
+    while (*at == ' ') ++at;
+    const bool is_there = std::strncmp(at, token.data(), token.size()) == 0;
+    if (is_there) at += token.size();
+    return is_there;
+  };
+  for (const char* token : {"{", "\"message\"", ":", "\"evaluate\"", ",", "\"candidates\"", ":", "["}) {
+    if (!take(token)) return false;
+  }
+  std::vector<double> values;
+  std::size_t lists = 0, joints = 0;
+  do {
+    if (!take("[")) return false;
+    do {
+      if (!take_number(at, end, values.emplace_back())) return false;
+    } while (take(","));
+    if (joints == 0) joints = values.size();
+    if (!take("]") || values.size() != ++lists * joints) return false;
+  } while (take(","));
+  if (!take("]") || !take("}") || at != end) return false;
+  name_ = "evaluate";
+  candidates_ =
+      Eigen::Map<Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(joints), static_cast<Eigen::Index>(lists));
+  return true;
 }
 
 void Message::fail(const std::string& expected) const {
@@ -160,6 +186,8 @@ Configuration Message::configuration(const OrderedJson& list, int joints, const 
 
 Candidates Message::candidates(int joints) const {
   const std::string expected = fmt::format("\"candidates\", a list of lists of {} numbers", joints);
+  if (candidates_.size() > 0 && candidates_.rows() != joints) fail(expected);
+  if (candidates_.size() > 0) return candidates_;
   OrderedJson list = json_.value("candidates", OrderedJson());
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = OrderedJson::array({list});  // Octave writes a list of one so
@@ -188,21 +216,16 @@ std::int64_t Message::count(const char* key) const {
   return static_cast<std::int64_t>(value);
 }
 
-std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Settings& options) {
+std::string robot_message(const Robot& arm, const Chain& searched, double rotation_weight, const std::string& urdf,
+                          const Hello& hello, const Settings& options) {
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
   for (const HelloOption& option : hello.options) {
     const std::string& text = options.at(option.name);
-    if (!option.choices.empty())
-      values[option.name] = text;
-    else if (option.is_whole)
-      values[option.name] = static_cast<int>(*number_from(text));
-    else
-      values[option.name] = *number_from(text);
+    values[option.name] = option.choices.empty() ? numerics::parsed_ordered_json(text) : OrderedJson(text);
   }
-  for (std::size_t j = 0; j < arm.arm.links().size(); ++j) {
-    const DhLink& link = arm.arm.links()[j];
-    const auto index = static_cast<Eigen::Index>(j);
-    joints.push_back({{"name", arm.joint_names.empty() ? fmt::format("joint_{}", j + 1) : arm.joint_names.at(j)},
+  for (const DhLink& link : searched.links()) {
+    const auto index = static_cast<Eigen::Index>(joints.size());
+    joints.push_back({{"name", fmt::format("joint_{}", index + 1)},
                       {"type", link.joint == Joint::turns    ? "revolute"
                                : link.joint == Joint::slides ? "prismatic"
                                                              : "coupled"},
@@ -213,25 +236,30 @@ std::string robot_message(const ArmToSearch& arm, const Hello& hello, const Sett
                       {"lower", arm.limits.lower[index]},
                       {"upper", arm.limits.upper[index]}});
   }
+  std::size_t moving = 0;
+  for (const DescribedJoint& joint : arm.description) {
+    if (joint.motion != DescribedJoint::Motion::none && moving < joints.size()) joints[moving++]["name"] = joint.name;
+  }
+  const std::string tip = arm.tip_link.empty() ? "tool" : arm.tip_link;
   OrderedJson json{{"message", "robot"},
                    {"name", arm.name},
                    {"options", values},
-                   {"goal", arm.rotation_weight > 0 ? "pose" : "position"},
-                   {"rotation_weight", arm.rotation_weight},
-                   {"claim_slack", arm.claim_slack},
+                   {"goal", rotation_weight > 0 ? "pose" : "position"},
+                   {"rotation_weight", rotation_weight},
+                   {"claim_slack", claim_slack(arm)},
                    {"joints", joints},
-                   {"base_link", arm.base},
-                   {"base", row_by_row(arm.arm.base().pose().matrix())},
-                   {"tip_link", arm.tip},
-                   {"tool", row_by_row(arm.arm.tool().pose().matrix())}};
-  if (hello.wants_urdf && !arm.urdf.empty()) json["urdf"] = arm.urdf;
+                   {"base_link", arm.base_link.empty() ? "base" : arm.base_link},
+                   {"base", numbers(searched.base().pose().matrix().transpose().reshaped())},
+                   {"tip_link", searched.joints() == arm.joints() ? tip : "last joint searched"},
+                   {"tool", numbers(searched.tool().pose().matrix().transpose().reshaped())}};
+  if (hello.wants_urdf && !urdf.empty()) json["urdf"] = urdf;
   return line_of(json);
 }
 
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {
   const JointLimits limits = finite_limits(problem);
   OrderedJson target{{"position", numbers(goal.target.translation())}};
-  if (goal.is_pose()) target["rotation"] = row_by_row(goal.target.linear());
+  if (goal.is_pose()) target["rotation"] = numbers(goal.target.linear().transpose().reshaped());
   return line_of(
       {{"message", "solve"},
        {"target", target},
@@ -245,7 +273,10 @@ std::string solve_message(const Problem& problem, const Goal& goal, const StopRu
 }
 
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over) {
-  return line_of({{"message", "errors"}, {"errors", numbers(errors)}, {"over", is_over}});
+  std::string text = R"({"message":"errors","errors":[)";
+  for (const double error : errors) text += (std::isfinite(error) ? numerics::text_of(error) : "null") + ',';
+  text.back() = ']';  // of the last comma: there is one at least
+  return text + fmt::format(",\"over\":{}}}\n", is_over);
 }
 
 }  // namespace ikbench::experiments

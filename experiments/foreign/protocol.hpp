@@ -51,6 +51,7 @@ class Message {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
+  bool read_candidates();
   std::string text(const nlohmann::ordered_json& object, const char* key) const;
   HelloOption option(const nlohmann::ordered_json& object) const;
   robots::Configuration configuration(const nlohmann::ordered_json& list, int joints,
@@ -58,20 +59,13 @@ class Message {
 
   std::string line_, name_;
   nlohmann::ordered_json json_;
+  Eigen::MatrixXd candidates_;  // if read_candidates read them; else json_ has them
 };
 
-// The arm that is searched, and what is the same for all solves.
-struct ArmToSearch {
-  std::string name;
-  const robots::Chain& arm;
-  const robots::JointLimits& limits;          // of the searched joints, the first of the arm
-  std::vector<std::string> joint_names = {};  // empty: joint_1 and so on
-  std::string base = "base", tip = "tool";
-  double rotation_weight = 0;  // [m]; 0: positions are searched
-  double claim_slack = 0;      // [m]
-  std::string urdf = {};       // text of the file
-};
-std::string robot_message(const ArmToSearch& arm, const Hello& hello, const solvers::Settings& options);
+// What is the same for all solves. `searched` has the joints before the wrist, or all; `rotation_weight` is 0 if
+// positions are searched; `urdf` is the text of the arm's file, if it is of one.
+std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, double rotation_weight,
+                          const std::string& urdf, const Hello& hello, const solvers::Settings& options);
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);
 std::string errors_message(const Eigen::VectorXd& errors, bool is_over);

@@ -23,7 +23,10 @@ endless|without end
 lies|position; without end
 hangs|50 ms
 late|50 ms
-nan|position; without end; same seed
+nan|position
+null|position
+again|position
+twice|answers once
 pose|pose
 slides|slides
 stays|standard input
@@ -33,3 +36,5 @@ has "$(head -n 1 .out)" "All 8 checks passed"
 equal checks "$(FAULT=good "$program" check-solver --json -- python3 planted.py | grep -c '"check"')" 8
 FAULT=lies run_it check-solver -- python3 planted.py
 has "$(head -n 1 .out)" "2 of 8 checks failed"
+FAULT=null run_it check-solver -- python3 planted.py
+has "$out" 'expected "q"'

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
 #include <sched.h>
 
 #include <fstream>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "experiments/foreign/protocol.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/verifier.hpp"
@@ -65,6 +68,28 @@ TEST_CASE("the clock of a program's solve runs before the program does", "[forei
     CHECK(solve.cpu_seconds > 1e-4);
     CHECK(solve.seconds >= solve.cpu_seconds);
   }
+}
+
+TEST_CASE("candidates are read alike with and without the JSON library", "[foreign]") {
+  const auto read = [](const char* text, const std::string& number) -> std::optional<double> {
+    try {
+      return Message(fmt::format(fmt::runtime(text), number)).candidates(2)(1, 1);
+    } catch (const Trouble& trouble) {
+      CHECK(trouble.status == results::Status::broke_protocol);
+      return std::nullopt;
+    }
+  };
+  const auto alike = [&](const std::string& number) {
+    INFO(number);
+    const auto found = read(R"({{"message": "evaluate", "candidates": [[1, 2], [3, {}]]}})", number);
+    CHECK(found == read(R"({{"candidates":[[1,2],[3,{}]],"message":"evaluate"}})", number));
+    return found.has_value();
+  };
+  for (const char* number : {"0", "-0.5", "1e-3", "1E5", "12345678901234567890", "0.1000000000000000055", "1e-400"})
+    CHECK(alike(number));
+  for (const char* number : {"-", "1.", "1.e5", "01", "-01", ".5", "nan", "inf", "1e999", "+1", "0x1", "", "1 2", "1,2",
+                             "1],[2", "[1]", "\"1\""})
+    CHECK_FALSE(alike(number));
 }
 
 TEST_CASE("a claim may be off by rounding and twice what snapping moves", "[foreign]") {

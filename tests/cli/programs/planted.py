@@ -33,6 +33,7 @@ def answer(problem):
     if "nan" == FAULT: best = [math.nan] + best[1:]
     claim = math.dist(position(best), target) if "nan" != FAULT else None
     if "lies" == FAULT: claim += 0.001
+    if "null" == FAULT: return {"q": None, "error": claim}
     return {"q": [None if x != x else x for x in best], "error": claim}
 
 solves = 0
@@ -48,7 +49,10 @@ for line in sys.stdin:
     elif robot["goal"] == "pose" and "pose" != FAULT: say(message="declined", why="it turns")
     elif "pose" == FAULT and robot["goal"] == "pose": os._exit(1)
     elif "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
-    else: say(message="solved", **answer(told))
+    else:
+        say(message="solved", **answer(told))
+        if "again" == FAULT: time.sleep(0.02), say(message="solved", q=[0] * 7)
+if "twice" == FAULT: say(message="solved", q=[0] * 7)
 if "stays" == FAULT:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     time.sleep(1000)
