@@ -440,7 +440,7 @@ std::vector<SolverEntry> read_entry(TomlReader reader, std::vector<SweptKey>& sw
   reader.choice("if_missing", entry.if_missing, if_missing_choices);
   reader.text("colour", entry.colour);
   if (!entry.colour.empty() && !hex_colour(entry.colour))
-    reader.fail("colour", *reader.find("colour"), expected_colour());
+    reader.fail("colour", *reader.find("colour"), std::string(expected_colour));
   Axes axes;
   const TomlReader settings = reader.nested(reader.table(), entry.label + ".");
   if (const toml::node* node = reader.find(population_key))

@@ -1,7 +1,6 @@
 #include "results/figure_style.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -25,8 +24,6 @@ bool is_font(std::string_view font) {
 }  // namespace
 
 std::optional<std::string> hex_colour(std::string_view colour) {
-  const auto named = std::ranges::find(named_colours, colour, &std::pair<std::string_view, std::string_view>::first);
-  if (named != named_colours.end()) return std::string(named->second);
   if (colour.size() != 7 || colour.front() != '#') return std::nullopt;
   std::string hex = "#";
   for (const char c : colour.substr(1)) {
@@ -34,12 +31,6 @@ std::optional<std::string> hex_colour(std::string_view colour) {
     hex += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
   return hex;
-}
-
-std::string expected_colour() {
-  std::vector<std::string_view> names;
-  for (const auto& [name, hex] : named_colours) names.push_back(name);
-  return fmt::format("a colour such as \"#1E8CF8\", or one of {}", fmt::join(names, ", "));
 }
 
 std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style) {
@@ -50,10 +41,10 @@ std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle&
   if (!is_size(style.height_cm, 3)) return {{"height_cm", "0, or from 3 to 60"}};
   if (!is_font(style.font)) return {{"font", fmt::format("at most {} letters, digits, blanks and -", longest_font)}};
   if (style.palette.empty() || style.palette.size() > most_colours || !std::ranges::all_of(style.palette, is_colour))
-    return {{"palette", fmt::format("1 to {} times {}", most_colours, expected_colour())}};
+    return {{"palette", fmt::format("1 to {} times {}", most_colours, expected_colour)}};
   if (shown.size() < style.solvers.size()) return {{"solvers", "each label once"}};
   for (const auto& [label, colour] : style.colours) {
-    if (!is_colour(colour)) return {{"colour", expected_colour()}};
+    if (!is_colour(colour)) return {{"colour", std::string(expected_colour)}};
   }
   return std::nullopt;
 }

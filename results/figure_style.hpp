@@ -19,16 +19,10 @@ class TomlReader;
 
 namespace ikbench::results {
 
-// The colours of series by name. Each has a contrast of at least 3 on white. Any two are at least 24 apart by
-// CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and Fernandes 2009), which is more than in
-// Okabe and Ito's palette (2008).
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> named_colours{{{"blue", "#1E8CF8"},
-                                                                                      {"red", "#8D1804"},
-                                                                                      {"green", "#00705B"},
-                                                                                      {"purple", "#661990"},
-                                                                                      {"olive", "#9C8602"},
-                                                                                      {"pink", "#F1458D"},
-                                                                                      {"black", "#000000"}}};
+// Each has a contrast of at least 3 on white. Any two are at least 24 apart by CIEDE2000, and 18 under protanopia and
+// deuteranopia (Machado, Oliveira and Fernandes 2009), which is more than in Okabe and Ito's palette (2008).
+inline const std::vector<std::string> own_palette{"#1E8CF8", "#8D1804", "#00705B", "#661990",
+                                                  "#9C8602", "#F1458D", "#000000"};
 
 enum class Picture { svg, pdf, png };
 
@@ -36,7 +30,7 @@ struct FigureStyle {
   double width_cm = 0, height_cm = 0;  // of every figure; 0: each its own
   std::string font = "Liberation Sans";
   double text_pt = 8;
-  std::vector<std::string> palette = {"blue", "red", "green", "purple", "olive", "pink", "black"};
+  std::vector<std::string> palette = own_palette;
   std::vector<std::string> solvers = {};  // labels in the order of the figures; empty: all, as in the study
   std::vector<Picture> formats = {Picture::svg, Picture::pdf, Picture::png};
   std::map<std::string, std::string> colours = {};  // of solvers, by label: `colour` of their entries
@@ -44,17 +38,17 @@ struct FigureStyle {
   bool operator==(const FigureStyle&) const = default;
 };
 
-constexpr std::string_view meaning_of_colour = "of the solver in every figure: \"#RRGGBB\" or a name of the palette";
+constexpr std::string_view meaning_of_colour = "of the solver in every figure: \"#RRGGBB\"";
+constexpr std::string_view expected_colour = "a colour such as \"#1E8CF8\"";
 constexpr std::string_view meaning_of_shown = "only these solvers in figures, in this order; by default all";
 
 inline void list_fields(numerics::Fields& io, FigureStyle& style) {
   io.number("width_cm", style.width_cm, 1, {0, 60}, "width of every figure, at least 4; 0: each its own");
-  io.number("height_cm", style.height_cm, 1, {0, 60}, "height of every figure, at least 3; 0: each its own");
-  io.text("font", style.font,
-          "a font of this machine (letters, digits, blanks and -); one that it lacks is replaced without a word");
+  io.number("height_cm", style.height_cm, 1, {0, 60},
+            "height of every figure, or more where its rows need it, at least 3; 0: each its own");
+  io.text("font", style.font, "a font of this machine (letters, digits, blanks and -)");
   io.number("text_pt", style.text_pt, 1, {4, 24}, "size of text; heights and margins follow it");
-  io.texts("palette", style.palette,
-           "colours of solvers, in the order in which they are given out: a name or \"#RRGGBB\"");
+  io.texts("palette", style.palette, "colours of solvers, in the order in which they are given out: \"#RRGGBB\"");
   io.texts("solvers", style.solvers, meaning_of_shown);
   io.chosen("formats", style.formats,
             numerics::Choices<Picture>{{"svg", Picture::svg}, {"pdf", Picture::pdf}, {"png", Picture::png}},
@@ -65,10 +59,8 @@ constexpr std::string_view name_of(Picture picture) {
   return std::array<std::string_view, 3>{"svg", "pdf", "png"}[static_cast<std::size_t>(picture)];
 }
 
-// "#1E8CF8" for "blue" and "#1e8cf8"; nothing for what is no colour.
+// "#1E8CF8" for "#1e8cf8"; nothing for what is no colour.
 std::optional<std::string> hex_colour(std::string_view colour);
-// The words for what a colour may be.
-std::string expected_colour();
 
 // The key of a value that no figure may have, and what is expected; nothing if all may.
 std::optional<std::pair<std::string, std::string>> mistake_in(const FigureStyle& style);

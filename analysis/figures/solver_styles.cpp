@@ -87,7 +87,7 @@ std::string shade_of(const std::string& colour) {
 
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
   const std::size_t own_colours = style.palette.size();
-  const bool is_short = own_colours < named_colours.size();
+  const bool is_short = own_colours < own_palette.size();
   std::map<std::string, std::size_t> places;
   for (const auto& [label, algorithm] : solvers) {
     const auto given = style.colours.find(label);

@@ -185,7 +185,7 @@ TEST_CASE("a solver's label, name and population decide the series, and the othe
   CHECK(key != key_of(changed([](Study& study) { study.solvers[0].population = 8; })));
   CHECK(key == key_of(changed([](Study& study) { study.solvers.resize(1); })));
   CHECK(key == key_of(changed([](Study& study) { study.figures.width_cm = 9; })));
-  CHECK(key == key_of(changed([](Study& study) { study.solvers.front().colour = "red"; })));
+  CHECK(key == key_of(changed([](Study& study) { study.solvers.front().colour = "#8D1804"; })));
 }
 
 TEST_CASE("the study's population decides no series of a solver that has its own", "[series]") {

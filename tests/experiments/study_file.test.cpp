@@ -140,7 +140,7 @@ TEST_CASE("a study in which nothing is as by default comes back the same", "[stu
                    .height_cm = 7,
                    .font = "DejaVu Sans",
                    .text_pt = 9.5,
-                   .palette = {"black", "#ABCDEF"},
+                   .palette = {"#000000", "#ABCDEF"},
                    .solvers = {"плечо", study.solvers[0].label},
                    .formats = {Picture::pdf}};
   study.solvers[1].colour = "#123456";
@@ -485,8 +485,8 @@ TEST_CASE("what figures cannot be is told with its place and what they can be", 
          {"[figures]\nsolvers = [\"DE\"]\n" + solver_entry, "my.toml:2:11: ", {"unknown label \"DE\""}},
          {"[figures]\ncolor = 1\n" + solver_entry, "my.toml:2:", {"color"}},
          {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"blue, red"}}});
-  CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=red"}).figures.text_pt == 10);
-  CHECK(read(solver_entry, {"ik_bat.colour=red"}).solvers[0].colour == "red");
+  CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=#8D1804"}).figures.text_pt == 10);
+  CHECK(read(solver_entry, {"ik_bat.colour=#8D1804"}).solvers[0].colour == "#8D1804");
 }
 
 TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {

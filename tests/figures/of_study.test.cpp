@@ -127,7 +127,7 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   const Look all = look_of_study(asked), chosen = look_of_study(asked, {.solvers = {"C", "B"}});
   CHECK(shown_solvers(asked, chosen) == Names{"C", "B"});
   CHECK(all.lines == std::map<std::string, int>{{"A", 1}, {"B", 2}, {"C", 3}});
-  const Look short_palette = look_of_study(asked, {.palette = {"red", "blue"}, .solvers = {"C", "B"}});
+  const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
   const std::vector<BoxRow> rows = box_rows(judge(asked), *judged_of(judge(asked), "seconds"), chosen);
   REQUIRE(rows.size() == 2);

@@ -111,24 +111,24 @@ TEST_CASE("entries of one program have one colour", "[figure]") {
 }
 
 TEST_CASE("solvers have the colours of a short palette in their order", "[figure]") {
-  FigureStyle three{.palette = {"#0072B2", "red", "olive"}};
+  FigureStyle three{.palette = {"#0072B2", "#8D1804", "#9C8602"}};
   const auto styles = line_styles({{"IK-BA", "ik_bat"}, {"PSO", "particle_swarm"}, {"DE", "x"}, {"BA", "bat"}}, three);
   CHECK(styles == std::map<std::string, int>{{"IK-BA", 1}, {"PSO", 2}, {"DE", 3}, {"BA", 4}});
 }
 
 TEST_CASE("a colour of a study goes before the solver's own", "[figure]") {
-  FigureStyle style{.colours = {{"IK-BA", "#abcdef"}, {"mine", "blue"}}};
+  FigureStyle style{.colours = {{"IK-BA", "#abcdef"}, {"mine", "#1E8CF8"}}};
   const std::vector<NamedSolver> solvers{{"IK-BA", "ik_bat"}, {"mine", "x"}, {"IK-BA 2", "ik_bat"}};
   const auto styles = line_styles(solvers, style);
   CHECK(colour_of(styles.at("IK-BA"), style) == "#ABCDEF");
   CHECK(colour_of(styles.at("mine"), style) == "#1E8CF8");
   CHECK(style.palette.size() == 8);
-  FigureStyle two{.palette = {"black", "#FF0000"}};
+  FigureStyle two{.palette = {"#000000", "#FF0000"}};
   std::set<int> looks;
   for (const auto& [label, look] : line_styles({{"a", "bat"}, {"b", "newton"}, {"c", "x"}, {"d", "y"}}, two))
     looks.insert(look);
   CHECK(looks.size() == 4);
-  FigureStyle three{.palette = {"blue", "red", "green"}};
+  FigureStyle three{.palette = {"#1E8CF8", "#8D1804", "#00705B"}};
   std::set<std::string> colours;
   for (const auto& [label, look] : line_styles({{"a", "ik_bat"}, {"b", "particle_swarm"}, {"c", "bat"}}, three))
     colours.insert(colour_of(look, three));
@@ -154,10 +154,10 @@ TEST_CASE("any two series are farther apart than two blues were that readers too
   CHECK(lab("#FF0000")[1] == Approx(80.09).margin(0.01));
   CHECK(lab("#FF0000")[2] == Approx(67.20).margin(0.01));
   CHECK(distance("#0E65B8", "#3793CD") == Approx(25.8).margin(0.01));
-  for (std::size_t i = 0; i < named_colours.size(); ++i) {
+  for (std::size_t i = 0; i < own_palette.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      CAPTURE(named_colours[i].first, named_colours[j].first);
-      CHECK(distance(named_colours[i].second, named_colours[j].second) > 35);
+      CAPTURE(own_palette[i], own_palette[j]);
+      CHECK(distance(own_palette[i], own_palette[j]) > 35);
     }
   }
 }

@@ -79,17 +79,17 @@ TEST_CASE("The look of figures is read, and one that no figure may have is refus
   const auto style_in = [](const std::string& figures) {
     return definition_of(R"({"figures": )" + figures + "}").style;
   };
-  CHECK(
-      style_in(R"({"width_cm": 9, "height_cm": 6, "font": "DejaVu Sans", "text_pt": 10, "palette": ["#ff0000", "blue"],
-                     "solvers": ["B", "A"], "formats": ["png", "svg"], "colours": {"A": "red"}})") ==
-      FigureStyle{.width_cm = 9,
-                  .height_cm = 6,
-                  .font = "DejaVu Sans",
-                  .text_pt = 10,
-                  .palette = {"#ff0000", "blue"},
-                  .solvers = {"B", "A"},
-                  .formats = {Picture::svg, Picture::png},  // in their own order
-                  .colours = {{"A", "red"}}});
+  CHECK(style_in(
+            R"({"width_cm": 9, "height_cm": 6, "font": "DejaVu Sans", "text_pt": 10, "palette": ["#ff0000", "#1E8CF8"],
+                     "solvers": ["B", "A"], "formats": ["png", "svg"], "colours": {"A": "#8D1804"}})") ==
+        FigureStyle{.width_cm = 9,
+                    .height_cm = 6,
+                    .font = "DejaVu Sans",
+                    .text_pt = 10,
+                    .palette = {"#ff0000", "#1E8CF8"},
+                    .solvers = {"B", "A"},
+                    .formats = {Picture::svg, Picture::png},  // in their own order
+                    .colours = {{"A", "#8D1804"}}});
   for (const char* wrong : {R"({"font": "a'; !touch pwned"})", R"({"palette": []})", R"({"palette": ["blau"]})",
                             R"({"colours": {"A": "'"}})", R"({"width_cm": 1})", R"({"text_pt": 1000})"}) {
     CAPTURE(wrong);
