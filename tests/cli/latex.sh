@@ -2,7 +2,7 @@
 # Every LaTeX table of a report compiles, and fits an A4 page with margins of 2 cm. That of the results fits a column.
 source "$(dirname "$0")/common.sh"
 for tool in pdflatex mf; do command -v $tool >/dev/null || { echo "skipped: no $tool"; exit 77; }; done # mf makes fonts
-for package in booktabs array adjustbox geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
+for package in booktabs graphicx geometry; do kpsewhich "$package.sty" >/dev/null || { echo "skipped: no $package.sty"; exit 77; }; done
 export HOME=$PWD # where fonts are kept
 
 # compiles CLASS OPTIONS TABLE...: all in one document, of which nothing sticks out.
@@ -31,8 +31,8 @@ compiles() {
     printf "[[solvers]]\nsolver = \"bat\"\nlabel = \"$label\"\n"
   done
 } >labels.toml
-succeeds run labels.toml --no-figures --out labels
-succeeds run slim2023 "${small[@]}" --no-figures --out paper
+succeeds run labels.toml --figures none --out labels
+succeeds run slim2023 "${small[@]}" --figures none --out paper
 for folder in labels paper; do
   compiles '[a4paper]{article}' '\usepackage[margin=2cm]{geometry}' "$folder"/tables/*.tex
   for class in '[twocolumn,a4paper]{article}' '{IEEEtran}'; do
