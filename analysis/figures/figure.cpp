@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <ranges>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -69,9 +72,11 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
     text.replace(at, old.size(), by);
 }
 
-// The first clause of the caption.
+// The first clause of the caption, after "Figure 5. ".
 std::string title_of(const Figure& figure) {
-  std::string title = figure.caption.substr(0, std::min(figure.caption.find(": "), figure.caption.find(". ")));
+  const std::size_t start = figure.caption.starts_with("Figure ") ? figure.caption.find(". ") + 2 : 0;
+  const std::size_t end = std::min(figure.caption.find(": ", start), figure.caption.find(". ", start));
+  std::string title = figure.caption.substr(start, end - start);
   if (title.ends_with('.')) title.pop_back();
   replace_all(title, "&", "&amp;");
   replace_all(title, "<", "&lt;");
@@ -124,12 +129,13 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
 std::string script_of(const Figure& figure, const std::vector<Picture>& formats) {
   std::string script = fmt::format(
       "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
-      "legend_cm = {4}\nload 'style.gp'\n\n{5}\n",
+      "legend_cm = {4}\nsides_cm = {5}\nis_square = {6}\nload 'style.gp'\n\n{7}\n",
       figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.legend_cm),
-      figure.settings);
+      text_of(figure.sides_cm), figure.is_square ? 1 : 0, figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
   for (const Picture type : formats) {
     const bool is_repeated = can_repeat && type != formats.front();
+    if (figure.legend > 0) script += fmt::format("set key spacing {}_rows\n", name_of(type));
     script += fmt::format("set terminal @{0}\nset output '{1}.{0}'\n{2}\n", name_of(type), figure.name,
                           is_repeated ? "replot" : figure.plot);
   }
@@ -160,6 +166,26 @@ std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureS
 }
 
 }  // namespace
+
+void refuse_missing_font(const std::string& font) {
+  const auto told = [](const std::vector<std::string>& words) {
+    const ProcessResult result = run_process(words, ".");
+    return result.succeeded ? result.output : "";
+  };
+  const auto lower = [](std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  };
+  if (font == FigureStyle().font) return;
+  const std::string nearest = told({"fc-match", "--format=,%{family},", font});  // the names of one font
+  if (nearest.empty() || lower(nearest).find("," + lower(font) + ",") != std::string::npos) return;
+  std::set<std::string> there;
+  std::istringstream lines(told({"fc-list", "--format=%{family[0]}\n", ":lang=en:slant=0"}));
+  for (std::string line; std::getline(lines, line);) there.insert(line);
+  constexpr std::ptrdiff_t most = 12;
+  throw std::invalid_argument(fmt::format("font \"{}\" is not on this machine; take one that is: {}", font,
+                                          fmt::join(there | std::views::take(most), ", ")));
+}
 
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
                                        const RenderOptions& options) {

@@ -26,6 +26,8 @@ struct Figure {
   std::string data = {};   // the numbers as drawn; comment lines start with '#'
   std::size_t legend = 0;  // its entries; style.gp adds the room for them
   double legend_cm = 0;    // the width of one
+  double sides_cm = 2.05;  // the width of all beside the plot
+  bool is_square = false;  // a wider one is higher, too
 };
 
 // What a figure is about: the name of its files, the plain text below it, and its values.
@@ -42,6 +44,9 @@ struct RenderOptions {
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
 };
+
+// Throws std::invalid_argument if the machine lacks the font, for which gnuplot would take another without a word.
+void refuse_missing_font(const std::string& font);
 
 // Writes NAME.gp, NAME.dat and style.gp into the folder and draws NAME.svg, NAME.pdf, NAME.png, as the style says; no
 // script that was there is ever run. Removes old pictures that do not show these data. Returns a sentence for each

@@ -73,24 +73,30 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
   const Judged* const errors = judged_of(judged, is_share ? "solved" : error);
   const Judged* const motions = judged_of(judged, motion);
   if (errors == nullptr || motions == nullptr) return std::nullopt;
+  const bool are_means = motions->plan.test == results::Plan::Test::means;
+  const std::string average = are_means ? "mean" : "median";
+  const auto value = [](const Judged& of, const std::string& solver, bool is_mean) {
+    const auto group = std::ranges::find(of.observations.groups, solver, &Group::name);
+    if (group == of.observations.groups.end()) return nowhere;
+    const compare::Description all = describe(*group);
+    return is_mean ? all.mean : all.median;
+  };
   std::vector<Dot> dots;
-  for (const BoxRow& y : box_rows(judged, *errors, look))
-    dots.push_back({.label = y.label, .style = y.style, .y = y.box[2]});
-  for (const BoxRow& x : box_rows(judged, *motions, look)) {
-    const auto dot = std::ranges::find(dots, x.label, &Dot::label);
-    if (dot != dots.end()) dot->x = x.box[2];
+  std::string without;
+  const double factor = is_share ? 100 : drawn_unit(judged.study, errors->observations.unit).factor;
+  for (const std::string& solver : shown_solvers(judged.study, look)) {
+    dots.push_back({.label = solver,
+                    .style = style_of(look, solver),
+                    .x = value(*motions, solver, are_means),
+                    .y = factor * value(*errors, solver, are_means || is_share)});
+    if (std::isnan(dots.back().x)) without += (without.empty() ? "" : ", ") + solver;
   }
   About about = about_of(judged.study, metric_named(error), "overview",
-                         "Error against joint motion, medians: best is the lower left.");
-  about.quantity = "median " + about.quantity;
-  if (is_share) {
-    about = {"overview", "Share solved against joint motion: best is the upper left.", "solved", "%"};
-    for (Dot& dot : dots) {
-      const auto& groups = errors->observations.groups;
-      dot.y = 100 * describe(*std::ranges::find(groups, dot.label, &Group::name)).mean;
-    }
-  }
-  return overview(about, "median joint motion [deg]", dots);
+                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
+  about.quantity = fmt::format("{} {}", average, about.quantity);
+  if (is_share) about = {"overview", "Share solved against joint motion: best is the upper left.", "solved", "%"};
+  if (!without.empty()) about.caption += fmt::format(" Without a known joint motion: {}.", without);
+  return overview(about, average + " joint motion [deg]", dots);
 }
 
 std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {

@@ -27,8 +27,10 @@ std::vector<double> drawable(std::span<const double> values) {
   return drawn;
 }
 
-std::string placed(char letter, const std::string& low, const std::string& high) {
-  return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\n", letter, low, high);
+// on_y(v) is not drawn at the edge: lines do not fall to it.
+std::string placed(char letter, const std::string& low, const std::string& high, bool has_edge = false) {
+  return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\non_{0}(v) = v > {3} ? place_{0}(v) : NaN\n",
+                     letter, low, high, has_edge ? low : "-1e300");
 }
 
 // That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end. Long titles have two lines.
@@ -108,9 +110,11 @@ double round_step_of(double span, double places) {
 }
 
 std::string power(double value) {
-  if (value >= 0.999e-3 && value < 1e5) return fmt::format("{:.6g}", value);
+  if (value >= 0.999e-3 && value < 1.001e4) return fmt::format("{:.6g}", value);
   const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  return fmt::format("{:.2g}e{}", value / std::pow(10, exponent), exponent);
+  const std::string digits = fmt::format("{:.2g}", value / std::pow(10, exponent));
+  return fmt::format("{}10{{/*0.7 ^{{{}{}}}}}", digits == "1" ? "" : digits + "·", exponent < 0 ? "−" : "",
+                     std::abs(exponent));
 }
 
 double width_cm_of(std::string_view label) {
@@ -159,7 +163,8 @@ std::string value_axis(char letter, std::span<const double> values, const About&
     return linear_axis(letter, values, title, begins);
   const bool has_edge = above.size() < drawn.size();
   const double start = std::pow(10, std::floor(std::log10(std::ranges::min(above)) + 1e-9)),
-               high = std::pow(10, std::ceil(std::log10(std::ranges::max(above)) - 1e-9)),
+               most = std::ranges::max(above),
+               high = std::min(1.3 * most, std::pow(10, std::ceil(std::log10(most) - 1e-9))),
                edge = !has_edge              ? start
                       : about.floor >= start ? about.floor
                                              : start / 10,
@@ -170,7 +175,15 @@ std::string value_axis(char letter, std::span<const double> values, const About&
   if (has_edge)
     settings += fmt::format("set {}tics add ('{}' {})\n", letter, about.floor > 0 ? "≤ " + power(about.floor) : "0",
                             text_of(edge));
-  return settings + titled(letter, title) + placed(letter, text_of(edge), text_of(high));
+  return settings + titled(letter, title) + placed(letter, text_of(edge), text_of(high), has_edge);
+}
+
+void add_margins(Figure& figure, double bottom_cm) {
+  figure.settings += fmt::format(
+      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
+      "set bmargin at screen up({} + legend_rows_cm)\n"
+      "set tmargin at screen 1 - up(0.3)\n",
+      bottom_cm);
 }
 
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm) {
@@ -183,7 +196,9 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
     ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
   }
   if (widest_cm > 3) figure.width_cm = two_columns_cm;
-  figure.height_cm = 1.4 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
+  figure.sides_cm = widest_cm + 0.8;
+  add_margins(figure);
+  figure.height_cm = 1.5 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
   figure.settings += fmt::format(
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced scale 0 ({})\nset border 1\nset grid noytics\n"
       "set lmargin at screen margin({})\n",
@@ -195,20 +210,10 @@ void add_legend_of(Figure& figure, const std::vector<std::string>& labels) {
   for (const std::string& label : labels) longest = std::max(longest, character_count(label));
   if (labels.size() > 8) figure.width_cm = two_columns_cm;
   figure.legend = labels.size() > 1 ? labels.size() : 0;
-  // The most that gnuplot 5.4 reserves for an entry in an SVG, by the share of the width that is between the margins.
-  figure.legend_cm = 1.3 * (1.3 + 0.2 * static_cast<double>(longest));
-  figure.settings +=
-      labels.size() > 1
-          ? "set key at screen 0.5, screen up(0.1) bottom center horizontal spacing 0.9 maxcols columns(legend_cm)\n"
-          : "unset key\n";
-}
-
-void add_margins(Figure& figure, double bottom_cm) {
-  figure.settings += fmt::format(
-      "set lmargin at screen margin(1.7)\nset rmargin at screen 1 - margin(0.35)\n"
-      "set bmargin at screen up({} + (legend_rows > 0 ? 0.15 + 0.38 * legend_rows : 0))\n"
-      "set tmargin at screen 1 - up(0.3)\n",
-      bottom_cm);
+  figure.legend_cm = 0.92 + 0.2 * static_cast<double>(longest);  // what gnuplot 5.4 reserves for an entry in an SVG
+  figure.settings += labels.size() > 1
+                         ? "set key at screen 0.5, screen up(0.1) bottom center horizontal maxcols columns(legend_cm)\n"
+                         : "unset key\n";
 }
 
 }  // namespace ikbench::figures

@@ -23,14 +23,14 @@ std::string plotted(const std::vector<std::string>& clauses, std::string_view co
 // The smallest of 1, 2 and 5 times a power of ten that marks at most `places` places of a span.
 double round_step_of(double span, double places);
 
-// "100", "1e-5": gnuplot draws exponents of an SVG too high.
+// "100", or for gnuplot's enhanced text a power of ten.
 std::string power(double value);
 
 double width_cm_of(std::string_view label);  // approximately
 
-// Settings of an axis: title, range, ticks, and the function by which a plot draws, for an axis y place_y(v), within
-// the range. It is logarithmic if no value is negative and they span a factor of 30; then values up to the floor are at
-// its edge, which says so.
+// Settings of an axis: title, range, ticks, and the functions by which a plot draws, for an axis y place_y(v) of points
+// and on_y(v) of lines, within the range. It is logarithmic if no value is negative and they span a factor of 30; then
+// values up to the floor are at its edge, which says so.
 enum class Begins { at_zero, around };
 std::string value_axis(char letter, std::span<const double> values, const About& about, Begins begins);
 std::string linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins);

@@ -18,8 +18,8 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::string_view grey = "lc rgb '#808080'";
-constexpr std::size_t most_rows = 100;    // of a figure
+constexpr std::string_view grey = "lc rgb '#808080'", black = "lc rgb '#000000'";
+constexpr std::size_t most_rows = 60;     // of a figure, which fits a page
 constexpr std::size_t most_values = 200;  // drawn of a group
 constexpr std::size_t most_bands = 6;     // more would cover each other
 
@@ -48,8 +48,9 @@ void add_remarks(Figure& figure, const std::vector<std::pair<std::string, int>>&
         fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced textcolor rgb {}\n",
                     gnuplot_text(words), i + 1, style > 0 ? fmt::format("colour_of({})", style) : "'#666666'");
   }
-  if (widest_cm > 0)
-    figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
+  if (widest_cm == 0) return;
+  figure.sides_cm += widest_cm;
+  figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
 }
 
 }  // namespace
@@ -91,13 +92,12 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
     }
   }
   figure.data += values;
-  add_labelled_rows(figure, labels, has_printed ? 0.8 : 0.65);
+  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : has_printed ? 0.8 : 0.65);
   figure.settings += value_axis('x', all, about, Begins::around);
   if (!rows.empty())
     figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
   add_remarks(figure, remarks);
   if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
-  if (has_printed) figure.caption += " Grey: smallest, median and largest as printed.";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string box = fmt::format("data index 0 every ::{0}::{0} using", i),
                       colour = fmt::format("lc rgb colour({})", i + 1);
@@ -117,6 +117,9 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
         "data index 0 using (place_x($7)):($1+0.34):(place_x($9)-place_x($7)):(0) with vectors nohead lw 1 {}", grey));
     clauses.push_back(
         fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
+    clauses.push_back(fmt::format("keyentry with points pt 6 ps 0.3 lw 0.7 {} title 'here'", black));
+    clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'printed: smallest, median, largest'", grey));
+    add_legend_of(figure, {"here", "printed: smallest, median, largest"});
   }
   figure.plot = plotted(clauses);
   return figure;
@@ -148,11 +151,12 @@ Figure curves(const About& about, const std::string& x_axis, const std::vector<L
     if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
-    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(place_y($5)) with lines {} lw 0.6 dt 3", rows, style));
+    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(on_y($5)) with lines {} lw 0.6 dt 3", rows, style));
     labels.push_back(label_of(line.label) + (has(&CurveRow::y) ? "" : " (nothing to show)"));
     const std::size_t interval = 1 + line.rows.size() / 25;
-    front.push_back(fmt::format("{}(place_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
+    front.push_back(fmt::format("{}(on_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
                                 gnuplot_text(labels.back())));
+    front.push_back(fmt::format("{}(on_y($2) != on_y($2) ? place_y($2) : NaN) with points {}", rows, style));
   }
   figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
   const auto [first, last] = std::ranges::minmax(xs.empty() ? std::vector<double>{1} : xs);
@@ -222,7 +226,7 @@ Figure differences(const About& about, const std::vector<IntervalRow>& all_rows,
     clauses.push_back(
         fmt::format("{} (place_x($2)):1 with points pt {} ps 0.6 lw 1.2 {}", line, row.style > 0 ? 7 : 6, colour));
   }
-  add_labelled_rows(figure, labels, 0.5);
+  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
   const auto [smallest, largest] = std::ranges::minmax(all);
   const std::string title = with_unit(about.quantity, about.unit);
   figure.settings +=
@@ -240,7 +244,7 @@ std::string flat_axes(const Corner& low, double side) {
   const std::string step = text_of(round_step_of(side, 4));
   return fmt::format(
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\nset xlabel 'x [cm]'\n"
-      "set label 'y [cm]' at screen margin(0.3), graph 0.5 center rotate\n",
+      "set label 'y [cm]' at graph 0, graph 0.5 center rotate offset -4, 0\n",
       text_of(low[0]), text_of(low[0] + side), text_of(low[1]), text_of(low[1] + side), step, step);
 }
 
@@ -301,6 +305,7 @@ std::string space_axes(const Corner& low, double side) {
 Figure path(const About& about, const PathRows& rows) {
   Figure figure = begun(about);
   figure.height_cm = 7;
+  figure.is_square = true;
   std::array<std::vector<double>, 3> shown;
   const auto see = [&](const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {
@@ -350,8 +355,12 @@ Figure path(const About& about, const PathRows& rows) {
   const double side = longest > 0 ? 1.1 * longest : 2;
   for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = middle[axis] - side / 2;
   add_legend_of(figure, labels);
-  add_margins(figure, rows.is_from_above ? 1.2 : 0.3);
-  figure.settings += "set size ratio -1\n";
+  const double bottom_cm = rows.is_from_above ? 1.2 : 0.3, aspect = rows.is_from_above ? 1 : 0.84;
+  add_margins(figure, bottom_cm);
+  figure.settings += fmt::format(
+      "set size ratio -1\nspare = 1 - margin(2.05) - {} * (1 - up({} + 0.3 + legend_rows_cm)) * height_cm / width_cm\n"
+      "if (spare > 0) {{ set lmargin at screen margin(1.7) + spare / 2; set rmargin at screen 1 - margin(0.35) - spare / 2 }}\n",
+      aspect, bottom_cm);
   figure.settings += rows.is_from_above ? flat_axes(low, side) : space_axes(low, side);
   figure.plot = plotted(clauses);
   return figure;
@@ -412,6 +421,7 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
       "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.55 noenhanced }}\n"
       "    if (r == 1) {{ set title name[c] noenhanced offset 0, {5} }}\n"
       "    if (r == 1 && c == 1) {{ set label '[deg]' at screen margin(0.9), graph 1 right offset 0, {6}; set label 'point' at screen 0.5, up(0.22) center }}\n"
+      "    if (width_cm / {1} < 0.2 * text) {{ set xtics (1, {7}) }}\n"
       "    if (r == {0}) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
@@ -419,7 +429,7 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
       rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2,
-      rows.size() == 1 ? 0.8 : 1.75);
+      rows.size() == 1 ? 0.8 : 1.75, points);
   return figure;
 }
 
@@ -443,7 +453,7 @@ Figure overview(const About& about, const std::string& x_axis, const std::vector
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 lc rgb colour_of({})",
                                   line, dot.style));
   }
-  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::at_zero);
+  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
   if (has_printed) {
     clauses.insert(
         clauses.begin(),

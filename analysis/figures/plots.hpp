@@ -92,12 +92,13 @@ Figure overview(const About& about, const std::string& x_axis, const std::vector
 // estimates, and below each its choices.
 struct Specification {
   double estimate, low, high;        // a ratio, with its interval
+  int side;                          // of the verdict: -1 below 1, 1 above, 0 not decided
   std::vector<std::size_t> choices;  // a place in each group
 };
 struct Specifications {
   std::vector<std::vector<std::string>> groups;  // the alternatives of each question
   std::vector<Specification> all;
-  std::string below, above;  // the meaning of an interval below 1, and above
+  std::string below, above;  // what the sides mean
 };
 Figure specifications(const About& about, const Specifications& rows);
 

@@ -33,8 +33,11 @@ Figure specifications(const About& about, const Specifications& rows) {
   };
   Figure figure{.name = about.name, .caption = about.caption, .width_cm = two_columns_cm};
   std::vector<std::string> ticks;
-  for (double decade = std::ceil(low); decade <= high; decade += high - low > 8 ? 2 : 1)
-    ticks.push_back(fmt::format("'{}' {}", power(std::pow(10, decade)), text_of(row_of(std::pow(10, decade)))));
+  for (double decade = std::ceil(low); decade <= high; decade += high - low > 8 ? 2 : 1) {
+    ticks.push_back(fmt::format("'' {}", text_of(row_of(std::pow(10, decade)))));
+    figure.settings += fmt::format("set label '{}' at graph 0, first {} right offset -1, 0\n",
+                                   power(std::pow(10, decade)), text_of(row_of(std::pow(10, decade))));
+  }
   double place = 0, widest_cm = 1;
   std::vector<std::vector<double>> places;  // of the choices
   for (const std::vector<std::string>& group : rows.groups) {
@@ -50,6 +53,7 @@ Figure specifications(const About& about, const Specifications& rows) {
     }
   }
   figure.height_cm = 1.6 + row_cm * (curve_rows - place);
+  figure.sides_cm = widest_cm + 0.8;
   add_legend_of(figure, {label_of(rows.below), label_of(rows.above), "not decided"});
   add_margins(figure);
   figure.settings += fmt::format(
@@ -59,12 +63,12 @@ Figure specifications(const About& about, const Specifications& rows) {
       text_of(widest_cm + 0.4), text_of(place - 0.6), text_of(curve_rows + 0.6), fmt::join(ticks, ", "),
       gnuplot_text(about.quantity), text_of(row_of(1)), text_of(row_of(1)));
   figure.data =
-      "# share of readings before it [%]; ratio, low, high; their rows; side of the interval: -1 below 1, 1 above\n";
-  std::string choices = "\n\n# share of readings before it [%], row of a choice, side of its interval\n";
+      "# share of readings before it [%]; ratio, low, high; their rows; side of the verdict: -1 below 1, 1 above\n";
+  std::string choices = "\n\n# share of readings before it [%], row of a choice, side of its verdict\n";
   for (std::size_t i = 0; i < rows.all.size(); ++i) {
     const Specification& each = rows.all[i];
     const double x = 100 * (static_cast<double>(i) + 0.5) / static_cast<double>(rows.all.size());
-    const double side = each.high < 1 ? -1 : each.low > 1 ? 1 : 0;
+    const double side = each.side;
     figure.data += data_row(
         {x, each.estimate, each.low, each.high, row_of(each.estimate), row_of(each.low), row_of(each.high), side});
     for (std::size_t group = 0; group < each.choices.size(); ++group)

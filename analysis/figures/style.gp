@@ -32,21 +32,30 @@ set style line 1001 lw 1.3 lc rgb "#000000" dt 1
 set border 3 lw 0.6
 set tics out nomirror scale 0.6, 0.3
 set grid xtics ytics ls 1000
-set key below horizontal Left reverse noenhanced noautotitle samplen 2 spacing 1.1 height 0.8
-set xtics noenhanced offset 0, 0.3
+set key below horizontal Left reverse noenhanced noautotitle samplen 2 width -0.5
+set xtics offset 0, 0.3
 set xlabel offset 0, 0.85
 
 # Heights, margins and legends follow the size of text: up() is a height as a share of the figure's.
+# Labels that leave no room for the plot make the text of their figure smaller; a height that is too small grows.
+own_width_cm = width_cm
 if (all_width_cm > 0) width_cm = all_width_cm
-columns(cm) = cm * text / 8.0 < width_cm ? int(width_cm / cm / text * 8) : 1
+if (sides_cm * text / 8.0 > 0.75 * width_cm) text = 8.0 * 0.75 * width_cm / sides_cm
+if (is_square && width_cm > own_width_cm) height_cm = height_cm * sqrt(width_cm / own_width_cm)
+columns(cm) = (cm + 2.05) * text / 8.0 < width_cm ? int((width_cm / text * 8 - 2.05) / cm) : 1
 legend_rows = legend > 0 ? (legend + columns(legend_cm) - 1) / columns(legend_cm) : 0
-height_cm = (height_cm + (legend > 0 ? 0.3 + 0.36 * legend_rows : 0)) * text / 8.0
-if (all_height_cm > 0) height_cm = all_height_cm
+legend_rows_cm = legend > 0 ? 0.2 + 0.35 * legend_rows : 0
+least_cm = (0.8 * height_cm + legend_rows_cm) * text / 8.0
+height_cm = (height_cm + legend_rows_cm) * text / 8.0
+if (all_height_cm > 0) height_cm = all_height_cm > least_cm ? all_height_cm : least_cm
 up(cm) = cm * text / 8.0 / height_cm
-margin(cm) = cm * text / 8.0 < 0.65 * width_cm ? cm * text / 8.0 / width_cm : 0.65
+margin(cm) = cm * text / 8.0 / width_cm
 
 # Three outputs of the same size, with thin lines in each: SVG in units of a point, PDF, PNG at 300 dpi. To Cairo a point of
-# text is 1/96 inch.
+# text is 1/96 inch. Legends have rows of one height in all.
+svg_rows = 0.83
+pdf_rows = 1.12
+png_rows = 1.12
 svg = sprintf("svg enhanced size %d,%d dynamic font '%s,%g' linewidth 0.8 background '#FFFFFF'", \
   width_cm / 2.54 * 72, height_cm / 2.54 * 72, font, text)
 pdf = sprintf("pdfcairo enhanced size %gcm,%gcm font '%s,%g' fontscale 0.75 linewidth 1.2 pointscale 1.1", \

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -311,12 +312,19 @@ std::string unexplained_words(const Multiverse& multiverse, const ExplainedReadi
                       : fmt::format("No reading explains: {}.", fmt::join(none, "; "));
 }
 
-// Readings drawn at random by their weights, the same each time; the runs of all seeds are pooled.
-figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
+// Readings drawn at random by their weights, the same each time; a seed of each. The side is the verdict of the claim
+// that the solver is the most accurate, and the interval has the level at which claims judge a pair.
+figures::Figure curve(const Multiverse& multiverse, const std::string& solver, const Plan& plan) {
   constexpr std::size_t drawn = 150;
   const std::size_t own = place_of(multiverse.solvers, solver);
   figures::Specifications rows{
-      .groups = {}, .all = {}, .below = solver + " is more accurate", .above = "its best rival is"};
+      .groups = {}, .all = {}, .below = solver + " is more accurate than all", .above = "a rival is more accurate"};
+  const auto k = static_cast<double>(multiverse.solvers.size());
+  const Plan of_pair{
+      .test = Plan::Test::means, .significance = plan.significance / (k * (k - 1) / 2), .margin = plan.margin};
+  const double z = boost::math::quantile(boost::math::complement(boost::math::normal(), of_pair.significance / 2));
+  Claim claim;
+  claim.metrics = {&metric_named(metrics_of_readings[0])};
   std::map<std::size_t, std::size_t> groups;  // by dimension
   for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
     const Dimension& dimension = multiverse.dimensions[d];
@@ -336,34 +344,38 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver) {
     while (study + 1 != multiverse.studies.end() && before + study->weight < (static_cast<double>(i) + 0.5) / drawn)
       before += (study++)->weight;
     std::vector<Summary> means;
+    std::vector<Group> errors;
     std::vector<std::size_t> choices(groups.size() + 1);
     Chosen chosen = study->chosen;
     for (const std::vector<ChosenSolver>& of_solver : study->solvers) {
       const ChosenSolver& each = of_solver[engine() % of_solver.size()];
       if (means.size() == own) chosen.insert(chosen.end(), each.chosen.begin(), each.chosen.end());
-      const std::vector<double> errors = pooled(each, 0);
-      means.push_back(errors.empty() ? Summary() : summarise(errors));
+      errors.push_back(each.means[0][i % each.means[0].size()]);
+      means.push_back(errors.back().lost > 0 ? Summary() : summarise(errors.back().values));
     }
+    Tally tally;
     std::size_t rival = own;
     for (std::size_t s = 0; s < means.size(); ++s) {
       const bool is_smaller = rival == own || means[s].mean < means[rival].mean;
       if (s != own && means[s].mean > 0 && is_smaller) rival = s;
+      if (s != own) tally.add(verdict_of(errors[own], errors[s], claim, of_pair));
     }
     if (rival == own || means[own].mean == 0) continue;
     choices.back() = rival < own ? rival : rival - 1;
     for (const auto& [dimension, alternative] : chosen) choices[groups.at(dimension)] = alternative;
     const auto error = [](const Summary& of) { return of.sd / std::sqrt(of.n) / of.mean; };
     const double ratio = means[own].mean / means[rival].mean;
-    const double factor = std::exp(1.96 * std::hypot(error(means[own]), error(means[rival])));
-    rows.all.push_back({ratio, ratio / factor, ratio * factor, choices});
+    const double factor = std::exp(z * std::hypot(error(means[own]), error(means[rival])));
+    rows.all.push_back({ratio, ratio / factor, ratio * factor, tally.worse > 0 ? 1 : tally.open > 0 ? 0 : -1, choices});
   }
   std::ranges::stable_sort(rows.all, {}, &figures::Specification::estimate);
   return figures::specifications(
       {.name = "multiverse",
-       .caption =
-           fmt::format("Mean error of {} by that of its best rival, with 95 % intervals, in {} readings drawn by "
-                       "their weights. Below: the choices of each.",
-                       solver, rows.all.size()),
+       .caption = fmt::format(
+           "Mean error of {} by that of its best rival in {} readings drawn by their weights, with "
+           "intervals of {:.1f} %. Colours: whether it is more accurate than all, each pair judged at {:g} / "
+           "{:g} as in the table. Below: the choices of each.",
+           solver, rows.all.size(), 100 * (1 - of_pair.significance), plan.significance, k * (k - 1) / 2),
        .quantity = fmt::format("mean error of {} / of its best rival", solver)},
       rows);
 }
@@ -398,7 +410,7 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
   const bool can_compare = numbers > 0 && runs == printed_runs;
   const ExplainedReadings explained = can_compare ? explained_in(multiverse, printed) : ExplainedReadings();
   std::vector<Counted> claims;
-  JudgedMultiverse result{.claims = {}, .sentences = {}, .table = {}, .figure = curve(multiverse, paper.solver)};
+  JudgedMultiverse result{.claims = {}, .sentences = {}, .table = {}, .figure = curve(multiverse, paper.solver, plan)};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     auto counts = count_claim(multiverse, claim, plan, explained, can_compare ? paper.near : 0);
