@@ -28,10 +28,10 @@ namespace {
 
 struct MultiverseArguments {
   std::string paper, out;
-  std::vector<std::string> dimensions;
+  std::vector<std::string> dimensions, figures;
   Overrides overrides;
   int seeds = 1, jobs = 1;
-  bool list = false, small = false, without_figures = false, is_json = false;
+  bool list = false, small = false, is_json = false;
 };
 
 constexpr double endless = std::numeric_limits<double>::infinity();
@@ -122,7 +122,7 @@ void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arg
           const std::filesystem::path& folder) {
   for (const char* name : {"tables", "figures"}) refuse_link(folder / name);
   show::write_table(judged.table, folder / "tables", program_name());
-  draw(judged.figure, folder / "figures", {.render = !arguments.without_figures});
+  draw(judged.figure, folder / "figures", {.render = are_drawn(arguments.figures)});
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));
   for (const std::string& sentence : judged.sentences) fmt::print("{}\n", wrapped(sentence));
@@ -185,7 +185,7 @@ void add_multiverse(Command& app, Invocation& invocation) {
                    "folder for tables, figure and series.csv, which keeps what is solved; default: "
                    "out/PAPER-multiverse")
       ->check(not_empty());
-  command->add_flag("--no-figures", arguments->without_figures, "do not draw the figure");
+  add_figures_option(*command, arguments->figures);
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"

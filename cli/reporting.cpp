@@ -7,6 +7,7 @@
 #include <chrono>
 #include <iterator>
 #include <map>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -61,10 +62,40 @@ void warn_of_unreachable(const Study& study) {
   if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
 }
 
+// Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
+void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
+  std::vector<std::string> there;
+  std::set<std::string> unknown(names.begin(), names.end());
+  const auto is_left_out = [&](const figures::Figure& figure) {
+    there.push_back(figure.name);
+    return std::ranges::none_of(names, [&](const std::string& name) {
+      const bool is_meant = figure.name == name || figure.name.starts_with(name + "-");
+      if (is_meant) unknown.erase(name);
+      return is_meant;
+    });
+  };
+  std::erase_if(of.figures, is_left_out);
+  for (show::Blocks& blocks : of.additions) {
+    std::erase_if(blocks, [&](const show::Block& block) {
+      const auto* const figure = std::get_if<figures::Figure>(&block);
+      return figure != nullptr && is_left_out(*figure);
+    });
+  }
+  if (!unknown.empty()) throw std::invalid_argument(unknown_name("figure", *unknown.begin(), there));
+}
+
 }  // namespace
 
+void add_figures_option(Command& command, std::vector<std::string>& names) {
+  command.add_option("--figures", names, "draw only these: error,solved; none: draw nothing")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+bool are_drawn(const std::vector<std::string>& names) { return names != std::vector<std::string>{"none"}; }
+
 void add_report_options(Command& command, ReportArguments& arguments) {
-  command.add_flag("--no-figures", arguments.without_figures, "write no figures");
+  add_figures_option(command, arguments.figures);
   command
       .add_option("--style", arguments.style,
                   "TOML file with the look of figures: the keys of [figures] in a study; keys that it lacks are as in "
@@ -75,6 +106,7 @@ void add_report_options(Command& command, ReportArguments& arguments) {
 
 FigureStyle styled(FigureStyle style, const ReportArguments& arguments) {
   if (!arguments.style.empty()) read_style_file(arguments.style, style);
+  if (are_drawn(arguments.figures)) figures::refuse_missing_font(style.font);
   return style;
 }
 
@@ -115,12 +147,13 @@ void check_plan(const Study& study) {
   if (!study.analysis.metric.empty()) static_cast<void>(compare::metric_named(study.analysis.metric));
 }
 
-void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
+  if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
   ProgressBar bar("drawing", "figures");
   show::Published published =
       show::publish(reported, folder,
-                    {.render = !arguments.without_figures,
+                    {.render = are_drawn(arguments.figures),
                      .progress = [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); },
                      .style = style},
                     program_name());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "analysis/compare/study.hpp"
 #include "analysis/show/report.hpp"
@@ -19,10 +20,14 @@ namespace ikbench::cli {
 void add_paper_option(Command& command, std::string& paper);
 
 struct ReportArguments {
-  bool without_figures = false, is_json = false;
-  std::string style = {};  // a file; its keys replace those of the study's [figures]
+  bool is_json = false;
+  std::vector<std::string> figures = {};  // names; empty: all
+  std::string style = {};                 // a file; its keys replace those of the study's [figures]
 };
 
+// Adds --figures.
+void add_figures_option(Command& command, std::vector<std::string>& names);
+bool are_drawn(const std::vector<std::string>& names);
 void add_report_options(Command& command, ReportArguments& arguments);
 // Reads the style file, if there is one. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const ReportArguments& arguments);
@@ -30,7 +35,7 @@ results::FigureStyle styled(results::FigureStyle style, const ReportArguments& a
 void check_plan(const experiments::Study& study);
 
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
-void announce(const show::Reported& reported, const std::filesystem::path& folder, const ReportArguments& arguments,
+void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});
 // The report of a study of the store, written and announced.
 void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,

@@ -61,8 +61,8 @@ void add_run(Command& app, Invocation& invocation) {
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
-    static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Study study = load_study(arguments->study, arguments->overrides);
+    static_cast<void>(styled(study.figures, arguments->report));  // a mistake in it shows before hours are spent
     check_plan(study);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();

@@ -24,7 +24,7 @@ for jobs in 1 2; do
   touch -d 2001-01-01 "jobs-$jobs/store.sqlite"
   succeeds "${study[@]}" --out "jobs-$jobs" --jobs $jobs
   has "$out" "(36 were"
-  succeeds report "jobs-$jobs/store.sqlite" --no-figures
+  succeeds report "jobs-$jobs/store.sqlite" --figures none
   same_fingerprint "jobs-$jobs/store.sqlite" straight/store.sqlite
   sound "jobs-$jobs/store.sqlite"
 done

@@ -64,7 +64,7 @@ refused "run 2, point 1" export harmed/store.sqlite --format iohprofiler -o none
 # The SQL of the docs counts no solve of an older program, and has the means of the report.
 cp -r made asked
 sqlite3 asked/store.sqlite "CREATE TEMP TABLE older AS SELECT * FROM solves; UPDATE older SET series = 'older@' || series; INSERT INTO solves SELECT * FROM older"
-succeeds report asked/store.sqlite --no-figures
+succeeds report asked/store.sqlite --figures none
 mapfile -t lines < <(grep '^sqlite3 -readonly' "$root/docs/reference/data.md")
 equal "lines of SQL in the docs" ${#lines[@]} 2
 cd asked || exit 1

@@ -45,7 +45,7 @@ equal "evaluations that nobody counted" "$(column $store evaluations good | tr -
 [[ $(column $store timing good | counted) =~ ^16\ (process|debug_build)$ ]] || fail "$(column $store timing good | counted)"
 equal "moves of solves without an answer" "$(sqlite3 $store "SELECT count(*) FROM solves WHERE
   status IN ('crashed', 'timed_out', 'broke_protocol', 'declined') AND start_rad <> answer_rad")" 0
-succeeds run faults.toml --no-figures --out faults --json
+succeeds run faults.toml --figures none --out faults --json
 equal "solves of a second run" "$(solves $store)" 176
 json 'any("lies" in doubt and "claimed" in doubt for doubt in of["doubts"])'
 ends 3 compare good declines --store $store --json
@@ -74,7 +74,7 @@ done
 # Budgets: who overruns one has not solved, and its arm stays.
 study budgets "$(entry late late)" "$(entry boasts boasts)" "$(entry spends spends)" "$(entry on "asks on")"
 sed -i 's/^iterations = 8$/iterations = 8\nseconds = 0.3\nevaluations = 100\ntolerance_cm = 1000/; s/^runs = 2/runs = 12/; s/^points = 8/points = 2/' budgets.toml
-succeeds run budgets.toml --no-figures --out budgets --json
+succeeds run budgets.toml --figures none --out budgets --json
 for label in late spends on; do is budgets $label "([0-9] limit_violated )?[12][0-9] over_budget"; done
 ! column budgets/store.sqlite status boasts | grep -q over_budget || fail "who claims one evaluation is over budget"
 json '[row["mean"] for row in of["groups"] if row["metric"] == "solved" and row["solver"] == "late"] == [0]'

@@ -67,7 +67,7 @@ for name in ("results", "pairs", "descriptives", "anova"):
 ' "$name" "$folder" || fail "names are not intact in JSON or CSV"
 
 # By name; through compare and stats too.
-succeeds report "$store" --study "$name" --no-figures --out again
+succeeds report "$store" --study "$name" --figures none --out again
 ends 0 compare "${labels[1]}" "${labels[4]}" --store "$store" -o verdict.md
 quiet
 ! grep '<b>' verdict.md || fail "the verdict has HTML of the user's making"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The program never reports success over what others do to a store while it writes it, and reads no store that is damaged.
 source "$(dirname "$0")/common.sh"
-study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --no-figures)
+study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --figures none)
 
 # begin FOLDER: the study runs into it, in the background, as $process; its store has solves.
 begin() {
@@ -71,15 +71,15 @@ for edit in "position_error_cm = 900" "orientation_error = 1" "variation_deg = 0
   mkdir changed
   cp shared/store.sqlite changed/
   sqlite3 changed/store.sqlite "UPDATE solves SET $edit WHERE solver = 'BA' AND run = 2 AND point = 3"
-  refused "BA, run 2, point 3" report changed/store.sqlite --no-figures
+  refused "BA, run 2, point 3" report changed/store.sqlite --figures none
   refused "BA, run 2, point 3" compare IK-BA BA --store changed/store.sqlite
   equal "a refused report left" "$(ls changed)" store.sqlite
 done
 cp shared/store.sqlite changed/
 sqlite3 changed/store.sqlite "UPDATE solves SET seconds = -1 WHERE run = 2 AND point = 3"
-refused "seconds: -1" report changed/store.sqlite --no-figures
+refused "seconds: -1" report changed/store.sqlite --figures none
 printf '%4096s' x | dd of=changed/store.sqlite bs=4096 seek=20 conv=notrunc 2>.dd
-refused damaged report changed/store.sqlite --no-figures
+refused damaged report changed/store.sqlite --figures none
 
 # What lies in somebody else's folder is not run, and no link in it is written through.
 mkdir theirs linked

@@ -53,7 +53,7 @@ counts 0 216 0 # 6 solvers x 3 points x (1 run + 2 + 8 + 1)
 equal "the store, merged again" "$("$program" export chained/7/store.sqlite --format json | md5sum)" "$before"
 
 # The same verdict, bit for bit, but for times.
-for n in one 7; do succeeds report chained/$n/store.sqlite --no-figures --out report-$n; done
+for n in one 7; do succeeds report chained/$n/store.sqlite --figures none --out report-$n; done
 cmp <(grep -v '^time,' report-one/tables/descriptives.csv) <(grep -v '^time,' report-7/tables/descriptives.csv) || fail "another report of shards"
 
 # What is missing is counted; a run or its shards go on from there. More runs are merged into what there is.

@@ -11,6 +11,7 @@ succeeds run slim2023 "${small[@]}" --no-report --out made
 head -c 5000 made/store.sqlite >truncated.sqlite
 printf 'solver,error\nA,1\n' >table.csv
 echo "a file" >file
+echo 'font = "No Such Font"' >font.toml
 mkdir none taken
 echo "not a store" >taken/store.sqlite
 before=$(find . -type f -exec md5sum {} + | grep -v '\./\.' | sort)
@@ -28,6 +29,9 @@ done <<'END'
 'KIND'|list
 '--bogus'|run slim2023 --bogus
 '--study'|report made/store.sqlite --studi=x
+'"error-boxes"'|report made/store.sqlite --figures eror-boxes
+'"No Such Font"'|report made/store.sqlite --style font.toml
+'"#1E8CF8"'|run slim2023 --set IK-BA.colour=red
 'STUDY'|run
 '--jobs'|run slim2023 --jobs 0
 '--format'|export made/store.sqlite --format xml

@@ -12,7 +12,7 @@ END
 chmod +x bin/ikbench
 export PATH=$work/bin:$PATH
 
-for page in README.md docs/{tutorial,which-solver,compare,figures-for-my-paper,your-own-csv,many-machines}.md; do
+for page in README.md docs/{tutorial,which-solver,compare,figures,your-own-csv,many-machines}.md; do
   mkdir -p "$work/$page" && cd "$work/$page" || fail "$page: no folder"
   ln -s "$root/docs" "$root/cli" .
   block="" is_left_out="" count=0

@@ -17,7 +17,7 @@ for name in ("claims", "questions"):
 PYTHON
 }
 
-succeeds reproduce --jobs 2 --readings 1 --no-figures --out whole
+succeeds reproduce --jobs 2 --readings 1 --figures none --out whole
 quiet
 sed -n '/./,$p' .out >screen
 [ "$(wc -l <screen)" -le 42 ] && [ "$(wc -L <screen)" -le 110 ] || fail "not one screen: $(<screen)"
@@ -43,7 +43,7 @@ for i in "${!sets[@]}"; do
   export IKBENCH_INSTRUCTION_SET=${sets[i]}
   succeeds list instruction-sets
   grep -q "^${sets[i]} *yes" .out || fail "not in use: ${sets[i]}"
-  succeeds reproduce --runs 2 --jobs $((${#sets[@]} - i)) --readings 0 --no-figures --out "${sets[i]}"
+  succeeds reproduce --runs 2 --jobs $((${#sets[@]} - i)) --readings 0 --figures none --out "${sets[i]}"
   for study in "${studies[@]}"; do
     numbers "${sets[i]}/store.sqlite" "$study" | cmp - "whole-$study.csv" || fail "$study with ${sets[i]}: other numbers"
   done
@@ -51,17 +51,17 @@ done
 unset IKBENCH_INSTRUCTION_SET
 
 # Whole poses of another paper, too; a name of a study is no paper.
-succeeds reproduce beeson2015 --jobs 2 --no-figures --out poses
+succeeds reproduce beeson2015 --jobs 2 --figures none --out poses
 equal "fingerprint of beeson2015" "$(fingerprint poses/store.sqlite beeson2015)" "$(reference beeson2015)"
 golden beeson2015 poses/results.json
-succeeds reproduce beeson2015 --runs 3 --no-figures --out three
+succeeds reproduce beeson2015 --runs 3 --figures none --out three
 equal "solves of three runs" "$(sqlite3 three/store.sqlite 'SELECT count(*) FROM solves WHERE run > 3')" 0
 refused --readings reproduce beeson2015 --readings 1
 refused '"slim2023"' reproduce slim2024
 for bad in "--runs 0" "--runs 99999999999999999999999" "--seed -1" "--seed 010"; do refused "${bad% *}" reproduce $bad; done
 
 # All readings: the same with any number of jobs, and after a cut.
-few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of --no-figures)
+few=(multiverse slim2023 "${small[@]}" --dimensions bounds,IK-BA.step_factor,BA.best_of --figures none)
 succeeds "${few[@]}" --jobs 2 --out folder --json
 json '[row["claim"] for row in of] and all(row["holds"] + row["fails"] + row["not_decided"] == 100 for row in of)'
 succeeds "${few[@]}" --out again

@@ -57,7 +57,7 @@ succeeds robot gen3.urdf --out picture
 
 # The file is the one beside the study, from wherever the program is called; a copy of the arm is the same arm, and one
 # that was edited another.
-succeeds run my_study.toml "${small[@]}" --no-figures --out made
+succeeds run my_study.toml "${small[@]}" --figures none --out made
 equal "solves" "$(column made/store.sqlite robot damped_least_squares | counted)" "6 my_arm"
 grep -q 'id="motion-data"' made/report.html || [ ! -e /usr/share/javascript/three ] || fail "the page does not show the arm moving"
 mkdir elsewhere
@@ -77,7 +77,7 @@ equal "solves" "$(column described/store.sqlite robot damped_least_squares | cou
 python3 "$root/docs/examples/rectangle.py" >rectangle.csv
 sed -e 's/robot = .*/robot = "ur5e.urdf"\nruns = 2\ninitial_deg = [0, -90, 90, -90, -90, 0]\nstop = { iterations = 100, tolerance_cm = 0.001, tolerance_deg = 0.01 }/' \
   -e 's/all_joints/pose/; s/kind = .*/kind = "csv"\nfile = "rectangle.csv"/' my_study.toml >rectangle.toml
-succeeds run rectangle.toml --no-figures --out rectangle --json
+succeeds run rectangle.toml --figures none --out rectangle --json
 json '[(row["n"], row["mean"]) for row in of["groups"] if row["metric"] == "solved"] == [(1, 100)]'
 equal "solves of the rectangle" "$(solves rectangle/store.sqlite)" 62
 

@@ -19,17 +19,19 @@ for table in results pairs descriptives anova; do
 done
 if command -v gnuplot >/dev/null; then
   for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" 6; done
+  succeeds report mine/store.sqlite --figures error,differences --out few
+  equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-boxes.svg"
 fi
 golden tutorial mine/results.json
 
 # A study of the paper.
 paper=(slim2023 --set runs=3 --set path.points=5)
-succeeds run "${paper[@]}" --no-figures --out made --json
+succeeds run "${paper[@]}" --figures none --out made --json
 quiet
 golden slim2023
 json 'of["metric"] == "error" and "report.html" in of["files"] and len(of["files"]) < 40'
 equal pictures "$(find made -name '*.svg' -o -name '*.png' -o -name '*.pdf')" ""
-succeeds report made/store.sqlite --no-figures --json --out again
+succeeds report made/store.sqlite --figures none --json --out again
 golden slim2023
 has "$("$program" export made/store.sqlite --format fingerprint)" "  90  slim2023"
 
@@ -38,7 +40,7 @@ mkdir -p "another folder" closed
 cp made/store.sqlite "another folder/theirs.sqlite"
 (
   cd "another folder" || exit 1
-  TZ=Asia/Kolkata HOME=$PWD USER=somebody SOURCE_DATE_EPOCH=1 "$program" report theirs.sqlite --no-figures >/dev/null 2>&1
+  TZ=Asia/Kolkata HOME=$PWD USER=somebody SOURCE_DATE_EPOCH=1 "$program" report theirs.sqlite --figures none >/dev/null 2>&1
 ) || fail "no report of a bare name"
 rm made/store.sqlite-* 2>/dev/null
 diff -r --exclude='*.sqlite' made "another folder" || fail "two reports of one store differ"
@@ -53,7 +55,7 @@ if [ "$(id -u)" = 0 ] && command -v setpriv >/dev/null; then
   reader=(setpriv --reuid=65534 --regid=65534 --clear-groups)
   "${reader[@]}" "$program" --version >/dev/null 2>&1 || reader=() # the build folder may be closed to others
 fi
-"${reader[@]}" "$program" report closed/store.sqlite --no-figures --out open/report >.out 2>.err || fail "read only: $(<.err)"
+"${reader[@]}" "$program" report closed/store.sqlite --figures none --out open/report >.out 2>.err || fail "read only: $(<.err)"
 cmp open/report/results.json made/results.json || fail "another report of a store that may only be read"
 equal "read only" "$(ls closed)" store.sqlite
 chmod 755 closed
@@ -69,13 +71,13 @@ succeeds run "${paper[@]}" --set seed=2 --no-report --out seed-2
 ! numbers seed-2/store.sqlite | cmp -s - made.csv || fail "the same numbers with another seed"
 
 # Another plan costs no solve, and is told.
-succeeds run "${paper[@]}" --no-figures --set analysis.significance=0.01 --out made --json
+succeeds run "${paper[@]}" --figures none --set analysis.significance=0.01 --out made --json
 json '"significance" in " ".join(of["doubts"])'
 equal "solves after another plan" "$(solves made/store.sqlite)" 90
 
 # Two studies in a store: the first, unless another is asked for. More runs: only those.
 succeeds run slim2023-context "${small[@]}" --no-report --out made
-succeeds report made/store.sqlite --study slim2023-context --no-figures --out second --json
+succeeds report made/store.sqlite --study slim2023-context --figures none --out second --json
 json '{row["solver"] for row in of["groups"]} == {"Random", "DLS"}'
 succeeds run "${paper[@]}" --set runs=4 --no-report --out made
 has "$out" "90 were"
@@ -83,7 +85,7 @@ numbers made/store.sqlite slim2023 | awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i
   cmp - made.csv || fail "more runs changed the others"
 
 # Targets that no configuration reaches are a doubt.
-succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --no-figures --out far --json
+succeeds run slim2023 "${small[@]}" --set 'path.centre_cm=[1000,0,0]' --figures none --out far --json
 json 'any("reach" in doubt and "3" in doubt for doubt in of["doubts"])'
 
 # Any arm and task: a stranger's URDF with a torso that slides, whole poses, eight solvers; nothing of a paper.
@@ -94,7 +96,7 @@ cp "$root/tests/data/urdf/fetch.urdf" .
   printf '[[solvers]]\nsolver = "%s"\n' ik_bat bat differential_evolution particle_swarm k_artificial_bee_colony random_search \
     damped_least_squares newton
 } >theirs.toml
-succeeds run theirs.toml --no-figures --out theirs
+succeeds run theirs.toml --figures none --out theirs
 equal "solves of a stranger's arm" "$(solves theirs/store.sqlite)" 96
 ! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
 json '[(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "solved"][-2:] == [("damped_least_squares", 92), ("newton", 75)]' \
@@ -118,7 +120,7 @@ population = 6
 [[solvers]]
 solver = "newton"
 END
-succeeds run sweep.toml --no-figures --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
+succeeds run sweep.toml --figures none --sweep population=4,8,200 --sweep mine.alpha=0.5,0.9 --json
 json 'len({row["solver"] for row in of["groups"]}) == 9'
 sed 's/^population = 6/population = [4, 8, 200]\noptions = { alpha = [0.5, 0.9] }/' sweep.toml >lists.toml
 { head -4 sweep.toml; printf '[sweep]\npopulation = [4, 8, 200]\nmine.alpha = [0.5, 0.9]\n'; tail -n +5 sweep.toml; } >table.toml

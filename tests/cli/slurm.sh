@@ -76,7 +76,7 @@ submit() {
   local array
   array=$(sbatch --parsable "$root/docs/examples/slurm.sbatch" "two words" "${study[@]}") || fail "no array"
   sbatch --parsable --dependency="afterany:$array" --job-name=merge --output=merge.txt --wrap \
-    "ikbench merge 'two words' 'two words/shards'; echo code \$?; ikbench report 'two words/store.sqlite' --no-figures" >merge.id || fail "no merge"
+    "ikbench merge 'two words' 'two words/shards'; echo code \$?; ikbench report 'two words/store.sqlite' --figures none" >merge.id || fail "no merge"
 }
 # Waits until all jobs have ended; a task that was requeued waits for a moment that Slurm chooses, so it is let go.
 wait_for_all() {
