@@ -16,26 +16,12 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t width = 100, most_rows = 7, most_notes = 3, most_warnings = 3, longest_name = 24;
+constexpr std::size_t most_rows = 7, most_notes = 3, most_warnings = 3, longest_name = 24;
 
 Lines lines_of(const std::string& text) {
   Lines lines;
   std::istringstream all(text);
   for (std::string line; std::getline(all, line);) lines.push_back(line);
-  return lines;
-}
-
-// Breaks between words; further lines begin with `indent`.
-Lines wrapped(const std::string& text, const std::string& indent) {
-  Lines lines(1);
-  std::istringstream all(one_line(text));
-  for (std::string word; all >> word;) {
-    const std::string blank = lines.back().empty() || lines.back() == indent ? "" : " ";
-    if (!blank.empty() && character_count(lines.back()) + 1 + character_count(word) > width)
-      lines.push_back(indent + word);
-    else
-      lines.back() += blank + word;
-  }
   return lines;
 }
 
@@ -50,8 +36,7 @@ Lines pairs_of(const Shown& shown) {
     for (const Finding& of : findings) {
       auto& row = rows.emplace_back();
       if (has_two) row.push_back("  " + shortened(judged.observations.quantity, longest_name));
-      row.push_back((has_two ? "" : "  ") +
-                    fmt::format("{} vs {}", shortened(of.first, longest_name), shortened(of.second, longest_name)));
+      row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", of.first, of.second));
       row.push_back(verdict_words(of, judged));
       row.push_back(amount_words(of, judged));
       row.push_back(of.p ? p_sentence(*of.p) : "");
@@ -76,11 +61,10 @@ Lines table_of(const Shown& shown) {
 }
 
 Lines warnings_of(const Shown& shown) {
-  std::vector<Doubt> doubts = shown.all_doubts();
+  const std::vector<Doubt> doubts = shown.all_doubts();
   const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   Lines lines;
   for (std::size_t i = 0; i < shown_doubts; ++i) {
-    for (std::string& name : doubts[i].who) name = shortened(name, longest_name);
     for (std::string& line : wrapped("! " + words_of(doubts[i]), "  ")) lines.push_back(std::move(line));
   }
   if (doubts.size() > shown_doubts)
@@ -90,7 +74,8 @@ Lines warnings_of(const Shown& shown) {
 
 }  // namespace
 
-std::string screen(const Shown& shown, const std::string& page) {
+std::string screen(const Shown& whole, const std::string& page) {
+  const Shown shown = with_short_names(whole, longest_name);
   const Lines head = wrapped(headline(shown), ""), table = table_of(shown), warnings = warnings_of(shown);
   Lines pairs = pairs_of(shown);
   const std::size_t others = head.size() + table.size() + warnings.size() + (page.empty() ? 1 : 2);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -88,6 +89,29 @@ Shown shown(const JudgedStudy& judged) {
           fmt::format("In ratios, {} below {} {} counts as that.", of.quantity, number_text(of.floor), of.unit));
   }
   return all;
+}
+
+Shown with_short_names(Shown shown, std::size_t length) {
+  std::set<std::string> names;
+  for (const Judged& judged : shown.metrics) {
+    for (const Group& group : judged.observations.groups) names.insert(group.name);
+  }
+  const auto short_of = short_names({names.begin(), names.end()}, length);
+  const auto shorten = [&](std::string& name) {
+    if (const auto found = short_of.find(name); found != short_of.end()) name = found->second;
+  };
+  const auto shorten_all = [&](std::vector<Doubt>& doubts) {
+    for (Doubt& doubt : doubts) std::ranges::for_each(doubt.who, shorten);
+  };
+  for (Judged& judged : shown.metrics) {
+    for (Group& group : judged.observations.groups) shorten(group.name);
+    for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
+    for (std::string* name : {&judged.headline.best, &judged.headline.usual, &judged.headline.by_mean}) shorten(*name);
+    shorten_all(judged.observations.doubts);
+  }
+  shorten_all(shown.doubts);
+  shorten(shown.plan.control);
+  return shown;
 }
 
 bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }

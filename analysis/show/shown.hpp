@@ -17,7 +17,7 @@ struct Shown {
   std::size_t deciding = 0;  // metric of the headline
   results::Plan plan;
   std::vector<compare::Doubt> doubts;  // of all
-  std::string noun = "observations";   // what these are
+  std::string noun = "values";         // what observations are
   std::vector<std::string> notes;      // of the table of results
 
   const compare::Judged& decisive() const { return metrics[deciding]; }
@@ -29,6 +29,9 @@ struct Shown {
 // control it is the second of each pair.
 Shown shown(std::vector<compare::Judged> metrics, const results::Plan& plan);
 Shown shown(const compare::JudgedStudy& judged);
+
+// With names of solvers that fit a line (short_names of text.hpp).
+Shown with_short_names(Shown shown, std::size_t length);
 
 bool is_share(const compare::Judged& judged);
 // What tables and sentences tell of a group: the mean of shares and where the plan compares means, else the median.

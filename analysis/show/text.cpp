@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <span>
+#include <sstream>
 
 namespace ikbench::show {
 namespace {
@@ -79,7 +82,7 @@ std::string listed(const std::vector<std::string>& names, std::string_view last)
   return text;
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t gap) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -88,11 +91,51 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::string text;
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c)
-      text += row[c] + std::string(widths[c] - character_count(row[c]) + 3, ' ');
+      text += row[c] + std::string(widths[c] - character_count(row[c]) + gap, ' ');
     text.resize(text.find_last_not_of(' ') + 1);
     text += '\n';
   }
   return text;
+}
+
+std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first) {
+  constexpr std::size_t width = 100;
+  std::vector<std::string> lines{first};
+  bool is_first = true;
+  std::istringstream all(one_line(text));
+  for (std::string word; all >> word; is_first = false) {
+    if (!is_first && character_count(lines.back()) + 1 + character_count(word) > width)
+      lines.push_back(indent + word);
+    else
+      lines.back() += (is_first ? "" : " ") + word;
+  }
+  return lines;
+}
+
+std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length) {
+  constexpr std::size_t longest = 60;
+  const auto words_of = [](const std::string& name) {
+    std::istringstream all(name);
+    return std::set<std::string>(std::istream_iterator<std::string>(all), {});
+  };
+  std::map<std::string, std::size_t> counts;
+  for (const std::string& name : names) {
+    for (const std::string& word : words_of(name)) ++counts[word];
+  }
+  std::map<std::string, std::string> short_of;
+  for (std::set<std::string> different; different.size() < names.size() && length <= longest; ++length) {
+    different.clear();
+    for (const std::string& name : names) {
+      std::istringstream all(name);
+      std::string own;
+      for (std::string word; all >> word;) {
+        if (counts[word] < names.size()) own += (own.empty() ? "" : " ") + word;
+      }
+      const bool is_long = character_count(name) > length && !own.empty();
+      different.insert(short_of[name] = shortened(is_long ? own : name, length));
+    }
+  }
+  return short_of;
 }
 
 }  // namespace ikbench::show

@@ -1,6 +1,7 @@
 // Any text (labels and titles come from files of users) made harmless for each writer, and numbers as text.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,14 @@ std::string p_sentence(double p);  // "p = 0.0005", "p < 0.0001"
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");  // "A, B and C"
 
 // Rows of one line each, their columns padded.
-std::string aligned(const std::vector<std::vector<std::string>>& rows);
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3);
+
+// Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
+// `indent`.
+std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first = {});
+
+// Each name by a short one of about this length: without the words that all have, and cut in the middle, but so that
+// they stay different.
+std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length);
 
 }  // namespace ikbench::show

@@ -21,9 +21,7 @@ bool counts(const Judged& judged) {  // 88 of 100
   return is_share(judged) && judged.observations.trials == 1;
 }
 
-// A label as sentences have it.
-std::string label(std::string_view name) { return shortened(name, 40); }
-std::string label_of(const Judged& judged, std::size_t group) { return label(judged.observations.groups[group].name); }
+const std::string& name_of(const Judged& judged, std::size_t group) { return judged.observations.groups[group].name; }
 
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
 std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, std::size_t first) {
@@ -48,7 +46,7 @@ std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const Observations& of = judged.observations;
   const std::vector<std::size_t> order = best_first(judged, shown.plan);
-  const std::string first = label_of(judged, order[0]);
+  const std::string first = name_of(judged, order[0]);
   const std::string number = number_of(shown, judged, order[0], order[0]);
   const bool is_mean = is_share(judged) || shown.plan.test == results::Plan::Test::means;
   const std::string quantity = fmt::format("{}{}", is_mean ? is_share(judged) ? "" : "mean " : "median ", of.quantity);
@@ -57,13 +55,12 @@ std::string numbers_of(const Shown& shown, bool is_named) {
                                            : fmt::format("its {} is {}", quantity, number);
   std::vector<std::string> others;
   for (std::size_t i = 1; i < std::min(order.size(), most_named); ++i)
-    others.push_back(fmt::format("{} {}", label_of(judged, order[i]), number_of(shown, judged, order[i], order[0])));
+    others.push_back(fmt::format("{} {}", name_of(judged, order[i]), number_of(shown, judged, order[i], order[0])));
   if (order.size() > most_named) others.push_back(fmt::format("{} more", order.size() - most_named));
   return text + (others.empty() ? "" : "; ") + listed(others, order.size() > most_named ? " and " : ", ");
 }
 
-std::string names_of(std::vector<std::string> names) {
-  for (std::string& name : names) name = label(name);
+std::string names_of(const std::vector<std::string>& names) {
   if (names.size() <= most_named) return listed(names);
   return fmt::format("{} and {} more", listed({names.begin(), names.begin() + 3}, ", "), names.size() - 3);
 }
@@ -104,7 +101,7 @@ std::string usual(const Judged& judged) {
   const bool is_smaller = of.better == Better::smaller;
   return fmt::format(
       "{} usually has the {} {} (median of it and {}: {}), but its mean is {} ({}): few values decide it",
-      label(judged.headline.usual), is_smaller ? "smaller" : "larger", of.quantity, label(judged.headline.by_mean),
+      judged.headline.usual, is_smaller ? "smaller" : "larger", of.quantity, judged.headline.by_mean,
       two(judged.described[a].median, judged.described[b].median), is_smaller ? "larger" : "smaller",
       two(judged.described[a].mean, judged.described[b].mean));
 }
@@ -119,7 +116,7 @@ std::string against_control(const Shown& shown) {
     }
     if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
   }
-  return fmt::format("Against {}: {}", label(shown.plan.control), listed(parts, ", "));
+  return fmt::format("Against {}: {}", shown.plan.control, listed(parts, ", "));
 }
 
 std::string not_tested(const Shown& shown) {
@@ -163,9 +160,9 @@ std::string sentence(const Shown& shown) {
   if (groups == 0) return "Nothing is solved";
   if (!head.best.empty() && groups == 2) {
     const std::size_t other = best_first(judged, shown.plan)[1];
-    return fmt::format("{} is better than {}: {}", label(head.best), label_of(judged, other), numbers_of(shown, false));
+    return fmt::format("{} is better than {}: {}", head.best, name_of(judged, other), numbers_of(shown, false));
   }
-  if (!head.best.empty()) return fmt::format("{} is best: {}", label(head.best), numbers_of(shown, false));
+  if (!head.best.empty()) return fmt::format("{} is best: {}", head.best, numbers_of(shown, false));
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
   if (judged.findings.empty()) {
@@ -182,7 +179,7 @@ std::string sentence(const Shown& shown) {
 
 }  // namespace
 
-std::string headline(const Shown& shown) { return sentence(shown) + '.'; }
+std::string headline(const Shown& shown) { return sentence(with_short_names(shown, 40)) + '.'; }
 
 std::string margin_words(const Judged& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);

@@ -59,7 +59,13 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
   CHECK(latex.find("mine & 0.123 & - & 0.333 to 2 & $<$ 0.0001 & 20 & 4200 {*} \\\\") != std::string::npos);
   CHECK(latex.find("plain & $1.5 \\times 10^{-7}$ & 0.0000 & - & 0.0005 & - & $\\le$ 0.1 \\\\") != std::string::npos);
   CHECK(number_text(3715.4) == "3715");
-  CHECK(number_text(0.00042, 3) == "0.00042");
+}
+
+TEST_CASE("short names stay different", "[show]") {
+  CHECK(short_names({"swarm of ours alpha=0.5 k=1", "swarm of ours alpha=0.9 k=1"}, 24).begin()->second == "alpha=0.5");
+  const std::string half(20, 'x');
+  auto names = short_names({half + "1" + half, half + "2" + half}, 24);
+  CHECK(names[half + "1" + half] != names[half + "2" + half]);
 }
 
 TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
@@ -71,7 +77,7 @@ TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
   CHECK(ends_in(screen) == ends_in(to_text(with_label("mine"))));
   CHECK(ends_in(markdown) == ends_in(to_markdown(with_label("mine"))));
   CHECK(ends_in(latex) == ends_in(to_latex(with_label("mine"))));
-  CHECK(character_count(screen.substr(0, screen.rfind('\n', screen.size() - 2))) < 3 * 110);  // head and two rows
+  CHECK(character_count(screen.substr(0, screen.rfind('\n', screen.size() - 2))) < 3 * 140);  // head and two rows
   const auto pipes = [](const std::string& text) { return std::ranges::count(text, '|'); };
   CHECK(pipes(markdown) == pipes(to_markdown(with_label("mine"))));
   CHECK(markdown.find("<script") == std::string::npos);
