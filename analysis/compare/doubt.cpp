@@ -22,7 +22,7 @@ std::string words_of(const Doubt& doubt) {
   const std::string share = fmt::format("{:.0f} of {:.0f}", doubt.count, doubt.of);
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
-      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack points" : what, of_whom);
+      return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack targets" : what, of_whom);
     case DoubtKind::without_answer:
       return fmt::format("{} {}{}", share, what.empty() ? "solves gave no answer" : what, of_whom);
     case DoubtKind::claimed_but_wrong:
@@ -37,7 +37,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
     case DoubtKind::too_few:
-      return fmt::format("{}{:.0f} observations of {} cannot decide: it takes {:.0f}", who.empty() ? "" : who + ": ",
+      return fmt::format("{}{:.0f} values of {} cannot decide: it takes {:.0f}", who.empty() ? "" : who + ": ",
                          doubt.count, what, doubt.of);
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);

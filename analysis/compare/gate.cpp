@@ -142,7 +142,8 @@ Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
   study.definition.plan.significance /= static_cast<double>(labels);
-  Gate gate{.are_same = are_all_same(study), .are_times_apart = !have_one_session(study)};
+  const bool are_times_apart = !have_one_session(study);
+  Gate gate{.are_same = are_all_same(study)};
   Judged answers = judged_answers(study);
   gate.judged = judge(std::move(study));
   const auto is_of_plan = [](const Doubt& doubt) { return doubt.kind == DoubtKind::plan_changed; };
@@ -150,12 +151,19 @@ Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
   std::ranges::copy_if(doubts_of(candidate.study), std::back_inserter(gate.judged.doubts), is_of_plan);
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
   gate.judged.metrics.push_back(std::move(answers));
+  const auto time = std::ranges::find(gate.judged.metrics, metric_named("seconds").slug,
+                                      [](const Judged& each) { return std::string_view(each.observations.metric); });
+  if (are_times_apart && time != gate.judged.metrics.end()) {
+    for (Group& group : time->observations.groups) group.is_apart = true;
+    time->observations.doubts = {
+        {.kind = DoubtKind::times_not_comparable, .what = "the two were not measured together"}};
+    *time = judge(std::move(time->observations), time->plan);
+  }
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
     const Finding& finding = judged.findings.front();
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
-    if (is_time && gate.are_times_apart) continue;
     const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
@@ -171,9 +179,10 @@ std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
     const auto n = each.observations.groups.back().values.size();
-    return gate.visible_loss ? fmt::format("It can see a loss of {:.2g} points or more of {} targets solved.",
-                                           100 * *gate.visible_loss, n)
-                             : fmt::format("It can see no loss of {} targets solved: they are too few.", n);
+    const std::string_view noun = gate.judged.study.definition.is_chained() ? "runs" : "targets";
+    return gate.visible_loss
+               ? fmt::format("It can see a loss of {:.2g} points or more in {} {}.", 100 * *gate.visible_loss, n, noun)
+               : fmt::format("It can see no loss in {} {}: they are too few.", n, noun);
   }
   return "The study has no tolerance, so no target counts as solved.";
 }

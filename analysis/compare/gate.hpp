@@ -20,15 +20,14 @@ struct Gate {
       judged;  // of two solvers, the candidate first; with the share of solves that gave an answer as last metric
   std::vector<std::string> worse, better, not_decided;  // quantities; the last also of what is not tested
   bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
-  bool are_times_apart = false;        // they come from other sessions: told, but neither worse nor undecided
-  std::optional<double> visible_loss;  // smallest loss of the share solved that the test would show
+  std::optional<double> visible_loss;                   // smallest loss of the share solved that the test would show
 };
 
 // By the candidate's plan; `labels` that are compared share its significance. Throws std::invalid_argument if the two
 // had different tasks. Random targets of other seeds are no different task, and make groups unpaired.
 Gate gate(const Side& baseline, const Side& candidate, std::size_t labels = 1);
 
-// "It can see a loss of 9 points or more of 100 targets solved."
+// "It can see a loss of 9 points or more in 100 targets."
 std::string sight_of(const Gate& gate);
 
 // 3: something is worse; 4: something is not decided, and that counts; else 0. Of all labels together.
