@@ -118,7 +118,6 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
     for (const std::string& sentence : readings.sentences) blocks.emplace_back(sentence);
     reported.additions.push_back(std::move(blocks));
   }
-  for (std::string& sentence : sentences) sentence = wrapped(sentence);
   announce(reported, folder, arguments.report, style,
            fmt::format("{}{}\n", papers::screen(sentences, means, claims), fingerprints_of(store, paper.studies)));
 }

@@ -1,10 +1,12 @@
 #include "analysis/papers/claims.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
@@ -32,26 +34,26 @@ std::string words_of(std::optional<Holds> holds, const std::string& number) {
   return fmt::format("{}{}{}", name_of(*holds), number.empty() ? "" : ": ", number);
 }
 
-show::Table claims_table(const std::vector<JudgedClaim>& claims, std::string name) {
-  show::Table table{.name = std::move(name),
-                    .caption = "Claims",
+show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) {
+  show::Table table{.name = are_ours ? "questions" : "claims",
+                    .caption = are_ours ? "What the paper does not say" : "What the paper says",
                     .columns = {{"verdict"},
                                 {"claim"},
-                                {"where"},
                                 {"number"},
                                 {"by the printed numbers"},
                                 {"by the other reading"},
                                 {"holds in", "% of readings"},
+                                {"where"},
                                 {"why"}}};
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
     const Shares shares = claim.shares ? claim.shares->all : Shares();
     const bool is_default = claim.holds == Holds::holds && shares.part(shares.holds) < 1;
     table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), is_default ? " by default" : ""), claim.sentence,
-                          cell(claim.section), cell(claim.number), cell(words_of(claim.printed, "")),
+                          cell(claim.number), cell(words_of(claim.printed, "")),
                           cell(words_of(claim.otherwise, claim.number_otherwise)),
                           shares.all() > 0 ? show::Cell(100 * shares.part(shares.holds)) : show::Cell(),
-                          cell(claim.evidence)});
+                          cell(claim.section), cell(claim.evidence)});
     if (claim.holds == Holds::not_compared && table.notes.empty())
       table.notes.emplace_back("not compared: times of another program and machine. Here are ratios of our medians.");
   }
@@ -130,8 +132,8 @@ std::string tally_words(const std::vector<JudgedClaim>& claims) {
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table) {
   show::Blocks blocks{show::Heading{sentences.front()}};
   for (std::size_t i = 1; i < sentences.size(); ++i) blocks.emplace_back(sentences[i]);
-  blocks.emplace_back(fmt::format("{} Not repeated: {}.", paper.citation, paper.not_repeated));
   blocks.emplace_back(table);
+  blocks.emplace_back(fmt::format("{} Not repeated: {}.", paper.citation, paper.not_repeated));
   return blocks;
 }
 
@@ -141,7 +143,7 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
     const std::vector<JudgedClaim> group = grouped(claims, are_ours);
     if (group.empty()) continue;
     blocks.emplace_back(show::Heading{are_ours ? "Our own questions" : "The claims"});
-    blocks.emplace_back(claims_table(group, are_ours ? "questions" : "claims"));
+    blocks.emplace_back(claims_table(group, are_ours));
   }
   return blocks;
 }
@@ -149,20 +151,34 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
 std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
                    const std::vector<JudgedClaim>& claims) {
   std::string text;
-  for (const std::string& sentence : sentences) text += sentence + '\n';
+  const auto add = [&](const std::string& words, const std::string& first = "") {
+    const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
+    text += fmt::format("{}\n", fmt::join(show::wrapped(words, indent, first), "\n"));
+  };
+  for (const std::string& sentence : sentences) add(sentence);
   if (!table.rows.empty()) text += '\n' + show::to_text(table);
+  std::size_t width = 0;  // of numbers
+  for (const JudgedClaim& claim : claims) width = std::max(width, show::character_count(claim.number));
   for (const bool are_ours : {false, true}) {
     std::vector<std::vector<std::string>> rows;
-    if (!are_ours) rows.push_back({"", "claim", "here", "in readings"});
-    std::string last;
+    std::map<Holds, std::string> without_number;  // sentences
     for (const JudgedClaim& claim : grouped(claims, are_ours)) {
-      const std::string verdict(name_of(claim.holds));
+      if (claim.holds >= Holds::not_compared) {
+        std::string& all = without_number[claim.holds];
+        all += (all.empty() ? "" : "; ") + claim.sentence;
+        continue;
+      }
       const Shares shares = claim.shares ? claim.shares->all : Shares();
-      rows.push_back({verdict == last ? "" : verdict, show::shortened(claim.sentence, 46), claim.number,
-                      shares.all() > 0 ? percent(shares.part(shares.holds)) : ""});
-      last = verdict;
+      const std::string verdict(name_of(claim.holds)), share = percent(shares.part(shares.holds));
+      if (shares.all() > 0 && rows.empty())
+        rows.push_back({"", "claim", fmt::format("here{:>{}}", "in readings", width + 3)});
+      const bool is_new = std::ranges::none_of(rows, [&](const auto& row) { return row[0] == verdict; });
+      rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46),
+                      shares.all() > 0 ? fmt::format("{:{}}{:>7}", claim.number, width, share) : claim.number});
     }
-    if (rows.size() > (are_ours ? 0U : 1U)) text += (are_ours ? "Our own questions:\n" : "\n") + show::aligned(rows);
+    if (!rows.empty() || !without_number.empty()) text += are_ours ? "Our own questions:\n" : "\n";
+    text += show::aligned(rows, 2);
+    for (const auto& [holds, all] : without_number) add(all, fmt::format("{:15}", name_of(holds)));
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
@@ -209,18 +210,44 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   return arms;
 }
 
+std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, const PrintedRow* row) {
+  const Description ours = numbers_of(judged, solver);
+  const bool is_time = judged.observations.unit == "s";
+  const auto group = std::ranges::find(judged.observations.groups, solver, &Group::name);
+  Ranges ranges;
+  ranges.fill({unknown, unknown});
+  if (row && ours.n > 0 && !is_time) ranges = predicted_ranges(group->values, row->numbers.n);
+  std::vector<show::Cell> cells;
+  for (std::size_t s = 0; s < statistics.size(); ++s) {
+    const double number = ours.*statistics[s].of;
+    auto& cell = cells.emplace_back(beside(is_time ? 1000 * number : number, row, s));
+    auto* const printed = std::get_if<show::Printed>(&cell);
+    if (printed && is_time) printed->printed = in_thousandths(printed->printed);
+    if (printed && ranges[s].low == ranges[s].low)
+      printed->sign = agrees(number, printed->printed)                          ? "="
+                      : can_be(ranges[s].low, ranges[s].high, printed->printed) ? "~"
+                                                                                : "x";
+  }
+  return cells;
+}
+
+std::string unit_beside(const Metric& metric) { return metric.unit == "s" ? "ms" : std::string(metric.unit); }
+
 show::Table means_table(const Repeated& of) {
   const StudyResults& study = of.study.study;
-  show::Table table{.name = "means", .caption = "Means, and as printed", .columns = {{"solver"}}};
+  show::Table table{.name = "means",
+                    .caption = "Means, and as printed",
+                    .columns = {{"solver"}},
+                    .notes = {std::string(meaning_of_signs)}};
   for (const std::string& solver : study.solvers) table.rows.push_back({solver});
   for (const Judged& judged : of.study.metrics) {
     const Observations& observations = judged.observations;
     const auto metric = std::ranges::find(metrics(), observations.metric, &Metric::slug);
     const PrintedRows printed = printed_rows(of.paper, *metric);
     if (printed.empty()) continue;
-    table.columns.push_back({observations.quantity, observations.unit});
+    table.columns.push_back({observations.quantity, unit_beside(*metric)});
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      table.rows[i].push_back(beside(numbers_of(judged, study.solvers[i]).mean, row_of(printed, study.solvers[i])));
+      table.rows[i].push_back(beside(judged, study.solvers[i], row_of(printed, study.solvers[i])).front());
   }
   if (table.columns.size() == 1) table.rows.clear();
   return table;
@@ -235,7 +262,8 @@ show::Table rates_table(const Repeated& of) {
   for (const RatesOfArm& arm : rates_of(of)) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
     for (const Rate& rate : arm.rates)
-      row.emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed)});
+      row.emplace_back(
+          show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), rate.is_as_printed() ? "~" : "x"});
   }
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   return table;

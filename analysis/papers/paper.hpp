@@ -104,6 +104,12 @@ struct Repeated {
 // The arms of all studies that the printed table has.
 std::vector<RatesOfArm> rates_of(const Repeated& of);
 
+// A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
+std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
+std::string unit_beside(const compare::Metric& metric);
+constexpr std::string_view meaning_of_signs =
+    "= as printed, to the last digit; ~ within the range of 95 % of studies with as many runs; x neither";
+
 // Means beside the printed ones, a row a solver.
 show::Table means_table(const Repeated& of);
 // The same of shares solved; without rows if none is printed.

@@ -17,6 +17,8 @@ double half_unit(std::string_view printed);                      // of the last 
 bool agrees(double ours, std::string_view printed);              // our number rounds to the printed digits
 bool can_be(double low, double high, std::string_view printed);  // one between does
 
+std::string in_thousandths(std::string_view printed);  // "243.9" of "0.2439"
+
 // What a table of means may have, by its columns.
 struct Statistic {
   std::string_view column;

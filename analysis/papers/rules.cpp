@@ -373,7 +373,7 @@ JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResu
   const PrintedRows rows = printed_times(asked.repeated.paper.name, asked.claim.table);
   if (const PrintedRow* printed = row_of(rows, solver))
     claim.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
-  claim.number = fmt::format("{} of {} within {:g} cm", reached, n, study.definition.stop.tolerance_cm);
+  claim.number = fmt::format("{} of {} to {:g} cm", reached, n, study.definition.stop.tolerance_cm);
   claim.holds = Holds::not_compared;
   if (!observe(study, metric_named("seconds")).doubts.empty()) return claim;
   claim.holds = always_or_on_average(both == n, describe(ms).median < limit);

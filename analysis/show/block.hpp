@@ -16,6 +16,7 @@ namespace ikbench::show {
 struct Printed {
   double ours;
   std::string printed;
+  std::string sign = {};  // "=", "~" or "x": how near they are
 };
 // A number with a mark, "*", or that is an upper bound; files of numbers have the number alone.
 struct Marked {

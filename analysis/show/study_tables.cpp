@@ -125,7 +125,7 @@ Table results_table(const Shown& shown) {
 
 Table pairs_table(const Shown& shown) {
   Table table{.name = "pairs",
-              .caption = "Pairs: the first against the second",
+              .caption = "The first against the second",
               .columns = {{"metric"},
                           {"first"},
                           {"second"},
@@ -150,16 +150,15 @@ Table pairs_table(const Shown& shown) {
     }
   }
   table.notes = {
-      "Only the metric of the headline was chosen before; all others are exploratory. p by Holm over the pairs "
-      "of a metric, whose intervals hold all together and so are wider; A12: share of comparisons in which the first is "
-      "better."};
+      "Metrics but the headline's are exploratory. p by Holm over the pairs of a metric, whose intervals hold together; "
+      "A12: share of comparisons in which the first is better."};
   if (is_any_apart_from_p) table.notes.emplace_back("Where an interval excludes equality and p does not, p decides.");
   return table;
 }
 
 Table descriptives_table(const Shown& shown) {
   Table table{.name = "descriptives",
-              .caption = "Described",
+              .caption = "By metric and solver",
               .columns = {{"metric"},
                           {"solver"},
                           {"n"},
@@ -259,7 +258,7 @@ Table study_table(const StudyResults& study) {
 }
 
 Table options_table(const StudyResults& study) {
-  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
+  Table table{.caption = "Options", .columns = {{"solver"}, {"kind"}, {"options"}}};
   for (const results::Series& series : study.entry.series) {
     std::vector<std::string> options;
     const auto json = numerics::parsed_ordered_json(series.options);

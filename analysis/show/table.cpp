@@ -37,7 +37,7 @@ struct Readable {
   std::string operator()(const compare::Interval& of) const {
     return fmt::format("{} to {}{}", number(of.low, column.digits), number(of.high, column.digits), unit);
   }
-  std::string operator()(const Printed& of) const { return of.printed; }
+  std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
   std::string operator()(const Marked& of) const {
     return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
   }
@@ -129,10 +129,17 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   static const Number number = latex_number;
   const Readable read{number, column, "", "$\\le$ "};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
-  if (const auto* of = std::get_if<Printed>(&cell)) return latex_text(of->printed);
+  if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
+}
+
+// A verdict of a page: green, red, or neither.
+std::string pill(const std::string& verdict) {
+  const bool is_good = verdict.starts_with("better") || (verdict.starts_with("holds") && !verdict.ends_with("part"));
+  const bool is_bad = verdict.starts_with("worse") || verdict.starts_with("fails");
+  return fmt::format("<span class=\"pill{}\">{}</span>", is_good ? " good" : is_bad ? " bad" : "", verdict);
 }
 
 }  // namespace
@@ -211,17 +218,19 @@ std::string to_latex(const Table& whole) {
 }
 
 std::string to_html(const Table& whole) {
-  constexpr std::size_t long_text = 28;  // breaks anywhere
+  constexpr std::size_t long_text = 20;  // breaks anywhere
   const Table table = for_readers(whole);
   const Rows rows = readable(table, html_text);
   const auto line = [&](const std::vector<std::string>& row, std::string_view tag) {
     std::string text;
-    for (std::size_t c = 0; c < row.size(); ++c)
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
       text += fmt::format("<{}{}>{}</{}>", tag,
-                          !is_text(table, c)                    ? " class=\"number\""
-                          : character_count(row[c]) > long_text ? " class=\"long\""
-                                                                : "",
-                          row[c], tag.substr(0, tag.find(' ')));
+                          !is_text(table, c)                                   ? " class=\"number\""
+                          : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
+                                                                               : "",
+                          is_verdict ? pill(row[c]) : row[c], tag.substr(0, tag.find(' ')));
+    }
     return fmt::format("<tr>{}</tr>\n", text);
   };
   std::string text = fmt::format("<table><caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n", html_text(table.caption),
@@ -232,7 +241,7 @@ std::string to_html(const Table& whole) {
 
 std::string to_text(const Table& whole) {
   const Table table = for_readers(whole);
-  constexpr std::size_t longest = 32;
+  constexpr std::size_t longest = 60;
   static const Number number = number_text;
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));

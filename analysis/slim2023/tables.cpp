@@ -33,24 +33,28 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 
 }  // namespace
 
-Table table_3(const Repeated& of) {
-  Table table{.name = "table-3",
-              .caption = "Table 3: position error, angles variation and computing time",
-              .columns = {{"solver"}, {"metric"}, {"unit"}, {"mean"}, {"median"}, {"std"}, {"max"}, {"min"}},
-              .notes = {"Printed times are of another machine and language. Our time of a run is the median of its "
-                        "points; Figure 8 has means of the runs."}};
+std::vector<Table> tables_3(const Repeated& of) {
+  std::vector<Table> tables;
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = figures::judged_of(of.study, column);
+    if (judged == nullptr) continue;
+    Table& table = tables.emplace_back(Table{.name = fmt::format("table-3-{}", metric.slug),
+                                             .caption = fmt::format("Table 3: {}", name),
+                                             .columns = {{"solver"}}});
+    for (const Statistic& each : statistics) table.columns.push_back({std::string(each.column), unit_beside(metric)});
     const PrintedRows printed = printed_rows(of.paper, metric);
-    for (std::size_t i = 0; judged && i < judged->described.size(); ++i) {
-      const std::string& solver = judged->observations.groups[i].name;
-      auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::string(name), std::string(metric.unit)});
-      for (std::size_t s = 0; s < statistics.size(); ++s)
-        row.push_back(beside(numbers_of(*judged, solver).*statistics[s].of, row_of(printed, solver), s));
+    for (const Group& group : judged->observations.groups) {
+      std::vector<Cell> cells = beside(*judged, group.name, row_of(printed, group.name));
+      cells.insert(cells.begin(), group.name);
+      table.rows.push_back(std::move(cells));
     }
+    table.notes.emplace_back(metric.unit == "s"
+                                 ? "Printed times are of another machine and language. Our time of a run is the median "
+                                   "of its points; Figure 8 has means of the runs."
+                                 : meaning_of_signs);
   }
-  return table;
+  return tables;
 }
 
 std::vector<Table> anova_tables(const Repeated& of) {
@@ -59,9 +63,10 @@ std::vector<Table> anova_tables(const Repeated& of) {
     const std::string number = fmt::format("table-{}", anova);
     const Judged* const judged = figures::judged_of(of.study, column);
     if (judged == nullptr) continue;
-    Table& table = tables.emplace_back(Table{.name = number,
-                                             .caption = fmt::format("Table {}: ANOVA of the {}", anova, name),
-                                             .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
+    Table& table = tables.emplace_back(
+        Table{.name = number,
+              .caption = fmt::format("Table {}: ANOVA of the {} [{}]", anova, name, metric_named(column).unit),
+              .columns = {{"source"}, {"SS"}, {"df"}, {"MS"}, {"F"}, {"p"}}});
     const results::CsvTable printed = printed_table(of.paper.name, number);
     if (!judged->anova) table.notes.emplace_back("Ours is not tested: values are missing, or not comparable.");
     const auto ours = rows_of(judged->anova);
@@ -139,7 +144,7 @@ std::optional<Table> table_8(const Repeated& of) {
 
 Table reading_table(const Repeated& of, const JudgedStudy& other) {
   Table table{.name = "table-3-readings",
-              .caption = "Means by both readings of what is searched: the joints before the wrist, or all seven",
+              .caption = "Means where the joints before the wrist are searched, or all seven",
               .columns = {{"solver"}}};
   for (const std::string& solver : of.study.study.solvers) table.rows.push_back({solver});
   for (const auto& [column, name, anova, curves, boxes] : {paper_metrics[0], paper_metrics[1]}) {
@@ -192,7 +197,9 @@ std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedC
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  add("Table 3", {table_3(of)});
+  show::Blocks means;
+  for (Table& table : tables_3(of)) means.emplace_back(std::move(table));
+  add("Table 3", std::move(means));
   if (const JudgedStudy* const other = of.part(of.paper.other_reading))
     add("Both readings of what is searched", {reading_table(of, *other)});
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
@@ -203,8 +210,8 @@ std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedC
     if (auto table = table_7(part)) times.emplace_back(std::move(*table));
     if (auto table = table_8(part)) circle.emplace_back(std::move(*table));
   }
-  add("Table 7: real time", std::move(times));
-  add("Table 8: the Dobot's circle", std::move(circle));
+  add("Real time", std::move(times));
+  add("The Dobot's circle", std::move(circle));
   return sections;
 }
 

@@ -131,7 +131,7 @@ TEST_CASE("in time and accurate are told apart", "[papers]") {
   };
   CHECK(real_time(0, 1).holds == Holds::holds);
   CHECK(real_time(3, 1).holds == Holds::in_part);
-  CHECK(real_time(3, 1).number == "17 of 20 within 0.1 cm, all in time");
+  CHECK(real_time(3, 1).number == "17 of 20 to 0.1 cm, all in time");
   CHECK(real_time(0, 60).number == "20 of 20 within 0.1 cm, 19 in time");
   CHECK(real_time(0, 60).printed == Holds::in_part);  // mean 48.01, largest 67.2
 }
@@ -202,7 +202,7 @@ TEST_CASE("claims are told by verdict, with their shares of readings", "[papers]
   CHECK(table.rows.size() == 18);
   CHECK(std::get<std::string>(table.rows.front()[0]) == "holds by default");
   CHECK(std::get<std::string>(table.rows.back()[0]) == "not tested");
-  CHECK(std::get<double>(table.rows.front()[6]) == Approx(20));
+  CHECK(std::get<double>(table.rows.front()[5]) == Approx(20));
   const std::string text = screen({"A sentence."}, means_table(repeated(study)), claims);
   CHECK(contains(text, "0.00194 cm   0.0019 "));
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));
