@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Nothing that users read names what version 2 no longer has: gone.sh PROGRAM
+# Nothing that users read names what version 2 no longer has, and help, screens and reports have none of the words that
+# only the source has: gone.sh PROGRAM
 # The notes on the paper, the decisions and the changes may.
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -37,4 +38,18 @@ found=0
 for name in "${names[@]}"; do
   ! grep -rinE -e "$name" "${pages[@]}" docs/examples cli "$help" || { echo "^ names what is gone: $name" >&2; found=1; }
 done
+
+# Words of the source alone; keys of files may have them.
+inner='series|sessions?|entry|entries|companions?|famil(y|ies)|locks?|locked|estimands?|reliability|typical(ly)?|universes?|looks?'
+inner+='|doubts?|findings?|contrasts?|peers?|undecided|untestable|untested|observations?|replicates?|quantit(y|ies)'
+awk '/^```toml/ { take = 1; next } /^```/ { take = 0 } take' docs/tutorial.md >"$help/mine.toml"
+cp docs/examples/pso.py "$help/mine.py"
+cp tests/show/golden/* "$help"
+cd "$help"
+"$program" run mine.toml --set runs=4 >screen
+"$program" compare PSO mine --store out/mine/store.sqlite >compared || true
+cp out/mine/report.md .
+perl -0pe 's/<(script|style).*?<\/\1>//gs; s/<[^>]*>//g' out/mine/report.html >page
+rm -r out mine.*
+! grep -rnwiE -e "$inner" . || { echo "^ has words of the source" >&2; found=1; }
 exit $found

@@ -7,12 +7,12 @@ awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root
 cp "$root/docs/examples/pso.py" mine.py
 succeeds run mine.toml --out mine
 quiet
-[ "$(cat .out .err | wc -l)" -le 20 ] && [ "$(cat .out .err | wc -L)" -le 100 ] || fail "not one screen: $out $err"
+[ "$(cat .out .err | wc -l)" -le 13 ] && [ "$(cat .out .err | wc -L)" -le 100 ] || fail "not one screen: $out $err"
 equal "last line" "$(tail -n 1 .out)" "Report: mine/report.html"
 files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.md | grep -c '[[:alnum:]]')
 echo "$files files, $words words in report.md"
 [ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"
-[ "$words" -lt 1200 ] || fail "report.md has $words words"
+[ "$words" -le 900 ] || fail "report.md has $words words"
 for file in report.html results.json solves.csv store.sqlite {tables,}; do [ -e "mine/$file" ] || fail "no $file"; done
 for table in results pairs descriptives anova; do
   for type in csv md tex; do [ -s "mine/tables/$table.$type" ] || fail "no $table.$type"; done
