@@ -108,7 +108,6 @@ std::string screen_of(const std::vector<Compared>& all) {
   std::string text;
   for (const Compared& one : all) {
     text += fmt::format("{} {}\n{}", verdict_of(one), sight_of(one.gate), show::screen(one.shown));
-    if (one.gate.are_times_apart) text += "Times are of two sessions: told, but they decide nothing.\n";
   }
   return text;
 }
@@ -141,13 +140,13 @@ std::string markdown_of(const std::vector<Compared>& all) {
 void add_compare(Command& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
   Command* command = app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
-  command->add_option("A", arguments->a, "baseline: path of a store.sqlite, or a label with --store")->required();
-  command->add_option("B", arguments->b, "candidate: path of a store.sqlite, or a label with --store")->required();
+  command->add_option("A", arguments->a, "baseline: a store.sqlite, or with --store a label")->required();
+  command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
   command->add_option("--store", arguments->store, "store in which A and B are labels");
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--label", arguments->labels,
-                   "with two stores: compare only this label; repeat for more; default: all that both stores have")
+                   "with two stores: this solver alone; repeat for more; default: all that both have")
       ->allow_extra_args(false);
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: the plan's");
@@ -159,8 +158,8 @@ void add_compare(Command& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "Exit codes: 0 nothing is worse, 3 something is worse by more than the margin, 4 with --strict something is not decided;\n"
-      "1 a mistake in the request, 2 a failure of the program or the system. Times count only within one session.");
+      "Exit codes: 0 nothing is worse, 3 something is worse by more than the margin, 4 with --strict something is not\n"
+      "decided. Times are compared only between solves that one command made.");
   command->callback([arguments, &invocation] {
     const std::vector<Compared> all = compare_all(*arguments);
     std::vector<Gate> gates;

@@ -170,6 +170,12 @@ void warn(std::string_view text) {
   write_error(coloured_for(STDERR_FILENO, std::string(word), Tone::open) + shown.substr(word.size()) + '\n');
 }
 
+void say_mistake(std::string_view text) {
+  const std::size_t end = text.find("; ");
+  const std::string_view to_do = end == std::string_view::npos ? std::string_view() : text.substr(end + 2);
+  say(fmt::format("ikbench: {}{}{}", text.substr(0, end), to_do.empty() ? "" : "\n  ", to_do));
+}
+
 std::size_t text_width() { return columns_of(STDOUT_FILENO); }
 
 std::string wrapped(std::string_view text, std::size_t width) {

@@ -22,6 +22,8 @@ std::string printable(std::string_view text);
 // break between words.
 void say(std::string_view text);
 void warn(std::string_view text);  // says "warning: " and the text
+// Says "ikbench: " and what is wrong; what to do, which follows a first "; ", begins a line.
+void say_mistake(std::string_view text);
 
 // Columns of standard output: those of the terminal, but at most 100; 100 where it is no terminal.
 std::size_t text_width();

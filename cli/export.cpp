@@ -36,8 +36,7 @@ void add_export(Command& app, Invocation&) {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command =
-      app.add_subcommand("export", "Write the solves of a store as tidy CSV or JSON, or for other programs");
+  Command* command = app.add_subcommand("export", "Write all solves as CSV or JSON, or for other programs");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   std::vector<std::string> names, meanings;
@@ -46,9 +45,7 @@ void add_export(Command& app, Invocation&) {
     meanings.push_back(fmt::format("{}: {}", format.name, format.meaning));
   }
   names.emplace_back(fingerprint_format);
-  meanings.push_back(
-      fmt::format("{}: a hash of every bit of the results, but times and sessions, the number of solves and the study",
-                  fingerprint_format));
+  meanings.push_back(fmt::format("{}: a hash of every bit but of times", fingerprint_format));
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
       ->check(one_of(names))
       ->capture_default_str();

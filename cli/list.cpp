@@ -221,11 +221,11 @@ void add_list(Command& app, Invocation&) {
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command = app.add_subcommand(
-      "list", "List solvers, robots, studies, kinds of path, result columns, metrics or instruction sets");
+  Command* command =
+      app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics or instruction sets");
   const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
                                        "columns", "metrics", "instruction-sets"};
-  command->add_option("KIND", arguments->kind, fmt::format("one of: {}", fmt::join(kinds, ", ")));
+  command->add_option("KIND", arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
   command->add_option("NAME", arguments->name,
                       "show this one in full; a study or a path is printed as TOML, ready to edit");
   add_json_option(*command, arguments->is_json);
@@ -236,9 +236,7 @@ void add_list(Command& app, Invocation&) {
       "  ikbench list studies slim2023 > my.toml\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
-    if (arguments->kind.empty()) {
-      throw std::invalid_argument(fmt::format("list lacks its KIND; expected one of: {}", fmt::join(kinds, ", ")));
-    }
+    if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));
     const Listed found = listed(arguments->kind, arguments->name);

@@ -29,20 +29,16 @@ int main(int argc, char** argv) {
                "ikbench");
   app.footer(
       "Examples:\n"
-      "  ikbench reproduce                        the study of Slim et al. 2023, with tables and figures\n"
-      "  ikbench run my.toml                      run it and write a report\n"
-      "  ikbench stats my.csv                     which group of your own data is better\n"
-      "  ikbench multiverse slim2023              in how many readings of the paper each claim holds\n"
-      "  ikbench compare old.sqlite new.sqlite    whether a variant of a solver is better, the same or worse\n"
-      "  ikbench help COMMAND                     more examples, as ikbench COMMAND --help\n\n"
-      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system\n"
-      "(a full disk), 3 something is worse, 4 something is not decided (compare),\n"
-      "5 solves are missing (merge),\n"
-      "128 + number of the signal (130: Ctrl-C).");
+      "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
+      "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
+      "  ikbench stats my.csv      says which group of your own data is better\n"
+      "  ikbench help COMMAND      has more\n\n"
+      "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system,\n"
+      "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("ikbench: {}; see --help\n", cli::printable(error.what()));
+    return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
   });
   // "help COMMAND" is "COMMAND --help", "help" is "--help".
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -57,7 +53,8 @@ int main(int argc, char** argv) {
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
   }
-  const std::string first = words.empty() ? "" : words.front();
+  if (words.empty()) words.emplace_back("--help");
+  const std::string first = words.front();
   std::ranges::reverse(words);  // as CLI11 takes them
   // What is opened later must not become a standard stream that the caller has closed; to write to it fails.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -71,9 +68,9 @@ int main(int argc, char** argv) {
       throw std::runtime_error("cannot write to standard output");
     return invocation.exit_code;
   } catch (const CLI::RequiredError& error) {
-    if (first.empty() || !app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
+    if (!app.get_subcommands().empty()) return app.exit(error) == 0 ? 0 : 1;
     // CLI11 does not say which word it did not know.
-    cli::say(fmt::format("ikbench: {}", unknown_name("command", first, commands)));
+    cli::say_mistake(unknown_name("command", first, commands));
     return 1;
   } catch (const CLI::ExtrasError& error) {  // CLI11 names what it did not expect, but no option that is like it
     const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
@@ -84,8 +81,8 @@ int main(int argc, char** argv) {
     for (const std::string& word : command.remaining()) {
       if (!word.starts_with("--")) continue;
       const std::string name = word.substr(2, word.find('=') - 2), nearest = nearest_name(name, options);
-      cli::say(fmt::format("ikbench: {} has no option --{}{}; see --help", command.get_name(), front(name, 100),
-                           nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest)));
+      cli::say_mistake(fmt::format("{} has no option --{}; {}see --help", command.get_name(), front(name, 100),
+                                   nearest.empty() ? "" : fmt::format("did you mean --{}? Or ", nearest)));
       return 1;
     }
     app.exit(error);
@@ -93,22 +90,21 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (app.exit(error) != 0) return 1;
     if (std::cout.flush()) return 0;
-    cli::say("ikbench: cannot write to standard output");
+    cli::say_mistake("cannot write to standard output");
     return 2;
   } catch (const std::invalid_argument& error) {
-    cli::say(fmt::format("ikbench: {}", error.what()));
+    cli::say_mistake(error.what());
     return 1;
   } catch (const std::runtime_error& error) {  // no space left, a store that another process writes, ...
     const auto* const system = dynamic_cast<const std::system_error*>(&error);
     const bool is_thread = system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
-    cli::say(
-        fmt::format("ikbench: {}", is_thread ? "the system starts no more threads; raise ulimit -u" : error.what()));
+    cli::say_mistake(is_thread ? "the system starts no more threads; raise ulimit -u" : error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    cli::say("ikbench: there is not enough memory (ulimit -v, or the machine's); what is stored is kept");
+    cli::say_mistake("there is not enough memory (ulimit -v, or the machine's); what is stored is kept");
     return 2;
   } catch (const std::exception& error) {
-    cli::say(fmt::format("ikbench: internal error: {}", error.what()));
+    cli::say_mistake(fmt::format("internal error: {}", error.what()));
     return 2;
   }
 }

@@ -114,8 +114,8 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
   const MultiverseSize size = size_of(varied, labels);
-  return fmt::format("{} readings of {} questions: {} choices for the study, {} series for a seed\n{}", size.readings,
-                     varied.size(), size.studies, size.series, aligned(rows));
+  return fmt::format("{} readings of {} questions: {} choices for the study, {} solver settings for a seed\n{}",
+                     size.readings, varied.size(), size.studies, size.series, aligned(rows));
 }
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
@@ -168,22 +168,21 @@ void add_multiverse(Command& app, Invocation& invocation) {
       command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
   command
       ->add_option("--dimensions", arguments->dimensions,
-                   "vary these, with all their alternatives, instead of the default ones: bounds,population")
+                   "vary these questions instead, with all their answers: bounds,population")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(small);
   command->add_option("--seeds", arguments->seeds, "number of seeds, counted from 1; each is a study of its own")
       ->check(whole_number({1, 1000}))
       ->capture_default_str();
-  command->add_option("--jobs", arguments->jobs, "number of series at once; the results do not depend on it")
+  command->add_option("--jobs", arguments->jobs, "number of solvers at once; the results do not depend on it")
       ->check(whole_number({1, 1024}))
       ->capture_default_str();
   command->add_option("--set", arguments->overrides, "change a key in every reading: runs=5, path.points=10")
       ->allow_extra_args(false);
   command
       ->add_option("--out", arguments->out,
-                   "folder for tables, figure and series.csv, which keeps what is solved; default: "
-                   "out/PAPER-multiverse")
+                   "folder for tables and figure, which also keeps what is solved; default: out/PAPER-multiverse")
       ->check(not_empty());
   add_figures_option(*command, arguments->figures);
   add_json_option(*command, arguments->is_json);

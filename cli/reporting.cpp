@@ -96,10 +96,7 @@ bool are_drawn(const std::vector<std::string>& names) { return names != std::vec
 
 void add_report_options(Command& command, ReportArguments& arguments) {
   add_figures_option(command, arguments.figures);
-  command
-      .add_option("--style", arguments.style,
-                  "TOML file with the look of figures: the keys of [figures] in a study; keys that it lacks are as in "
-                  "the study")
+  command.add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's")
       ->check(not_empty());
   add_json_option(command, arguments.is_json);
 }
@@ -111,9 +108,7 @@ FigureStyle styled(FigureStyle style, const ReportArguments& arguments) {
 }
 
 void add_overrides(Command& command, Overrides& overrides) {
-  command
-      .add_option("--set", overrides,
-                  "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp, analysis.significance=0.01")
+  command.add_option("--set", overrides, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
       ->allow_extra_args(false);
   command
       .add_option_function(
@@ -121,17 +116,14 @@ void add_overrides(Command& command, Overrides& overrides) {
           [&overrides](const std::vector<std::string>& sweeps) {
             for (const std::string& sweep : sweeps) overrides.push_back(sweep_override(sweep));
           },
-          fmt::format("run every combination of such values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {} "
-                      "entries",
+          fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
                       most_swept))
       ->allow_extra_args(false);
 }
 
 void add_run_options(Command& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
-  command
-      .add_option("--jobs", arguments.jobs,
-                  "number of solves at once; the answers stay the same, but times are comparable only with 1")
+  command.add_option("--jobs", arguments.jobs, "number of solves at once; only times need 1")
       ->check(whole_number({1, 1024}))
       ->capture_default_str();
 }

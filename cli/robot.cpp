@@ -197,18 +197,16 @@ void add_robot(Command& app, Invocation&) {
       ->delimiter(',')
       ->excludes(at);
   command->add_option("--base", arguments->urdf.base,
-                      "link of a URDF file from which the arm is read; default: the root, behind joints that float");
+                      "link of a URDF file from which the arm is read; default: the root");
   command->add_option("--tip", arguments->urdf.tip,
-                      "link of a URDF file to which the arm is read; default: the end with the most moving joints "
-                      "before it");
+                      "link of a URDF file to which the arm is read; default: the end after most joints");
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_option("--limits", arguments->limits, "limits of a URDF file: hard, or soft where they are tighter")
       ->check(one_of({"hard", "soft"}))
       ->capture_default_str();
   command
       ->add_option("--snap-deg", arguments->snap_deg,
-                   "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are meant to be "
-                   "it: up to 0.001 only if the printed digits may mean it; 0: none")
+                   "angles of a URDF file this near a multiple of 15 deg, and axes this near parallel, are it; 0: none")
       ->check(number_in({0, 1}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "also draw the arm into this folder: robot.svg, .pdf, .png");

@@ -49,8 +49,7 @@ void add_run(Command& app, Invocation& invocation) {
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
   command->add_option("--shard", arguments->shard,
-                      "I/N: solve only the I-th of N parts of the study, by all solvers, and write no report; default "
-                      "--out: out/<study>/shards/I-of-N");
+                      "I/N: solve the I-th of N parts, without a report; --out is then out/<study>/shards/I-of-N");
   command->footer(
       "Examples:\n"
       "  ikbench run my.toml\n"

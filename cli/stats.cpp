@@ -87,12 +87,12 @@ void add_stats(Command& app, Invocation&) {
   };
   csv::Request& csv = arguments->csv;
   add("FILE", arguments->file,
-      "CSV with a column of labels and one of values, or one of values a group; - for standard input")
+      "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
   add("--value", csv.values, "column of values; repeat for several; not needed if there is one")
       ->allow_extra_args(false);
-  add("--label", csv.label, "column of labels; not needed if it is named solver or alike, or is the only text");
-  add("--block", csv.block, "column of targets or problems that all groups had: compares within them");
+  add("--label", csv.label, "column of names; not needed if it is called solver or alike, or is the only text");
+  add("--block", csv.block, "column of targets that all groups had: compares within them");
   add("--run", csv.run, "column of runs: averages the rows of a run (within a block), which are no repetitions");
   add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several")->allow_extra_args(false);
   command->add_flag("--larger", csv.is_larger_better, "larger values are better");
@@ -109,7 +109,7 @@ void add_stats(Command& app, Invocation&) {
   command->footer(
       "Examples:\n"
       "  ikbench stats results.csv\n"
-      "  ikbench stats benchmark.csv --value error --block problem --run seed\n"
+      "  ikbench stats benchmark.csv --value error --block target --run seed\n"
       "  ikbench stats --summaries published.csv\n\n"
       "docs/your-own-csv.md explains which rows are yours.");
   command->callback([arguments] {

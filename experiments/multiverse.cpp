@@ -130,7 +130,7 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
     }
     readings += of_solvers;
     ++size.studies;
-    refuse_too_many(dimensions, "series for a seed", static_cast<double>(size.series), most_combinations);
+    refuse_too_many(dimensions, "solver settings for a seed", static_cast<double>(size.series), most_combinations);
     refuse_too_many(dimensions, "readings", readings, most_readings);
   }
   size.readings = static_cast<std::int64_t>(readings);

@@ -229,10 +229,10 @@ void read_kind(TomlReader& reader, SolverEntry& entry) {
   reader.text("solver", entry.solver);
   const bool is_program = reader.find("process") != nullptr;
   if (is_program == (reader.find("solver") != nullptr)) {
-    throw std::invalid_argument(
-        reader.where(reader.table().source(), "solver") +
-        (is_program ? "an entry of [[solvers]] has a `process` and a `solver`; expected one of them"
-                    : "an entry of [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
+    throw std::invalid_argument(reader.where(reader.table().source(), "solver") +
+                                (is_program
+                                     ? "a [[solvers]] has a `process` and a `solver`; expected one of them"
+                                     : "a [[solvers]] has no `solver` and no `process`; see: ikbench list solvers"));
   }
   if (is_program) {
     entry.program = read_program(reader);
@@ -385,7 +385,7 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
     product *= static_cast<double>(values.size());
   }
   if (product > most_swept)
-    throw wrong(fmt::format("{} = {:.0f} entries; expected at most {}", fmt::join(counts, " x "), product, most_swept));
+    throw wrong(fmt::format("{} = {:.0f} solvers; expected at most {}", fmt::join(counts, " x "), product, most_swept));
   std::vector<SolverEntry> entries{entry};
   entries.front().family = entry.label;
   for (const auto& [setting, values] : axes) {
@@ -460,7 +460,7 @@ std::vector<SolverEntry> read_entry(TomlReader reader, std::vector<SweptKey>& sw
 }
 
 void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
-  constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] entry with solver = \"...\"";
+  constexpr std::string_view key = "solvers", expected = "at least one [[solvers]] with solver = \"...\"";
   std::vector<SweptKey> sweep = swept_keys(reader);
   std::set<std::string> labels;
   for (const toml::table* const table : reader.tables(key, 1000, expected)) {
@@ -472,7 +472,7 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
     for (SolverEntry& entry : read_entry(own, sweep)) {
       if (!labels.insert(entry.label).second) {
         throw std::invalid_argument(
-            fmt::format("{}label \"{}\" is used twice; expected a different label for each entry of [[solvers]]",
+            fmt::format("{}label \"{}\" is used twice; expected a different label for each of [[solvers]]",
                         reader.where(table->source(), key), entry.label));
       }
       check_entry(reader, reader.nested(*table, entry.label + "."), entry, study, arm);
@@ -484,8 +484,8 @@ void read_solvers(TomlReader& reader, Study& study, const Robot& arm) {
   const bool is_swept =
       std::ranges::any_of(study.solvers, [](const SolverEntry& entry) { return !entry.swept.empty(); });
   if (is_swept && study.solvers.size() > most_swept) {
-    throw reader.mistake(key, fmt::format("the sweeps make {} entries of [[solvers]]; expected at most {}",
-                                          study.solvers.size(), most_swept));
+    throw reader.mistake(
+        key, fmt::format("the sweeps make {} solvers; expected at most {}", study.solvers.size(), most_swept));
   }
 }
 

@@ -318,7 +318,7 @@ std::string to_toml(const Study& study) {
   std::string text = lines_of(written(fields));
   text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
           lines_of(written(fields.analysis)) +
-          "\n[figures]  # their look; it affects neither the solves nor how they are judged\n" +
+          "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
           lines_of(written(fields.figures));
   if (fields.figures.solvers.empty())
     text += fmt::format("# solvers = [{}]  # {}\n",

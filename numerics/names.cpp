@@ -58,8 +58,9 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
-  return fmt::format("unknown {} \"{}\"{} (there are: {})", kind, front(name, 100), did_you_mean(name, candidates),
-                     fmt::join(candidates, ", "));
+  const std::string nearest = did_you_mean(name, candidates);
+  return fmt::format("unknown {} \"{}\"{}{}", kind, front(name, 100),
+                     nearest.empty() ? "; there are: " : nearest + " There are: ", fmt::join(candidates, ", "));
 }
 
 }  // namespace ikbench::numerics

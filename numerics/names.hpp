@@ -23,7 +23,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 // The first bytes, at most `most`, without a cut character of UTF-8 at the end.
 std::string_view front(std::string_view text, std::size_t most);
 
-// `unknown solver "ik_bta"; did you mean "ik_bat"? (there are: ik_bat, bat, ...)`
+// `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace ikbench::numerics

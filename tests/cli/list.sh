@@ -16,6 +16,8 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   done
 done
 
+succeeds list
+equal kinds "$(wc -l <.out)" 7
 succeeds list solvers --json
 json '{"ik_bat", "bat", "differential_evolution", "particle_swarm", "k_artificial_bee_colony", "multi_objective_swarm"} <= {row["name"] for row in of}'
 succeeds list solvers ik_bat --json
@@ -71,7 +73,8 @@ equal commands "$(sed -n '/^Subcommands/,/^$/p' all | grep -c '^  [a-z]')" 11
 succeeds --version
 [[ $out =~ ^ikbench\ ([0-9]+\.[0-9]+\.[0-9]+)\ \(.+\)$ ]] || fail "--version says: $out"
 grep -qx "version: ${BASH_REMATCH[1]}" "$root/CITATION.cff" || fail "CITATION.cff is not of ${BASH_REMATCH[1]}"
-ends 1
+succeeds
+diff .out all
 
 # Progress is for a terminal alone.
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 0 # no `script`, or no terminal to be had

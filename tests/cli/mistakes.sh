@@ -26,7 +26,6 @@ done <<'END'
 '"slim2023"'|run slim2032
 '"ik_bat"'|list solvers ik_bta
 '"solvers"'|list solver
-'KIND'|list
 '--bogus'|run slim2023 --bogus
 '--study'|report made/store.sqlite --studi=x
 '"error-boxes"'|report made/store.sqlite --figures eror-boxes

@@ -422,7 +422,7 @@ TEST_CASE("an unknown key is named with its place and the nearest known, at ever
          {"[path]\nkind = \"circle\"\nturns = 3\n" + solver_entry, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
          {solver_entry + "labell = \"x\"\n",
           "my.toml:3:1: ",
-          {"did you mean \"label\"?", "(there are: solver, process, label, if_missing, colour, population, options)"}},
+          {"did you mean \"label\"?", "There are: solver, process, label, if_missing, colour, population, options"}},
          {solver_entry + "options = { alhpa = 0.5 }\n",
           "my.toml:3:",
           {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},

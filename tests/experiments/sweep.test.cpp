@@ -115,7 +115,7 @@ TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[
   const Overrides both{sweep_override("IK-BA.population=" + values),
                        sweep_override("IK-BA.alpha=0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99")};
   CHECK(has_words(complaint_about(two_bats, both),
-                  "the sweep of IK-BA makes 11 x 20 = 220 entries; expected at most 200"));
+                  "the sweep of IK-BA makes 11 x 20 = 220 solvers; expected at most 200"));
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
-  CHECK(has_words(complaint_about(two_bats, each), "the sweeps make 240 entries of [[solvers]]; expected at most 200"));
+  CHECK(has_words(complaint_about(two_bats, each), "the sweeps make 240 solvers; expected at most 200"));
 }

@@ -23,7 +23,7 @@ TEST_CASE("no name is suggested where none is near", "[names]") {
 
 TEST_CASE("a message about an unknown name quotes it, suggests one and lists all", "[names]") {
   CHECK(unknown_name("solver", "ik_bta", {"ik_bat", "bat"}) ==
-        "unknown solver \"ik_bta\"; did you mean \"ik_bat\"? (there are: ik_bat, bat)");
+        "unknown solver \"ik_bta\"; did you mean \"ik_bat\"? There are: ik_bat, bat");
 }
 
 TEST_CASE("a very long unknown name is cut in the message", "[names]") {
