@@ -8,8 +8,9 @@ namespace {
 
 using namespace numerics;
 
+// Bodies capture a struct by value: its pointers stay in registers, because no store can change the copy.
 void fly(const Flight& flight) {
-  for_lanes(flight.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+  for_lanes(flight.count, [flight](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Reals x = some.load(flight.x + i), v = some.load(flight.v + i), f = some.load(flight.frequency + i);
     const Reals v_next = v + (x - flight.pole) * f;
     some.store(flight.v_next + i, v_next);
@@ -23,7 +24,7 @@ void scatter(double centre, double step, const double* draws, double* q, ptrdiff
 }
 
 void swarm(const Swarm& swarm) {
-  for_lanes(swarm.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+  for_lanes(swarm.count, [swarm](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Reals x = some.load(swarm.x + i), to_personal = some.load(swarm.personal + i) - x, to_best = swarm.best - x;
     const Reals v_next = swarm.inertia * some.load(swarm.v + i) +
                          swarm.cognitive * (some.load(swarm.u1 + i) * to_personal) +
@@ -34,7 +35,7 @@ void swarm(const Swarm& swarm) {
 }
 
 void search_locally(const LocalSearch& search) {
-  for_lanes(search.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+  for_lanes(search.count, [search](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Bits local = where_less(some.load(search.pulse_rate + i), some.load(search.chance + i));
     some.store(search.q + i,
                chosen(local, search.best + search.step * some.load(search.draws + i), some.load(search.q + i)));
@@ -42,7 +43,7 @@ void search_locally(const LocalSearch& search) {
 }
 
 void choose(const Choice& choice) {
-  for_lanes(choice.count, [&](ptrdiff_t i, auto some) IKBENCH_INLINE {
+  for_lanes(choice.count, [choice](ptrdiff_t i, auto some) IKBENCH_INLINE {
     const Bits is_less = where_less(some.load(choice.less + i), some.load(choice.than + i));
     some.store(choice.out + i, chosen(is_less, some.load(choice.yes + i), some.load(choice.no + i)));
   });
