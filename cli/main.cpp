@@ -25,6 +25,11 @@ int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
   using namespace ikbench::numerics;
   using namespace ikbench::experiments;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words == std::vector<std::string>{"--version"}) {  // before all that takes longer
+    fmt::print("{}\n", program_name());
+    return std::fflush(stdout) == 0 ? 0 : 2;
+  }
   CLI::App app("Runs inverse-kinematics solvers on studies, stores every solve and says what the numbers mean.",
                "ikbench");
   app.footer(
@@ -41,7 +46,6 @@ int main(int argc, char** argv) {
     return fmt::format("ikbench: {}\n  see --help\n", cli::printable(error.what()));
   });
   // "help COMMAND" is "COMMAND --help", "help" is "--help".
-  std::vector<std::string> words(argv + 1, argv + argc);
   const bool is_help = !words.empty() && words.front() == "help";
   if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
