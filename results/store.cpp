@@ -271,17 +271,17 @@ struct Store::Database {
   }
 
   // Passes on the solves of a query.
-  void read_solves(SQLite::Statement& query, const std::function<void(SolveRecord)>& take) {
+  void read_solves(SQLite::Statement& query, const Take& take) {
+    SolveRecord solve;  // one for all, so that its lists keep their memory
     while (query.executeStep()) {
-      std::optional<SolveRecord> solve;
       try {
-        solve = solve_in(query);
+        read_solve(query, solve);
       } catch (const Damage& error) {
         throw Damage(fmt::format("{}; in the solve of run {}, point {} of series {}", error.what(),
                                  query.getColumn("run").getString(), query.getColumn("point").getString(),
                                  excerpt(query.getColumn("series").getString())));
       }
-      take(std::move(*solve));
+      take(solve);
     }
   }
 
@@ -424,7 +424,7 @@ void Store::at_one_moment(const std::function<void()>& action) const {
   });
 }
 
-void Store::each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const {
+void Store::each_of_series(const std::string& key, const Take& take) const {
   guarded(database_->name, [&] {
     SQLite::Statement query(database_->sqlite,
                             fmt::format("SELECT {} FROM solves WHERE series = ? ORDER BY run, point", solve_columns()));
@@ -445,7 +445,7 @@ std::map<std::string, std::int64_t> Store::series_of_configuration(std::string_v
   });
 }
 
-void Store::each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const {
+void Store::each_of_study(const StudyEntry& study, const Take& take) const {
   guarded(database_->name, [&] {
     const Last last(study);
     SQLite::Statement query(
@@ -454,10 +454,10 @@ void Store::each_of_study(const StudyEntry& study, const std::function<void(Solv
                     solve_columns()));
     for (const Series& series : study.series) {
       SQLite::bind(query, series.key, last.run, last.point);
-      database_->read_solves(query, [&](SolveRecord record) {
+      database_->read_solves(query, [&](SolveRecord& record) {
         record.study = study.name;  // also if another study's name solved it first
         record.solver = series.label;
-        take(std::move(record));
+        take(record);
       });
       query.reset();
     }
@@ -466,7 +466,7 @@ void Store::each_of_study(const StudyEntry& study, const std::function<void(Solv
 
 std::vector<SolveRecord> Store::solves(const std::string& study_name) const {
   std::vector<SolveRecord> list;
-  each_of_study(study(study_name), [&](SolveRecord record) { list.push_back(std::move(record)); });
+  each_of_study(study(study_name), [&](SolveRecord& record) { list.push_back(std::move(record)); });
   return list;
 }
 

@@ -87,14 +87,16 @@ class Store {
 
   // Lets `action` read the store as of one moment, whatever others write meanwhile.
   void at_one_moment(const std::function<void()>& action) const;
+  // May move from the record, or change it.
+  using Take = std::function<void(SolveRecord&)>;
   // Calls `take` with every solve of one series, ordered by run and point.
-  void each_of_series(const std::string& key, const std::function<void(SolveRecord)>& take) const;
+  void each_of_series(const std::string& key, const Take& take) const;
   // The number of solves of each series of a configuration, by its key: one series for every source that solved it.
   std::map<std::string, std::int64_t> series_of_configuration(std::string_view configuration) const;
   // The current solves of a study are those of its series, without runs and points beyond those of the definition.
   // Calls `take` with each, in the order of its series, then run, then point. The solver of each is the label of its
   // series.
-  void each_of_study(const StudyEntry& study, const std::function<void(SolveRecord)>& take) const;
+  void each_of_study(const StudyEntry& study, const Take& take) const;
   // All of these at once, for a small study, or one that is not walked in this order.
   std::vector<SolveRecord> solves(const std::string& study) const;
   std::int64_t number_of_solves(const StudyEntry& study) const;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -42,19 +44,20 @@ double json_number(std::string_view text) {
   throw Damage(fmt::format("{} in a list of numbers", excerpt(text)));
 }
 
-std::vector<double> numbers_from(std::string_view array) {
+void read_numbers(std::string_view array, std::vector<double>& numbers) {
   if (array.size() < 2 || array.front() != '[' || array.back() != ']')
     throw Damage(fmt::format("{} is not a list of numbers", excerpt(array)));
-  std::vector<double> numbers;
-  std::string_view rest = array.substr(1, array.size() - 2);
-  if (rest.empty()) return numbers;
-  numbers.reserve(static_cast<std::size_t>(std::count(rest.begin(), rest.end(), ',')) + 1);
-  for (;;) {
-    const std::size_t comma = rest.find(',');
-    numbers.push_back(json_number(rest.substr(0, comma)));
-    if (comma == std::string_view::npos) return numbers;
-    rest.remove_prefix(comma + 1);
+  numbers.clear();
+  const char *at = array.data() + 1, *const end = array.data() + array.size() - 1;
+  for (const char* next = at; at < end; at = next + 1) {
+    double& number = numbers.emplace_back();
+    const auto [stop, error] = std::from_chars(at, end, number);
+    next = stop;
+    if (error == std::errc{} && (next == end || *next == ',')) continue;
+    next = std::find(at, end, ',');
+    number = json_number({at, next});
   }
+  if (array.ends_with(",]")) throw Damage("an empty place in a list of numbers");
 }
 
 // The SQL type of a member of the record. SQLite has no NaN: NULL stands for it.
@@ -96,7 +99,7 @@ void read(const SQLite::Column& column, Value& value) {
     if (found == names.end()) throw Damage(excerpt(text_in(column)));
     value = static_cast<Value>(found - names.begin());
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-    value = numbers_from(text_in(column));
+    read_numbers(text_in(column), value);
   } else {
     value = text_in(column);
   }
@@ -140,8 +143,7 @@ void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
       [&](std::string_view, auto member, std::string_view) { insert.bind(++index, sql_value(record.*member)); });
 }
 
-SolveRecord solve_in(SQLite::Statement& row) {
-  SolveRecord record;
+void read_solve(SQLite::Statement& row, SolveRecord& record) {
   int index = 0;
   for_each_column([&](std::string_view name, auto member, std::string_view) {
     try {
@@ -150,7 +152,6 @@ SolveRecord solve_in(SQLite::Statement& row) {
       throw Damage(fmt::format("{}: {}", name, error.what()));
     }
   });
-  return record;
 }
 
 }  // namespace ikbench::results

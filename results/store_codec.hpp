@@ -31,6 +31,6 @@ std::string insert_solve();
 void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
 
 // Reads the present row of a statement that selects solve_columns(). Damage names the column.
-SolveRecord solve_in(SQLite::Statement& row);
+void read_solve(SQLite::Statement& row, SolveRecord& record);
 
 }  // namespace ikbench::results

@@ -75,11 +75,13 @@ StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> solves, 
 }
 
 StudyResults read_study(const Store& store, const StudyEntry& entry) {
-  if (const std::int64_t all = store.number_of_solves(entry); all > most_solves)
+  const std::int64_t all = store.number_of_solves(entry);
+  if (all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
   std::vector<SolveRecord> solves;
-  store.each_of_study(entry, [&](SolveRecord solve) { solves.push_back(std::move(solve)); });
+  solves.reserve(static_cast<std::size_t>(all));
+  store.each_of_study(entry, [&](SolveRecord& solve) { solves.push_back(std::move(solve)); });
   StudyResults study = study_of(entry, std::move(solves), store.sessions());
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.runs} * study.points) continue;
