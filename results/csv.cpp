@@ -129,9 +129,13 @@ void read_csv(Reader& reader, std::vector<std::string>& header, const Use& use) 
 }
 
 // Spreadsheets take such a text for a formula, which may do anything.
-bool is_formula(std::string_view cell) { return cell.find_first_of("=+-@") == 0 && !number_from(cell); }
+bool is_formula(std::string_view cell) {
+  return !cell.empty() && std::string_view("=+-@").find(cell.front()) != std::string_view::npos && !number_from(cell);
+}
 
-void append_cell(std::string& text, std::string_view cell) {
+}  // namespace
+
+void append_csv_cell(std::string& text, std::string_view cell) {
   const std::string as_text = is_formula(cell) ? fmt::format("'{}", cell) : "";
   if (!as_text.empty()) cell = as_text;
   const bool plain = cell.find_first_of(",\"\r\n") == std::string_view::npos && !cell.starts_with(byte_order_mark);
@@ -143,8 +147,6 @@ void append_cell(std::string& text, std::string_view cell) {
   for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
   text += '"';
 }
-
-}  // namespace
 
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = std::find(header.begin(), header.end(), name);
@@ -230,7 +232,7 @@ void append_csv_row(std::string& text, const std::vector<std::string>& cells) {
   if (lone_empty_cell) text += "\"\"";
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) text += ',';
-    append_cell(text, cells[i]);
+    append_csv_cell(text, cells[i]);
   }
   text += '\n';
 }

@@ -57,7 +57,8 @@ std::string csv_text(std::istream& stream, std::string_view source);
 CsvTable parse_csv(std::string_view text, std::string_view source);
 CsvView view_csv(std::string_view text, std::string_view source, char separator = ',');
 
-// Appends one line of CSV to `text`.
+// Appends a cell, or one line of CSV, to `text`.
+void append_csv_cell(std::string& text, std::string_view cell);
 void append_csv_row(std::string& text, const std::vector<std::string>& cells);
 
 }  // namespace ikbench::results

@@ -49,7 +49,7 @@ std::span<const ExportFormat> export_formats();
 // Throws std::invalid_argument if there is no format of that name.
 const ExportFormat& export_format(std::string_view name);
 
-// Writes the CSV of solves into a file; calls `pass` twice.
+// Writes the CSV of solves into a file.
 void write_csv(const std::filesystem::path& file, const PassSolves& pass);
 
 }  // namespace ikbench::results

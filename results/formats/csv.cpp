@@ -1,9 +1,14 @@
 // Tidy CSV: one row per solve. A list becomes one column per element, numbered from 1 (answer_rad_1 ...), as many as
-// the longest has; shorter lists leave cells empty. The trace and the improvements have up to one element per
+// the first solve has; shorter lists leave cells empty. The trace and the improvements have up to one element per
 // iteration, so only JSON has them. Values that are not finite are NaN, Inf or -Inf.
 #include "results/csv.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
 #include <type_traits>
 
 #include "numerics/number.hpp"
@@ -20,15 +25,19 @@ template <class Value>
 constexpr bool is_list = std::is_same_v<Value, std::vector<double>>;
 
 template <class Value>
-std::string cell_of(const Value& value) {
-  if constexpr (std::is_enum_v<Value>)
-    return std::string(name_of(value));
-  else if constexpr (std::is_integral_v<Value>)
-    return std::to_string(value);
-  else if constexpr (std::is_floating_point_v<Value>)
-    return text_of(value);
-  else
-    return value;
+void append(std::string& text, const Value& value) {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    append_csv_cell(text, value);
+  } else if constexpr (std::is_enum_v<Value>) {
+    text += name_of(value);
+  } else if constexpr (std::is_integral_v<Value>) {
+    text += std::to_string(value);
+  } else if (std::isfinite(value)) {
+    std::array<char, 32> buffer;  // as text_of, without its string
+    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+  } else {
+    text += text_of(value);
+  }
 }
 
 // Visits the columns of CSV.
@@ -42,16 +51,13 @@ void for_each_csv_column(Visit&& visit) {
 // Cells per column.
 using Widths = std::vector<std::size_t>;
 
-// Makes the widths as large as the lists of a solve.
-void widen(Widths& widths, const SolveRecord& record) {
-  std::size_t column = 0;
+Widths widths_of(const SolveRecord& record) {
+  Widths widths;
   for_each_csv_column([&]<class Value>(std::string_view, Value SolveRecord::*member) {
-    std::size_t cells = 1;
-    if constexpr (is_list<Value>) cells = (record.*member).size();
-    if (widths.size() == column) widths.push_back(cells);
-    widths[column] = std::max(widths[column], cells);
-    ++column;
+    widths.push_back(1);
+    if constexpr (is_list<Value>) widths.back() = (record.*member).size();
   });
+  return widths;
 }
 
 void append_header(std::string& text, const Widths& widths) {
@@ -69,32 +75,44 @@ void append_header(std::string& text, const Widths& widths) {
 }
 
 void append_row(std::string& text, const SolveRecord& record, const Widths& widths) {
-  std::vector<std::string> cells;
   auto width = widths.begin();
   for_each_csv_column([&]<class Value>(std::string_view name, Value SolveRecord::*member) {
+    const Value& value = record.*member;
     if constexpr (is_list<Value>) {
-      for (const double element : record.*member) cells.push_back(text_of(element));
-      cells.resize(cells.size() + *width - (record.*member).size());
+      if (value.size() > *width)
+        throw std::invalid_argument(
+            fmt::format("run {}, point {} of {} has {} numbers as {}, the first solve {}; export "
+                        "it as JSON",
+                        record.run, record.point, record.solver, value.size(), name, *width));
+      for (const double element : value) {
+        append(text, element);
+        text += ',';
+      }
+      text.append(*width - value.size(), ',');
     } else {
-      cells.push_back(is_uncounted(name, record) ? std::string() : cell_of(record.*member));
+      if (!is_uncounted(name, record)) append(text, value);
+      text += ',';
     }
     ++width;
   });
-  append_csv_row(text, cells);
+  text.back() = '\n';
 }
 
 void write_rows(const PassSolves& pass, const Write& write) {
   constexpr std::size_t part = 1 << 20;  // written at a time
   Widths widths;
-  pass([&](const SolveRecord& record) { widen(widths, record); });
   std::string text;
-  append_header(text, widths);
   pass([&](const SolveRecord& record) {
+    if (widths.empty()) {
+      widths = widths_of(record);
+      append_header(text, widths);
+    }
     append_row(text, record, widths);
     if (text.size() < part) return;
     write(text);
     text.clear();
   });
+  if (widths.empty()) append_header(text, widths);
   write(text);
 }
 
