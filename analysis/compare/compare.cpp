@@ -56,12 +56,12 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 
 // Makes values equal that lie within the rounding above the smallest of them: the metric's, or that of doubles.
 void remove_rounding(std::vector<double>& values, double rounding) {
-  std::vector<double*> order;
-  for (double& value : values) order.push_back(&value);
-  std::ranges::sort(order, {}, [](const double* value) { return *value; });
+  std::vector<std::pair<double, double*>> order;  // pairs stay in the cache, which places alone would not
+  for (double& value : values) order.emplace_back(value, &value);
+  std::ranges::sort(order);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
-    const double least = *order[first], most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
-    for (; next < order.size() && *order[next] <= most; ++next) *order[next] = least;
+    const double least = order[first].first, most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
+    for (; next < order.size() && order[next].first <= most; ++next) *order[next].second = least;
   }
 }
 
@@ -132,8 +132,11 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
   std::optional<Interval>& interval = tested.interval;
   std::optional<double> share_larger;
   if (is_by_difference(pair.method)) {
-    finding.are_all_equal = std::ranges::count(two.differences, 0.0) == std::ssize(two.differences);
-    share_larger = a12(two.differences, std::array{0.0});
+    const auto equal = static_cast<double>(std::ranges::count(two.differences, 0.0));
+    const auto larger =
+        static_cast<double>(std::ranges::count_if(two.differences, [](double each) { return each > 0; }));
+    finding.are_all_equal = equal == static_cast<double>(two.differences.size());
+    share_larger = (larger + equal / 2) / static_cast<double>(two.differences.size());
   } else {
     finding.are_all_equal = are_constant && one.mean == other.mean;
     if (!two.a.empty() && !two.b.empty()) share_larger = a12(two.a, two.b);

@@ -75,17 +75,22 @@ double tolerance_of(const StudyResults& study, const Metric& metric) {
 
 bool is_cost(const Metric& metric) { return metric.kind == Kind::cost || metric.kind == Kind::time; }
 
-// The values of the solves of each observation, by block.
-std::map<int, std::vector<double>> values_of(const StudyResults& study, const Metric& metric, const Design& design,
-                                             std::string_view solver) {
+struct Value {
+  int block;
+  double value;
+};
+
+// Of the solves, by block; an observation is made of those of one.
+std::vector<Value> values_of(const StudyResults& study, const Metric& metric, const Design& design,
+                             std::string_view solver) {
   const Definition& definition = study.definition;
   const bool of_solved = is_cost(metric) && definition.has_tolerance() && !definition.is_chained();
   const double least = tolerance_of(study, metric);
-  std::map<int, std::vector<double>> values;
+  std::vector<Value> values;
   for (const Run run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
     if (metric.of_run != nullptr) {
-      values[run.front().run] = {metric.of_run(run, study)};
+      values.push_back({run.front().run, metric.of_run(run, study)});
       continue;
     }
     for (const SolveRecord& solve : run) {
@@ -94,16 +99,21 @@ std::map<int, std::vector<double>> values_of(const StudyResults& study, const Me
                         : definition.draws_targets ? (solve.run - 1) * study.points + solve.point
                                                    : solve.point;
       const double value = metric.value(solve, study);
-      values[block].push_back(value < least ? least : value);
+      values.push_back({block, value < least ? least : value});
     }
   }
+  if (!std::ranges::is_sorted(values, {}, &Value::block)) std::ranges::stable_sort(values, {}, &Value::block);
   return values;
 }
 
 Group group_of(const StudyResults& study, const Metric& metric, const Design& design, const std::string& solver) {
   Group group{.name = solver};
   const double least = tolerance_of(study, metric);
-  for (const auto& [block, values] : values_of(study, metric, design, solver)) {
+  const std::vector<Value> all = values_of(study, metric, design, solver);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < all.size();) {
+    const int block = all[i].block;
+    for (values.clear(); i < all.size() && all[i].block == block; ++i) values.push_back(all[i].value);
     const bool is_known = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     const double value = !is_known                   ? unknown
                          : metric.kind == Kind::time ? describe({.name = solver, .values = values}).median

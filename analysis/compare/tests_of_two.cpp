@@ -179,8 +179,18 @@ Tested of_sums(std::vector<double> x, std::vector<double> y, bool are_same, std:
     }
     return std::bit_cast<double>(in_order(low)) + 0.0;  // 0, not -0
   };
+  const auto next_above = [&](double bound) {
+    double next = std::numeric_limits<double>::infinity();
+    std::size_t left = y.size();
+    for (const double value : x) {
+      while (left > 0 && value + y[left - 1] > bound) --left;
+      if (left < y.size()) next = std::min(next, value + y[left]);
+    }
+    return next + 0.0;
+  };
   const std::size_t all = are_same ? x.size() * (x.size() + 1) / 2 : x.size() * y.size();
-  Tested tested{.estimate = (smallest((all + 1) / 2) + smallest(all / 2 + 1)) / 2};
+  const double lower = smallest((all + 1) / 2), upper = count_to(lower) > all / 2 ? lower : next_above(lower);
+  Tested tested{.estimate = (lower + upper) / 2};
   if (rank >= 1 && rank <= all) tested.interval = Interval{smallest(rank), smallest(all + 1 - rank)};
   return tested;
 }
@@ -207,13 +217,13 @@ Summary summarise(Values values) {
 }
 
 Ranks midranks(Values values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
+  for (const double value : values) order.emplace_back(value, order.size());
+  std::ranges::sort(order);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-    while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
-    for (std::size_t i = first; i < end; ++i) result.ranks[order[i]] = number(first + 1 + end) / 2;
+    while (end < order.size() && order[end].first == order[first].first) ++end;
+    for (std::size_t i = first; i < end; ++i) result.ranks[order[i].second] = number(first + 1 + end) / 2;
     const double ties = number(end - first);
     result.tie_sum += ties * ties * ties - ties;
   }
