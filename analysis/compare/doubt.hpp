@@ -24,7 +24,7 @@ enum class DoubtKind {
 struct Doubt {
   DoubtKind kind;
   std::vector<std::string> who = {};  // solvers
-  double count = 0, of = 0;           // 3 of 20
+  double count = 0, of = 0;           // 3 of 20; of too_few: 3 where it takes 20
   std::string what = {};              // why, in a few words: "solved in parallel"
 };
 

@@ -271,12 +271,16 @@ std::vector<Doubt> doubts_of_runs(const StudyResults& study) {
 
 std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
   const Design design = design_of(study, false);
-  Doubt doubt{.kind = DoubtKind::repeats_itself, .count = static_cast<double>(study.runs)};
-  if (design.is_paired || !design.are_runs) return {};
+  std::vector<Doubt> doubts;
+  if (design.is_paired || !design.are_runs) return doubts;
   for (const std::string& solver : study.solvers) {
-    if (repeats_itself(study, solver)) doubt.who.push_back(solver);
+    if (!repeats_itself(study, solver)) continue;
+    const auto runs = static_cast<double>(complete_runs_of(study, solver).size());
+    const auto known = std::ranges::find(doubts, runs, &Doubt::count);
+    (known == doubts.end() ? doubts.emplace_back(Doubt{.kind = DoubtKind::repeats_itself, .count = runs}) : *known)
+        .who.push_back(solver);
   }
-  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{doubt};
+  return doubts;
 }
 
 }  // namespace

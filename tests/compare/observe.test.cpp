@@ -119,6 +119,9 @@ TEST_CASE("A solver whose runs repeat each other bit for bit has one observation
   REQUIRE(doubt);
   CHECK(doubt->who == std::vector<std::string>{"A"});
   CHECK(doubt->count == 5);
+  StudyResults fewer = of;
+  fewer.solves.erase(fewer.solves.begin());  // a run of A lacks a point
+  CHECK(doubt_of(fewer, DoubtKind::repeats_itself)->count == 4);
   CHECK_FALSE(doubt_of(study(fixed_targets, as_one), DoubtKind::repeats_itself));
 }
 
