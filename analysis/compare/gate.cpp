@@ -146,9 +146,7 @@ Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
   Gate gate{.are_same = are_all_same(study)};
   Judged answers = judged_answers(study);
   gate.judged = judge(std::move(study));
-  const auto is_of_plan = [](const Doubt& doubt) { return doubt.kind == DoubtKind::plan_changed; };
-  std::erase_if(gate.judged.doubts, is_of_plan);  // the control and the shared significance are ours
-  std::ranges::copy_if(doubts_of(candidate.study), std::back_inserter(gate.judged.doubts), is_of_plan);
+  gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
   gate.judged.metrics.push_back(std::move(answers));
   const auto time = std::ranges::find(gate.judged.metrics, metric_named("seconds").slug,

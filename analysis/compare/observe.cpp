@@ -233,8 +233,9 @@ std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
            .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)}};
 }
 
+// By the stored plan: a command may judge by another.
 std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
-  const Plan& plan = study.definition.plan;
+  const Plan plan = definition_of(study.entry.definition).plan;
   std::map<std::int64_t, std::set<std::string>> changed;  // fields, by session
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");

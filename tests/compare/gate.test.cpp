@@ -30,7 +30,7 @@ StudyResults version(
     solve.seconds = solve.cpu_seconds = 1e-5 * static_cast<double>(solve.evaluations);
     change(solve);
   };
-  return study(asked, draw, {"mine"}, {{.id = 1, .began = began, .environment = {{"cpu", "one"}}}});
+  return study(asked, draw, {"mine"}, {{.id = 1, .began = began, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
 }
 
 Gate gate_of(const StudyResults& before, const StudyResults& after) {
