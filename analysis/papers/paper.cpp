@@ -66,6 +66,9 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
     refuse(reader, unknown_name("rule of a claim", claim.rule, rule_names()));
   for (const std::string& metric : metrics) claim.metrics.push_back(&metric_named(metric));
   if (metrics.empty() && !claim.rule.empty() && claim.rule != "count") refuse(reader, "a claim without metrics");
+  const auto is_share = [](const Metric* metric) { return metric->kind == Kind::share; };
+  if (claim.of == Of::each_study && !std::ranges::all_of(claim.metrics, is_share))
+    refuse(reader, "a claim of each_study about other metrics than 'solved', whose best rival has the largest");
   return claim;
 }
 

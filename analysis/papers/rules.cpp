@@ -183,7 +183,7 @@ Found better_at_each_point(const Asked& asked) {
   return {claim};
 }
 
-// Better in each study, which are arms, than the best of the rivals.
+// A larger share in each study, which are arms, than the best of the rivals.
 Found better_in_each_study(const Asked& asked) {
   const std::string& own = asked.claim.solvers.front();
   JudgedClaim claim = begun(asked.claim);
@@ -194,7 +194,7 @@ Found better_in_each_study(const Asked& asked) {
     Names rivals = rivals_of(judged, {own});
     std::erase_if(rivals, [&](const std::string& name) { return !is_rival(name, asked.claim); });
     if (rivals.empty() || !has(each->study.solvers, own)) continue;
-    const std::string& best = rivals.back();  // of shares
+    const std::string& best = rivals.back();  // read_claim takes shares alone
     tally.add(verdict_between(judged, own, best));
     arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(judged, best),
                                100 * mean_of(judged, own)));

@@ -59,6 +59,9 @@ TEST_CASE("papers are read from their files, and a mistake says where it is", "[
   CHECK(contains(refusal([&] { read("id = 'a'\n"); }), "x.toml:1"));
   CHECK(contains(refusal([&] { read(whole + "rule = 'bettr'"); }), "better"));
   CHECK(contains(refusal([&] { read(whole + "rule = 'better'"); }), "without metrics"));
+  const std::string each = whole + "rule = 'better'\nof = 'each_study'\nmetrics = ";
+  CHECK(read(each + "['solved']").claims.front().of == Of::each_study);
+  CHECK(contains(refusal([&] { read(each + "['position_error_cm']"); }), "other metrics"));
   CHECK(contains(refusal([&] { read(whole + "colour = 'red'"); }), "colour"));
   CHECK(contains(refusal([&] { read(whole + "[[claims]]\n" + whole); }), "twice"));
 }
