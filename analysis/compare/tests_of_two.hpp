@@ -60,9 +60,10 @@ Tested welch(const Summary& first, const Summary& second, double alpha);
 // Wilcoxon's signed ranks (Biometrics 1 (1945) 80), exact to n = 1000; differences of 0 have no rank. The estimate is
 // the median of all means of two differences.
 Tested signed_rank_test(Values differences, double alpha);
-// Student's t. Equal differences have the p of the permutations, 2^(1 - n).
+// Student's t (Biometrika 6 (1908) 1). Equal differences have the p of the permutations, 2^(1 - n).
 Tested t_test(Values differences, double alpha);
-// The signs of the differences that are not 0; the median, with the interval of its order statistics.
+// The signs of the differences that are not 0 (Dixon and Mood, JASA 41 (1946) 557); the median, with the interval of
+// its order statistics.
 Tested sign_test(Values differences, double alpha);
 
 // Shares.
@@ -71,7 +72,8 @@ Tested sign_test(Values differences, double alpha);
 Interval wilson(double share, double n, double alpha);
 // Statistics in Medicine 17 (1998) 873, method 10; for correlated shares 2635, method 10.
 Interval newcombe(double share, double m, double other, double n, double alpha, double correlation = 0);
-// Of values 0 and 1. All tables no more probable than this one; Newcombe's interval.
+// Of values 0 and 1. All tables no more probable than this one (Fisher, Statistical Methods for Research Workers, 5th
+// ed. 1934, section 21.02); Newcombe's interval.
 Tested fisher(Values first, Values second, double alpha);
 // The same of pairs, exact (Psychometrika 12 (1947) 153); Newcombe's interval with the corrected correlation.
 Tested mcnemar(Values first, Values second, double alpha);
