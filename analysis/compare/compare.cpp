@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace ikbench::compare {
 namespace {
 
-// What design and plan choose, never the values: first those by ranks; by differences from signed_ranks to mcnemar.
+// What design and plan choose, never the values.
 enum class Method { ranks, signed_ranks, sign, paired_t, mcnemar, welch, fisher };
 constexpr std::array<std::string_view, 7> method_names{"Brunner-Munzel and Mann-Whitney",
                                                        "Wilcoxon's signed ranks",
@@ -20,9 +22,12 @@ constexpr std::array<std::string_view, 7> method_names{"Brunner-Munzel and Mann-
                                                        "McNemar's exact",
                                                        "Welch's t",
                                                        "Fisher's exact"};
-bool is_by_ranks(Method method) { return method <= Method::sign; }
-bool is_by_difference(Method method) { return method >= Method::signed_ranks && method <= Method::mcnemar; }
-bool is_by_t(Method method) { return method == Method::paired_t || method == Method::welch; }
+bool is_one_of(Method method, std::initializer_list<Method> these) { return std::ranges::count(these, method) > 0; }
+bool is_by_ranks(Method method) { return is_one_of(method, {Method::ranks, Method::signed_ranks, Method::sign}); }
+bool is_by_t(Method method) { return is_one_of(method, {Method::paired_t, Method::welch}); }
+bool is_by_difference(Method method) {
+  return is_one_of(method, {Method::signed_ranks, Method::sign, Method::paired_t, Method::mcnemar});
+}
 
 Method method_of(const Observations& of, const Plan& plan, const Group& a, const Group& b) {
   if (a.summary || b.summary) return Method::welch;
