@@ -33,7 +33,7 @@ struct CompareArguments {
 struct Compared {
   std::string label;  // empty: A and B are labels
   Gate gate;
-  show::Shown shown;
+  show::Shown shown = {};
 };
 
 // "5%".
@@ -46,51 +46,53 @@ double margin_from(const std::string& text) {
   return share;
 }
 
-StudyResults study_in(const std::string& file, const std::string& name) {
-  const results::Store store(file, results::Store::Mode::read);
-  return checked_study(store, chosen_study(store, name));
-}
+struct Source {
+  results::Store store;
+  results::StudyEntry entry;
 
-void expect_label(const StudyResults& study, const std::string& label) {
-  if (std::ranges::count(study.solvers, label) == 0)
-    throw std::invalid_argument(numerics::unknown_name("label", label, study.solvers));
-}
+  Source(const std::string& file, const std::string& name)
+      : store(file, results::Store::Mode::read), entry(chosen_study(store, name)) {}
 
-Compared compared(const std::string& label, const Side& baseline, const Side& candidate, std::size_t labels) {
-  Compared one{.label = label, .gate = gate(baseline, candidate, labels)};
-  one.shown = show::shown(one.gate.judged);
-  return one;
-}
+  std::vector<std::string> labels() const {
+    std::vector<std::string> all;
+    for (const results::Series& series : entry.series) all.push_back(series.label);
+    return all;
+  }
+  // Reads this label alone.
+  Side side(const std::string& label, const CompareArguments& arguments) const {
+    if (std::ranges::count(labels(), label) == 0)
+      throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
+    results::StudyEntry own = entry;
+    std::erase_if(own.series, [&](const results::Series& series) { return series.label != label; });
+    Side side{.study = checked_study(store, own), .solver = label};
+    if (!arguments.margin.empty()) side.study.definition.plan.margin = margin_from(arguments.margin);
+    return side;
+  }
+};
 
 std::vector<Compared> compare_all(const CompareArguments& arguments) {
-  const bool are_labels = !arguments.store.empty();
-  StudyResults a = study_in(are_labels ? arguments.store : arguments.a, arguments.study), b;
-  if (!are_labels) {
-    b = study_in(arguments.b, arguments.study);
-    if (arguments.study.empty() && a.entry.name != b.entry.name)
-      throw std::invalid_argument(fmt::format("the first study of A is {}, of B {}; expected one of both: --study NAME",
-                                              a.entry.name, b.entry.name));
-  }
-  if (!arguments.margin.empty()) a.definition.plan.margin = b.definition.plan.margin = margin_from(arguments.margin);
-  if (are_labels) {
-    for (const std::string& label : {arguments.a, arguments.b}) expect_label(a, label);
+  std::vector<Compared> all;
+  const auto add = [&](const std::string& label, Side baseline, Side candidate, std::size_t labels) {
+    Compared& one = all.emplace_back(label, gate(std::move(baseline), std::move(candidate), labels));
+    one.shown = show::shown(one.gate.judged);
+  };
+  if (!arguments.store.empty()) {
+    const Source both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    std::vector<Compared> one;
-    one.push_back(compared("", {a, arguments.a}, {a, arguments.b}, 1));
-    return one;
+    add("", both.side(arguments.a, arguments), both.side(arguments.b, arguments), 1);
+    return all;
   }
+  const Source a(arguments.a, arguments.study), b(arguments.b, arguments.study);
+  if (arguments.study.empty() && a.entry.name != b.entry.name)
+    throw std::invalid_argument(fmt::format("the first study of A is {}, of B {}; expected one of both: --study NAME",
+                                            a.entry.name, b.entry.name));
   std::vector<std::string> labels = arguments.labels;
-  for (const std::string& label : labels) {
-    expect_label(a, label);
-    expect_label(b, label);
-  }
   if (labels.empty()) {
-    std::ranges::copy_if(a.solvers, std::back_inserter(labels),
-                         [&](const std::string& label) { return std::ranges::count(b.solvers, label) > 0; });
+    labels = a.labels();
+    std::erase_if(labels, [&](const std::string& label) { return std::ranges::count(b.labels(), label) == 0; });
   }
   if (labels.empty()) throw std::invalid_argument("A and B have no label in common; expected at least one");
-  std::vector<Compared> all;
-  for (const std::string& label : labels) all.push_back(compared(label, {a, label}, {b, label}, labels.size()));
+  for (const std::string& label : labels) add(label, a.side(label, arguments), b.side(label, arguments), labels.size());
   return all;
 }
 
@@ -112,16 +114,31 @@ std::string screen_of(const std::vector<Compared>& all) {
   return text;
 }
 
+// That of a report, with the rows of all labels.
 numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
-  numerics::OrderedJson json{{"exit_code", code}, {"solvers", numerics::OrderedJson::array()}};
+  numerics::OrderedJson json;
+  std::string headline;
   for (const Compared& one : all) {
+    const std::string& label = one.label.empty() ? one.gate.judged.study.solvers.front() : one.label;
     numerics::OrderedJson of = show::to_json(one.shown);
-    of["label"] = one.label;
-    of["worse"] = one.gate.worse;
-    of["better"] = one.gate.better;
-    of["undecided"] = one.gate.not_decided;
-    json["solvers"].push_back(std::move(of));
+    for (const char* rows : {"groups", "tests", "findings"}) {
+      for (auto& row : of[rows]) row["label"] = label;
+    }
+    for (auto& doubt : of["doubts"]) doubt = label + ": " + doubt.get<std::string>();
+    headline += (headline.empty() ? "" : " ") + verdict_of(one);
+    for (const auto& [member, value] : of.items()) {
+      if (!value.is_array() || !json.contains(member))
+        json[member] = value;
+      else
+        json[member].insert(json[member].end(), value.begin(), value.end());
+    }
+    json["worse"][label] = one.gate.worse;
+    json["better"][label] = one.gate.better;
+    json["undecided"][label] = one.gate.not_decided;
   }
+  json["headline"] = headline;
+  json["files"] = numerics::OrderedJson::array();
+  json["exit_code"] = code;
   return json;
 }
 

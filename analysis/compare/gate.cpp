@@ -35,15 +35,15 @@ void refuse_other_task(const Side& one, const Side& other) {
   if (differ) throw std::invalid_argument(fmt::format("{} and {} had different {}", one.solver, other.solver, differ));
 }
 
-// Of both sides, as solvers of one study.
-StudyResults study_of_both(const Side& baseline, const Side& candidate) {
+// Of both sides, as solvers of one study. Takes their solves.
+StudyResults study_of_both(Side& baseline, Side& candidate) {
   const bool are_named = baseline.solver != candidate.solver;
   StudyEntry entry = candidate.study.entry;
   entry.series.clear();
   std::vector<SolveRecord> solves;
   std::vector<Session> sessions;
-  for (const Side* side : {&candidate, &baseline}) {
-    const std::string name(are_named ? side->solver : side == &candidate ? "candidate" : "baseline");
+  for (Side* side : {&candidate, &baseline}) {
+    const std::string name = are_named ? side->solver : side == &candidate ? "candidate" : "baseline";
     entry.series.push_back({.label = name});
     std::map<std::int64_t, std::int64_t> numbers;
     for (const Session& session : side->study.sessions) {
@@ -56,11 +56,13 @@ StudyResults study_of_both(const Side& baseline, const Side& candidate) {
       sessions.push_back(session);
       sessions.back().id = numbers[session.id];
     }
-    for (SolveRecord solve : side->study.of(side->solver)) {
+    for (SolveRecord& solve : side->study.solves) {
+      if (solve.solver != side->solver) continue;
       solve.solver = name;
       solve.session = numbers[solve.session];
       solves.push_back(std::move(solve));
     }
+    side->study.solves = {};
   }
   StudyResults study = study_of(entry, std::move(solves), sessions);
   study.definition.plan = candidate.study.definition.plan;
@@ -138,7 +140,7 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 }  // namespace
 
-Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
+Gate gate(Side baseline, Side candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
   study.definition.plan.significance /= static_cast<double>(labels);
@@ -162,12 +164,13 @@ Gate gate(const Side& baseline, const Side& candidate, std::size_t labels) {
     const Finding& finding = judged.findings.front();
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
+    const bool is_open = finding.verdict == Verdict::undecided || finding.verdict == Verdict::not_tested;
     const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
     else if (finding.verdict == Verdict::better && !finding.is_within_margin)
       gate.better.push_back(of.quantity);
-    else if (!is_time && !is_equal && finding.why != Why::fact && finding.verdict >= Verdict::undecided)
+    else if (!is_time && !is_equal && finding.why != Why::fact && is_open)
       gate.not_decided.push_back(of.quantity);
   }
   return gate;

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/compare/judge.hpp"
@@ -11,11 +10,12 @@
 namespace ikbench::compare {
 
 struct Side {
-  const StudyResults& study;
-  std::string_view solver;
+  StudyResults study;
+  std::string solver;  // whose solves are compared
 };
 
 struct Gate {
+  // Without solves.
   JudgedStudy
       judged;  // of two solvers, the candidate first; with the share of solves that gave an answer as last metric
   std::vector<std::string> worse, better, not_decided;  // quantities; the last also of what is not tested
@@ -25,7 +25,7 @@ struct Gate {
 
 // By the candidate's plan; `labels` that are compared share its significance. Throws std::invalid_argument if the two
 // had different tasks. Random targets of other seeds are no different task, and make groups unpaired.
-Gate gate(const Side& baseline, const Side& candidate, std::size_t labels = 1);
+Gate gate(Side baseline, Side candidate, std::size_t labels = 1);
 
 // "It can see a loss of 9 points or more in 100 targets."
 std::string sight_of(const Gate& gate);

@@ -17,12 +17,12 @@ cp $base before.sqlite
 # Two stores: nothing worse, and worse; the other way round nothing is.
 succeeds compare $base $again --json
 quiet
-json 'of["exit_code"] == 0 and len(of["solvers"]) == 6 and not any(each["worse"] for each in of["solvers"])'
+json 'of["exit_code"] == 0 and len(of["worse"]) == 6 and not any(of["worse"].values()) and of["files"] == []'
 ends 3 compare $base $fewer --json
-json '[each["label"] for each in of["solvers"] if "error" in each["worse"]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
+json '[label for label in of["worse"] if "error" in of["worse"][label]] == ["DE", "PSO", "K-ABC", "MO-PSO"]'
 golden compare-stores
 ends 3 compare $fewer $base --label K-ABC --label DE --json
-json '[each["worse"] for each in of["solvers"]] == [["evaluations"]] * 2'
+json 'of["worse"] == {"K-ABC": ["evaluations"], "DE": ["evaluations"]}'
 ends 3 compare $base $fewer --label K-ABC --margin 20%
 succeeds compare $base $fewer --label BA
 ends 4 compare $base $fewer --label BA --strict

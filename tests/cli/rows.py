@@ -2,11 +2,11 @@
 import json, sys
 of = json.load(open(sys.argv[1]))
 text = lambda x: "-" if x is None or x == "" else f"{x:.4g}" if isinstance(x, float) else str(x).replace(" ", "_")
-for part in of.get("solvers", [of]):
+for label in of.get("worse", [None]):
     keys = {"groups": "metric solver n mean median smallest largest", "tests": "metric test statistic p",
             "findings": "metric first second estimate low high p test verdict"}
     for kind, names in keys.items():
-        for row in part[kind]:
-            if row["metric"] != "time": print(kind[:-1], *(text(row.get(name)) for name in names.split()))
+        for row in of[kind]:
+            if row["metric"] != "time" and row.get("label") == label: print(kind[:-1], *(text(row.get(name)) for name in names.split()))
     for kind in ("worse", "undecided"):
-        if kind in part: print(kind, *map(text, part[kind]))
+        if kind in of: print(kind, *map(text, of[kind][label]))
