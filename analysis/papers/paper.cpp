@@ -227,9 +227,9 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
     auto* const printed = std::get_if<show::Printed>(&cell);
     if (printed && is_time) printed->printed = in_thousandths(printed->printed);
     if (printed && ranges[s].low == ranges[s].low)
-      printed->sign = agrees(number, printed->printed)                          ? "="
-                      : can_be(ranges[s].low, ranges[s].high, printed->printed) ? "~"
-                                                                                : "x";
+      printed->sign = agrees(number, printed->printed)                          ? '='
+                      : can_be(ranges[s].low, ranges[s].high, printed->printed) ? '~'
+                                                                                : 'x';
   }
   return cells;
 }
