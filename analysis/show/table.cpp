@@ -211,10 +211,10 @@ std::string to_latex(const Table& whole) {
   for (const std::string& note : table.notes)
     notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
   return fmt::format(
-      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
+      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip{}\n"
       "\\resizebox{{\\ifdim\\width>\\columnwidth\\columnwidth\\else\\width\\fi}}{{!}}{{%\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n"
       "\\end{{tabular}}}}\n{}\\end{{table}}\n",
-      latex_text(table.caption), table.name, letters, text, notes);
+      latex_text(table.caption), table.name, table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, notes);
 }
 
 std::string to_html(const Table& whole) {

@@ -484,7 +484,7 @@ TEST_CASE("what figures cannot be is told with its place and what they can be", 
          {"[figures]\ntext_pt = 300\n" + solver_entry, "my.toml:2:11: figures.text_pt", {"from 4 to 24"}},
          {"[figures]\nsolvers = [\"DE\"]\n" + solver_entry, "my.toml:2:11: ", {"unknown label \"DE\""}},
          {"[figures]\ncolor = 1\n" + solver_entry, "my.toml:2:", {"color"}},
-         {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"blue, red"}}});
+         {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"#1E8CF8"}}});
   CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=#8D1804"}).figures.text_pt == 10);
   CHECK(read(solver_entry, {"ik_bat.colour=#8D1804"}).solvers[0].colour == "#8D1804");
 }

@@ -244,14 +244,14 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
   figure.legend_cm = 3;
   write_figures({figure}, folder.path, {});
   const FigureStyle style{.width_cm = 12.7,
-                          .height_cm = 5.08,
+                          .height_cm = 7.62,
                           .font = "Liberation Serif",
                           .text_pt = 10,
                           .palette = {"#AA0001"},
                           .formats = {Picture::svg}};
   REQUIRE(write_figures({figure}, folder.path, {.style = style}).empty());
   const std::string svg = text_of_file(folder.path / "f.svg");
-  for (const char* const part : {"width=\"360pt\" height=\"144pt\"", "font-family=\"Liberation Serif\"",
+  for (const char* const part : {"width=\"360pt\" height=\"216pt\"", "font-family=\"Liberation Serif\"",
                                  "font-size=\"10.00\"", "rgb(170,   0,   1)"}) {
     CAPTURE(part);
     CHECK(svg.find(part) != std::string::npos);

@@ -146,7 +146,7 @@ TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at 
   };
   CHECK_FALSE(contains(axis({1, 30}), "logscale"));
   CHECK_FALSE(contains(axis({-1, 100}), "logscale"));
-  CHECK(contains(axis({1, 31}), "set yrange [1:40.3]"));
+  CHECK(contains(axis({1, 31}), "set yrange [1:40.3"));
   CHECK_FALSE(contains(axis({1, 31}), "≤"));
   CHECK(contains(axis({1e-9, 1e-5, 1}),
                  "place_y(v) = v < 1.0000000000000002e-06 ? 1.0000000000000002e-06 : v > 1 ? 1 : v"));

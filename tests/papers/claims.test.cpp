@@ -132,7 +132,7 @@ TEST_CASE("in time and accurate are told apart", "[papers]") {
   CHECK(real_time(0, 1).holds == Holds::holds);
   CHECK(real_time(3, 1).holds == Holds::in_part);
   CHECK(real_time(3, 1).number == "17 of 20 to 0.1 cm, all in time");
-  CHECK(real_time(0, 60).number == "20 of 20 within 0.1 cm, 19 in time");
+  CHECK(real_time(0, 60).number == "20 of 20 to 0.1 cm, 19 in time");
   CHECK(real_time(0, 60).printed == Holds::in_part);  // mean 48.01, largest 67.2
 }
 

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -61,7 +62,7 @@ TEST_CASE("every double comes back bit for bit, finite or not", "[store]") {
   std::vector<SolveRecord> records;
   for (const double number : numbers) {
     records.push_back(sample_record("doubles", static_cast<int>(records.size()) + 1));
-    records.back().position_error_cm = number;
+    records.back().position_error_cm = std::abs(number);
     records.back().trace_cm = {number, 1.5, number, -0.0};
   }
   store.append(records);
