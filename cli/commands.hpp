@@ -1,7 +1,7 @@
 // The commands. One is a line in commands.inc, in the order of --help, and a file, which defines
 // void add_NAME(Command&, Invocation&). It adds itself to the program and sets its exit code: 0 done, 1 a user's
-// mistake or a damaged store, 2 our mistake or the system's, 3 a regression, 4 not decided, 5 more runs are needed or
-// runs are missing, 128 + the number of the signal that stopped it.
+// mistake or a damaged store, 2 our mistake or the system's, 3 a regression, 4 not decided, 5 solves are
+// missing, 128 + the number of the signal that stopped it.
 #pragma once
 
 #include <string>

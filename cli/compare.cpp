@@ -159,12 +159,13 @@ void add_compare(Command& app, Invocation& invocation) {
   Command* command = app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
   command->add_option("A", arguments->a, "baseline: a store.sqlite, or with --store a label")->required();
   command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
-  command->add_option("--store", arguments->store, "store in which A and B are labels");
+  const CommandOption* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--label", arguments->labels,
                    "with two stores: this solver alone; repeat for more; default: all that both have")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->excludes(store);
   command->add_option("--margin", arguments->margin,
                       "relative difference that matters, such as 10%; default: the plan's");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");

@@ -236,6 +236,7 @@ void add_list(Command& app, Invocation&) {
       "  ikbench list studies slim2023 > my.toml\n"
       "  ikbench list instruction-sets            those of this machine; set IKBENCH_INSTRUCTION_SET to choose one");
   command->callback([arguments, kinds] {
+    if (arguments->kind.empty() && arguments->is_json) return show_json(kinds);
     if (arguments->kind.empty()) return fmt::print("{}\n", fmt::join(kinds, "\n"));
     if (std::ranges::find(kinds, arguments->kind) == kinds.end())
       throw std::invalid_argument(unknown_name("kind of list", arguments->kind, kinds));

@@ -184,7 +184,7 @@ void add_multiverse(Command& app, Invocation& invocation) {
       ->add_option("--out", arguments->out,
                    "folder for tables and figure, which also keeps what is solved; default: out/PAPER-multiverse")
       ->check(not_empty());
-  add_figures_option(*command, arguments->figures);
+  command->add_option("--figures", arguments->figures, "none: do not draw the figure")->check(one_of({"none"}));
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"

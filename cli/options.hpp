@@ -60,7 +60,7 @@ class Command {
   std::deque<CommandOption> options_ = {};
 };
 
-// Accepts a number in the range, with digits and point only: CLI11 accepts more texts as numbers.
+// Accepts a decimal number in the range: CLI11 accepts more texts as numbers.
 Check number_in(std::pair<double, double> range);
 
 constexpr std::int64_t largest_whole = 999'999'999'999'999'999;

@@ -86,16 +86,12 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_figures_option(Command& command, std::vector<std::string>& names) {
-  command.add_option("--figures", names, "draw only these: error,solved; none: draw nothing")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-}
-
 bool are_drawn(const std::vector<std::string>& names) { return names != std::vector<std::string>{"none"}; }
 
 void add_report_options(Command& command, ReportArguments& arguments) {
-  add_figures_option(command, arguments.figures);
+  command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's")
       ->check(not_empty());
   add_json_option(command, arguments.is_json);

@@ -25,8 +25,6 @@ struct ReportArguments {
   std::string style = {};                 // a file; its keys replace those of the study's [figures]
 };
 
-// Adds --figures.
-void add_figures_option(Command& command, std::vector<std::string>& names);
 bool are_drawn(const std::vector<std::string>& names);
 void add_report_options(Command& command, ReportArguments& arguments);
 // Reads the style file, if there is one. Call it before anything is solved.
@@ -59,7 +57,7 @@ void add_run_options(Command& command, RunArguments& arguments);
 
 enum class Ended { complete, stopped };
 
-// Counts what was solved into a store, to be told after the verdict of its report.
+// Counts what was solved into a store, to be told where no report follows.
 struct Solved {
   std::string study;
   std::int64_t solves = 0, reused = 0;

@@ -71,8 +71,7 @@ void stats(const StatsArguments& arguments) {
     numerics::OrderedJson json = show::to_json(reported.shown);
     json["notes"] = reported.shown.notes;
     json["files"] = published.files;
-    fmt::print("{}\n", numerics::text_of(json, 1));
-    return;
+    return show_json(json);
   }
   fmt::print("{}", printable(show::screen(reported.shown, published.page.string())));
 }

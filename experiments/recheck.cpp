@@ -55,6 +55,8 @@ void check(const Definition& study, const Robot& arm, const SolveRecord& solve) 
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
   expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);
   expect("variation_m", solve, solve.variation_m, computed.variation_m, 1e-9);
+  expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
+  expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
   if (solve.status != Status::ok && solve.status != Status::tolerance_missed && solve.status != Status::limit_violated)
     return;  // the claim, or what was answered, is not stored
   const auto status = [&](double rounding) {

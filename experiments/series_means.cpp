@@ -38,8 +38,7 @@ struct Line {
 
   [[noreturn]] void refuse(std::string_view what) const {
     throw std::invalid_argument(fmt::format(
-        "{}: {}; the file was edited: remove this line to have it solved again, or choose another --out", where,
-        what));
+        "{}: {}; the file was edited: remove this line to have it solved again, or choose another --out", where, what));
   }
 
   std::vector<double> numbers(std::string_view column, std::string_view cell) const {

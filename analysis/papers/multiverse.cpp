@@ -193,9 +193,7 @@ std::string words_of(const Dimension& dimension, const std::vector<Shares>& alte
 }
 
 show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& claims) {
-  show::Table table{.name = "multiverse",
-                    .caption = "The claims in every reading",
-                    .columns = {{"claim"}}};
+  show::Table table{.name = "multiverse", .caption = "The claims in every reading", .columns = {{"claim"}}};
   for (const std::string near : {"", "near: "}) {
     for (const Holds part : {Holds::holds, Holds::fails, Holds::undecided})
       table.columns.push_back({near + std::string(name_of(part)), "%"});

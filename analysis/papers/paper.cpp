@@ -265,9 +265,12 @@ show::Table rates_table(const Repeated& of) {
   for (const RatesOfArm& arm : rates_of(of)) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
     for (const Rate& rate : arm.rates)
-      row.emplace_back(
-          show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed), rate.is_as_printed() ? "~" : "x"});
+      row.emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed),
+                                     !rate.is_solved_here() ? ""
+                                     : rate.is_as_printed() ? "~"
+                                                            : "x"});
   }
+  table.notes.emplace_back("~ the printed share is in the interval of ours; x it is not");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   return table;
 }

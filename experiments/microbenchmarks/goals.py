@@ -2,7 +2,7 @@
 """Prints the table of goals (goals.csv) as Markdown, from the JSON files of Google Benchmark: goals.py CHART FILE...
 
 A goal is a ratio of two times, or of sums of times, of solvers per evaluation: the ratio of the least of the
-repetitions, as others on the machine only add time, with its 95 % bootstrap interval. It is met or NOT MET if the whole
+repetitions, as others on the machine only add time, with its bootstrap interval. It is met or NOT MET if the whole
 interval says so. CHART is the SVG file to draw the solvers' times in.
 """
 import csv

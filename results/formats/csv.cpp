@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -33,8 +31,7 @@ void append(std::string& text, const Value& value) {
   } else if constexpr (std::is_integral_v<Value>) {
     text += std::to_string(value);
   } else if (std::isfinite(value)) {
-    std::array<char, 32> buffer;  // as text_of, without its string
-    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+    numerics::append(text, value);
   } else {
     text += text_of(value);
   }

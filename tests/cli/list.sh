@@ -57,7 +57,7 @@ succeeds run slim2023-time "${small[@]}" --no-report --out by-name
 same_fingerprint from-file/store.sqlite by-name/store.sqlite
 
 # The page on study files has these keys, defaults and meanings.
-"$root/tests/tools/study-keys" "$program" >keys
+"$root/tests/tools/study-keys" "$program" >keys || fail "tests/tools/study-keys"
 while read -r row; do grep -qxF -- "$row" "$root/docs/reference/study-file.md" || fail "study-file.md lacks: $row"; done < <(grep '^|' keys)
 
 # Help, and the version.
@@ -74,7 +74,7 @@ succeeds --version
 [[ $out =~ ^ikbench\ ([0-9]+\.[0-9]+\.[0-9]+)\ \(.+\)$ ]] || fail "--version says: $out"
 grep -qx "version: ${BASH_REMATCH[1]}" "$root/CITATION.cff" || fail "CITATION.cff is not of ${BASH_REMATCH[1]}"
 succeeds
-diff .out all
+diff .out all || fail "ikbench alone is not ikbench --help"
 
 # Progress is for a terminal alone.
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 0 # no `script`, or no terminal to be had
