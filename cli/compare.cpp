@@ -109,7 +109,8 @@ std::string verdict_of(const Compared& one) {
 std::string screen_of(const std::vector<Compared>& all) {
   std::string text;
   for (const Compared& one : all) {
-    text += fmt::format("{} {}\n{}", verdict_of(one), sight_of(one.gate), show::screen(one.shown));
+    text +=
+        fmt::format("{} {}\n{}", verdict_of(one), sight_of(one.gate), one.gate.are_same ? "" : show::screen(one.shown));
   }
   return text;
 }

@@ -176,7 +176,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
                          words(*most->otherwise, most->number_otherwise));
   std::vector<std::string> all{first + '.'};
   if (const std::string shares = shares_words(*most); !shares.empty())
-    all.push_back(fmt::format("Over all readings of the paper it {}.", shares));
+    all.push_back(fmt::format("Over the readings that were tried it {}.", shares));
   std::vector<std::string> better;
   for (const auto& [id, when] :
        {std::pair("better_than_classical", ""), std::pair("accurate_none_clamped", ", if no solver is clamped"),
