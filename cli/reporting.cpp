@@ -160,6 +160,11 @@ void write_and_announce(const Store& store, const std::string& study, const std:
                         const ReportArguments& arguments) {
   compare::StudyResults results = checked_study(store, store.study(study));
   const FigureStyle style = styled(results.definition.style, arguments);
+  const std::vector<std::string>& solvers = results.solvers;
+  for (const std::string& label : style.solvers) {
+    if (std::ranges::find(solvers, label) == solvers.end())
+      throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, solvers)));
+  }
   compare::JudgedStudy judged = compare::judge(std::move(results));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);

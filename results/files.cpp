@@ -89,15 +89,17 @@ std::error_code write_into(const fs::path& file, const Contents& contents) {
 // Of unfinished files and folders; the number of their process follows.
 constexpr std::string_view mark = ".ikbench-";
 
-// Names what a process left that no longer lives.
-bool is_litter(std::string_view name) {
+// Names what a process left that no longer lives: a file NAME.ikbench-PROCESS, or a folder .ikbench-PROCESS-LETTERS.
+bool is_litter(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
   const std::size_t at = name.rfind(mark);
-  if (at == std::string_view::npos) return false;
+  if (at == std::string::npos) return false;
   pid_t process = 0;
   const char* const end = name.data() + name.size();
   const auto [rest, error] = std::from_chars(name.data() + at + mark.size(), end, process);
-  return error == std::errc() && (rest == end || *rest == '-') && process > 0 && ::kill(process, 0) != 0 &&
-         errno == ESRCH;
+  std::error_code none;
+  const bool is_ours = at > 0 ? rest == end && entry.is_regular_file(none) : end - rest == 7 && *rest == '-';
+  return error == std::errc() && is_ours && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
@@ -241,8 +243,7 @@ void remove_temporary_folders() {
 void remove_litter(const fs::path& folder) {
   std::error_code error, ignored;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_litter(entry->path().filename().string()) && !entry->is_symlink(ignored))
-      fs::remove_all(entry->path(), ignored);
+    if (is_litter(*entry) && !entry->is_symlink(ignored)) fs::remove_all(entry->path(), ignored);
   }
 }
 

@@ -171,6 +171,7 @@ struct Store::Database {
                patience_ms),
         identity(identity_there()) {
     for (const char* part : {"", "-wal", "-shm", "-journal"}) numerics::note_input(name + part);
+    sqlite3_db_config(sqlite.getHandle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);  // a stranger's
     using enum SQLite::TransactionBehavior;
     SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
     const bool is_new = number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0;

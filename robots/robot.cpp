@@ -148,6 +148,7 @@ std::string text_of_arm_file(const std::filesystem::path& file) {
 std::optional<Robot> stored_arm(Json arm) {
   try {
     for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
+    if (arm.at("links").size() > most_joints) return std::nullopt;
     for (Json& link : arm.at("links")) link.erase("name");
     const toml::table table = toml_of(arm);
     return read_robot(TomlReader(table, "stored arm", ""), "stored", {-longest_m, longest_m});

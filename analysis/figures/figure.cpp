@@ -177,7 +177,7 @@ void refuse_missing_font(const std::string& font) {
     return text;
   };
   if (font == FigureStyle().font) return;
-  const std::string nearest = told({"fc-match", "--format=,%{family},", font});  // the names of one font
+  const std::string nearest = told({"fc-match", "--format=,%{family},", "--", font});  // the names of one font
   if (nearest.empty() || lower(nearest).find("," + lower(font) + ",") != std::string::npos) return;
   std::set<std::string> there;
   std::istringstream lines(told({"fc-list", "--format=%{family[0]}\n", ":lang=en:slant=0"}));

@@ -84,6 +84,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   for (const char* name : {"tables", "figures"}) results::refuse_link(folder / name);
   for (const char* name : own_files) numerics::refuse_input(folder / name);
   const std::vector<std::string> earlier = files_of_earlier(folder);
+  for (const std::string& file : earlier) numerics::refuse_input(folder / file);
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);
   Published published{.page = folder / own_files[0]};
