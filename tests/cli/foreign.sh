@@ -36,8 +36,7 @@ is faults noise "$any"
 is faults hangs ".*1 timed_out"
 is faults dies "1 crashed $any"
 is faults lies "16 claimed_but_wrong"
-is faults twice "16 broke_protocol"
-for label in nonsense deep json; do is faults $label ".*[0-9]+ broke_protocol.*"; done
+for label in nonsense deep json twice; do is faults $label ".*[0-9]+ broke_protocol.*"; done
 is faults declines "16 declined"
 equal "errors beside noise" "$(column $store position_error_cm noise)" "$(column $store position_error_cm good)"
 equal "counted by" "$(column $store counted_by good | counted)" "16 nobody"
