@@ -108,8 +108,8 @@ inline void list_fields(Fields& io, Study& study) {
   io.numbers("initial_deg", study.initial, 1, 0,
              "configuration before the first point of a run: degrees, and metres for a joint that slides",
              InKey::in_text);
-  io.whole("population", study.population, populations,
-           "candidates per iteration; a solver can override it", InKey::in_text);
+  io.whole("population", study.population, populations, "candidates per iteration; a solver can override it",
+           InKey::in_text);
   io.whole("runs", study.runs, {1, 1'000'000}, "independent repetitions", InKey::no);
   io.whole(
       "repeats", study.repeats, {1, 1000},

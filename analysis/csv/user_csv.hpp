@@ -28,10 +28,11 @@ struct Quantities {
   std::vector<std::string> notes = {};  // what the values settled, as sentences; they stand below the table of results
 };
 
-// Without labels every column of numbers is a group, but runs and numbers of rows. Rows without a label are left out and counted. A value that is
-// missing or infinite is lost, and so is a mean of fewer rows than others have. Values are compared by ratios, 0 as the
-// smallest value above it; by differences if one is negative. A file of solves (`ikbench export`) has the metrics of a
-// report, if all is in the file that they need. Throws std::invalid_argument, as Sheet does.
+// Without labels every column of numbers is a group, but runs and numbers of rows. Rows without a label are left out
+// and counted. A value that is missing or infinite is lost, and so is a mean of fewer rows than others have. Values are
+// compared by ratios, 0 as the smallest value above it; by differences if one is negative. A file of solves (`ikbench
+// export`) has the metrics of a report, if all is in the file that they need. Throws std::invalid_argument, as Sheet
+// does.
 Quantities read(std::string_view text, std::string_view source, const Request& request);
 
 // Columns name (or as above), n, mean, sd (or std), and metric where there are several quantities. Of the request,
