@@ -8,7 +8,7 @@ set=$1 object=$2
 command -v "${NM:=nm}" >/dev/null || { echo "skipped: no nm"; exit 77; }
 
 # Type information, which clang's sanitizer adds, is data and has no instructions.
-symbols=$("$NM" --extern-only --defined-only --demangle "$object" | cut -d ' ' -f 2- | grep -v '^V typeinfo ' || true)
+symbols=$("$NM" --extern-only --defined-only --demangle "$object" | cut -d ' ' -f 2- | grep -vE '^V (typeinfo |DW\.ref)' || true)
 [[ $symbols =~ ^"T ikbench::"[a-z]+"::${set}::kernels()"$ ]] && exit
 echo "expected the kernels of $set alone, found:"
 echo "$symbols"
