@@ -46,8 +46,7 @@ class KdlLma final : public Solver {
                     .iterations = calls_.iterations_of_call()};
     if (!lma_ || call != call_) {
       call_ = call;
-      // KDL was compiled with Eigen's vectors, which it expects at such an address; on the heap the solver has one.
-      alignas(16) Eigen::Matrix<double, 6, 1> weights;
+      Eigen::Matrix<double, 6, 1> weights;
       weights << 1, 1, 1, call.weight, call.weight, call.weight;
       lma_ = std::make_unique<KDL::ChainIkSolverPos_LMA>(chain_, weights, call.accuracy, call.iterations);
     }
