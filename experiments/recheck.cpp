@@ -58,7 +58,7 @@ void check(const Definition& study, const Robot& arm, const SolveRecord& solve) 
   expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
   expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
   if (solve.status != Status::ok && solve.status != Status::tolerance_missed && solve.status != Status::limit_violated)
-    return;  // the claim, or what was answered, is not stored
+    return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
     const auto about = [&](double tolerance) { return tolerance > 0 ? tolerance + rounding : 0; };
     return judge(computed, {.claimed_error = computed.position_error,
