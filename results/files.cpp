@@ -156,11 +156,18 @@ std::error_code write_where_it_leads(const fs::path& file, const Contents& conte
   return takes_new_files ? replace(place, contents, &there) : write_into(place, contents);
 }
 
+// The folders of this process; they must not stay when a signal ends it.
+std::mutex temporary_mutex;
+std::set<fs::path> temporary_folders;
+
 template <class Write>
 void write_or_refuse(const fs::path& file, Write&& write) {
   numerics::refuse_input(file);
   std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (file.has_parent_path()) {
+    const std::scoped_lock lock(temporary_mutex);  // a folder that a signal has removed stays away
+    fs::create_directories(file.parent_path(), error);
+  }
   if (!error) error = write();
   if (error) refuse(fmt::format("'{}'", file.string()), error.message(), error);
 }
@@ -202,14 +209,6 @@ std::optional<std::string> read_file(const fs::path& file) {
   if (!stream || !(text << stream.rdbuf())) return std::nullopt;
   return text.str();
 }
-
-namespace {
-
-// The folders of this process; they must not stay when a signal ends it.
-std::mutex temporary_mutex;
-std::set<fs::path> temporary_folders;
-
-}  // namespace
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
   const std::scoped_lock lock(temporary_mutex);
