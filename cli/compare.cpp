@@ -101,7 +101,9 @@ std::string verdict_of(const Compared& one) {
   const auto told = [](std::string_view what, const std::vector<std::string>& quantities) {
     return quantities.empty() ? "" : fmt::format("{}{}", what, show::listed(quantities));
   };
-  return fmt::format("{}{}{}{}{}.", of, one.gate.worse.empty() ? "nothing is worse" : told("worse in ", one.gate.worse),
+  const bool is_apart = one.gate.judged.metrics.front().findings.front().why == Why::apart;
+  const std::string first = is_apart ? "nothing is compared" : "nothing is worse";
+  return fmt::format("{}{}{}{}{}.", of, one.gate.worse.empty() ? first : told("worse in ", one.gate.worse),
                      one.gate.are_same ? ": all solves are the same, bit for bit" : "",
                      told("; better in ", one.gate.better), told("; not decided: ", one.gate.not_decided));
 }

@@ -34,6 +34,9 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::times_not_comparable:
       return fmt::format("times{} are not compared: {}{}", who.empty() ? "" : " of " + who, what,
                          doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
+    case DoubtKind::seconds_decide:
+      return fmt::format("results of {} are not compared, since seconds end solves: {}{}", who, what,
+                         doubt.of > 0 ? fmt::format(" in {} solves", share) : "");
     case DoubtKind::out_of_reach:
       return fmt::format("{} targets of a run are out of reach, so no solver can solve them", share);
     case DoubtKind::too_few:

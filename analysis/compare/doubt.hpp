@@ -13,6 +13,7 @@ enum class DoubtKind {
   outside_limits,
   budgets_differ,
   times_not_comparable,
+  seconds_decide,
   out_of_reach,
   too_few,
   few_decide_mean,

@@ -145,20 +145,23 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
   StudyResults study = study_of_both(baseline, candidate);
   study.definition.plan.significance /= static_cast<double>(labels);
   const bool are_times_apart = !have_one_session(study);
+  const bool are_ended_by_clock =
+      std::ranges::any_of(study.solvers, [&](const auto& solver) { return is_ended_by_clock(study, solver); });
   Gate gate{.are_same = are_all_same(study)};
   Judged answers = judged_answers(study);
   gate.judged = judge(std::move(study));
   gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
-  gate.judged.metrics.push_back(std::move(answers));
-  const auto time = std::ranges::find(gate.judged.metrics, metric_named("seconds").slug,
-                                      [](const Judged& each) { return std::string_view(each.observations.metric); });
-  if (are_times_apart && time != gate.judged.metrics.end()) {
-    for (Group& group : time->observations.groups) group.is_apart = true;
-    time->observations.doubts = {
-        {.kind = DoubtKind::times_not_comparable, .what = "the two were not measured together"}};
-    *time = judge(std::move(time->observations), time->plan);
+  for (Judged& each : gate.judged.metrics) {
+    const bool is_time = each.observations.metric == metric_named("seconds").slug;
+    if (!are_times_apart || (!is_time && !are_ended_by_clock)) continue;
+    for (Group& group : each.observations.groups) group.is_apart = true;
+    each.observations.doubts = {{.kind = is_time ? DoubtKind::times_not_comparable : DoubtKind::seconds_decide,
+                                 .who = is_time ? std::vector<std::string>() : gate.judged.study.solvers,
+                                 .what = "the two were not measured together"}};
+    each = judge(std::move(each.observations), each.plan);
   }
+  gate.judged.metrics.push_back(std::move(answers));
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
     const Finding& finding = judged.findings.front();
@@ -179,6 +182,7 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
 std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
+    if (each.findings.front().why == Why::apart) return "";
     const auto n = each.observations.groups.back().values.size();
     const std::string_view noun = gate.judged.study.definition.is_chained() ? "runs" : "targets";
     return gate.visible_loss

@@ -172,8 +172,8 @@ bool are_several_machines(const std::vector<Session>& sessions) {
   return count("cpu") > 1 || (count("host") > 1 && count("boot") > 1);
 }
 
-// No solver, but a doubt: of all.
-std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+// Who was slowed, and by what. No solver, but a doubt: of all.
+std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   std::vector<Doubt> doubts;
   const auto of = [](std::string what) { return Doubt{.kind = DoubtKind::times_not_comparable, .what = what}; };
   add(doubts, study, of("solved in parallel"), is_timed(Timing::parallel));
@@ -181,18 +181,40 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   if (are_several_machines(study.sessions)) doubts.push_back(of("several machines"));
   for (Doubt& doubt : doubts) doubt.who.clear();
   if (!doubts.empty()) return {doubts.front()};
-  Doubt busy = of("the machine was busy"), programs = of("messages are in them");
+  Doubt busy = of("the machine was busy");
   for (const std::string& solver : study.solvers) {
     const auto disturbed = std::ranges::count_if(study.of(solver), was_disturbed);
     const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
-    if (std::ranges::any_of(study.of(solver), is_timed(Timing::process))) programs.who.push_back(solver);
     if (disturbed < 2 || 10 * disturbed <= clean) continue;
     busy.who.push_back(solver);
     busy.count += static_cast<double>(disturbed);
     busy.of += static_cast<double>(clean);
   }
   if (!busy.who.empty()) doubts.push_back(busy);
+  return doubts;
+}
+
+std::vector<Doubt> doubts_of_times(const StudyResults& study) {
+  std::vector<Doubt> doubts = doubts_of_load(study);
+  if (!doubts.empty() && doubts.front().who.empty()) return doubts;
+  Doubt programs{.kind = DoubtKind::times_not_comparable, .what = "messages are in them"};
+  for (const std::string& solver : study.solvers) {
+    if (std::ranges::any_of(study.of(solver), is_timed(Timing::process))) programs.who.push_back(solver);
+  }
   if (!programs.who.empty() && programs.who.size() < study.solvers.size()) doubts.push_back(programs);
+  return doubts;
+}
+
+// What solvers reach in seconds depends on the load.
+std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
+  if (study.definition.stop.seconds == 0) return {};
+  std::vector<Doubt> doubts = doubts_of_load(study);
+  for (Doubt& doubt : doubts) {
+    doubt.kind = DoubtKind::seconds_decide;
+    if (doubt.who.empty()) doubt.who = study.solvers;
+    std::erase_if(doubt.who, [&](const std::string& solver) { return !is_ended_by_clock(study, solver); });
+  }
+  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.who.empty(); });
   return doubts;
 }
 
@@ -295,6 +317,13 @@ bool are_same(const SolveRecord& one, const SolveRecord& other) {
          one.status == other.status && one.answer_rad == other.answer_rad;
 }
 
+bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {
+  constexpr double nearly = 0.9;  // programs and libraries stop by themselves
+  const double limit = study.definition.stop.seconds;
+  return limit > 0 && std::ranges::any_of(study.of(solver),
+                                          [&](const SolveRecord& solve) { return solve.seconds >= nearly * limit; });
+}
+
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   std::vector<Doubt> doubts = doubts_of_runs(study);
   add(doubts, study, {.kind = DoubtKind::without_answer}, [](const SolveRecord& solve) { return !gave_answer(solve); });
@@ -335,10 +364,11 @@ Observations observe(const StudyResults& study, const Metric& metric) {
   if (std::ranges::all_of(groups, has_same_blocks)) {
     for (Group& group : groups) group.blocks.clear();
   }
-  if (metric.kind == Kind::time) of.doubts = doubts_of_times(study);
-  if (metric.column == "evaluations") of.doubts = doubts_of_evaluations(study);
+  of.doubts = metric.kind == Kind::time ? doubts_of_times(study) : doubts_of_clock(study);
+  if (metric.column == "evaluations") std::ranges::move(doubts_of_evaluations(study), std::back_inserter(of.doubts));
   for (const Doubt& doubt : of.doubts) {
-    if (metric.kind != Kind::time && doubt.who.size() == groups.size()) continue;  // counted by one and the same
+    // Counted by one and the same.
+    if (doubt.kind == DoubtKind::budgets_differ && doubt.who.size() == groups.size()) continue;
     for (Group& group : groups)
       group.is_apart |= doubt.who.empty() || std::ranges::find(doubt.who, group.name) != doubt.who.end();
   }

@@ -12,6 +12,8 @@ namespace ikbench::compare {
 bool gave_answer(const results::SolveRecord& solve);
 // The same target, outcome and answer, bit for bit.
 bool are_same(const results::SolveRecord& one, const results::SolveRecord& other);
+// Some solve took the seconds that the study gives.
+bool is_ended_by_clock(const StudyResults& study, std::string_view solver);
 
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);

@@ -61,7 +61,8 @@ Lines table_of(const Shown& shown) {
 }
 
 Lines warnings_of(const Shown& shown) {
-  const std::vector<Doubt> doubts = shown.all_doubts();
+  std::vector<Doubt> doubts = shown.all_doubts();
+  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::seconds_decide; });  // stands first
   const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   Lines lines;
   for (std::size_t i = 0; i < shown_doubts; ++i) {

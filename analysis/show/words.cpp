@@ -179,7 +179,14 @@ std::string sentence(const Shown& shown) {
 
 }  // namespace
 
-std::string headline(const Shown& shown) { return sentence(with_short_names(shown, 40)) + '.'; }
+std::string headline(const Shown& whole) {
+  const Shown shown = with_short_names(whole, 40);
+  std::string text;
+  for (const Doubt& doubt : shown.decisive().observations.doubts) {
+    if (doubt.kind == DoubtKind::seconds_decide) text += "Careful: " + words_of(doubt) + ". ";
+  }
+  return text + sentence(shown) + '.';
+}
 
 std::string margin_words(const Judged& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);

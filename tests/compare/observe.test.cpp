@@ -220,9 +220,13 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
   CHECK(machines({.id = 0, .environment = {{"host", "a"}, {"boot", "1"}}},
                  {.id = 1, .environment = {{"host", "a"}, {"boot", "2"}}})
             .empty());
-  const Observations busy = times(study(chained, [](SolveRecord& solve) {
+  StudyResults disturbed = study(chained, [](SolveRecord& solve) {
     if (solve.solver == "B" && solve.run < 3) solve.seconds = 2 * solve.cpu_seconds;
-  }));
+  });
+  CHECK(apart(observed(disturbed)).empty());
+  disturbed.definition.stop.seconds = 0.002;  // it ended B's
+  CHECK(apart(observed(disturbed)) == "B");
+  const Observations busy = times(disturbed);
   CHECK(apart(busy) == "B");
   CHECK(busy.doubts.front().count == 8);
   CHECK(busy.doubts.front().of == 20);
