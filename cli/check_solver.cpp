@@ -133,7 +133,7 @@ class Checks {
     else if (account.went_on)
       wrong = "it asks for more evaluations after it is told that its budget is used up";
     const std::string counted = account.counted_by == CountedBy::suite
-                                    ? fmt::format("{} evaluations, counted here", account.evaluations)
+                                    ? numerics::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";
     const bool may_decline = account.failure == Status::declined && what.starts_with("or declines");

@@ -38,9 +38,8 @@ void warn_of_left_aside(const Study& study, const Store& store) {
   const LeftAside aside = left_aside(study, store);
   if (aside.solves == 0) return;
   warn(fmt::format(
-      "{} solves of {} come from another version of the solver or of shared code; they stay in the store, and "
-      "this run solves those points again",
-      aside.solves, fmt::join(aside.labels, ", ")));
+      "another version of {} or of shared code made {}; the store keeps them, and this run solves those points again",
+      fmt::join(aside.labels, ", "), counted(aside.solves, "solves")));
 }
 
 // Warns if somebody else has the store open, so that it is more than one file.
@@ -59,7 +58,8 @@ void warn_of_unreachable(const Study& study) {
     warn(fmt::format("point {} is out of reach: it is {:.2f} cm from the shoulder, and the arm reaches {:.2f} cm",
                      found[i].point, found[i].distance * 100, found[i].reach * 100));
   }
-  if (found.size() > most) warn(fmt::format("{} more points are out of reach", found.size() - most));
+  if (found.size() > most)
+    warn(fmt::format("out of reach as well: {}", counted(std::ssize(found) - std::int64_t{most}, "points")));
 }
 
 // Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
@@ -184,7 +184,7 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
 }
 
 std::string Solved::words(const std::filesystem::path& store) const {
-  return fmt::format("{}: {} solves in {}{}", study, solves, store.string(),
+  return fmt::format("{}: {} in {}{}", study, counted(solves, "solves"), store.string(),
                      reused == 0 ? "" : fmt::format(" ({} were already stored)", reused));
 }
 
@@ -204,7 +204,7 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
   if (is_debug_build()) {
     warn("this is a debug build; its times are marked and not comparable");
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
-    warn(fmt::format("{} jobs share {} processors", request.jobs, std::thread::hardware_concurrency()));
+    warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
   }
   constexpr std::chrono::milliseconds patience{20};  // a transaction for each solve would cost more than many a solve
   request.patience = std::max(request.patience, patience);

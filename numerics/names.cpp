@@ -46,6 +46,10 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return longer == candidates.end() ? "" : *longer;
 }
 
+std::string counted(std::int64_t count, std::string_view nouns) {
+  return fmt::format("{} {}", count, nouns.substr(0, nouns.size() - (count == 1 ? 1 : 0)));
+}
+
 std::string_view front(std::string_view text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
 
 // `; did you mean "ik_bat"?`; empty if no candidate is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
+
+// "1 run" and "20 runs", of the plural.
+std::string counted(std::int64_t count, std::string_view nouns);
 
 // The first bytes, at most `most`, without a cut character of UTF-8 at the end.
 std::string_view front(std::string_view text, std::size_t most);

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "numerics/names.hpp"
+
 namespace ikbench::compare {
 
 namespace {
@@ -51,7 +55,8 @@ std::string words_of(const Doubt& doubt) {
                          what.empty() ? "runs" : "times",
                          doubt.of > 0 ? "or its spread was rounded away: not compared" : "which count as one");
     case DoubtKind::other_version:
-      return fmt::format("{:.0f} solves of another version are ignored ({})", doubt.count, who);
+      return fmt::format("ignored: {} of another version ({})", numerics::counted(std::llround(doubt.count), "solves"),
+                         who);
   }
   return {};
 }

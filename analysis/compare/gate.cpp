@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numerics/names.hpp"
+
 namespace ikbench::compare {
 namespace {
 
@@ -183,11 +185,11 @@ std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
     if (each.findings.front().why == Why::apart) return "";
-    const auto n = each.observations.groups.back().values.size();
-    const std::string_view noun = gate.judged.study.definition.is_chained() ? "runs" : "targets";
+    const auto n = std::ssize(each.observations.groups.back().values);
+    const std::string all = numerics::counted(n, gate.judged.study.definition.is_chained() ? "runs" : "targets");
     return gate.visible_loss
-               ? fmt::format("It can see a loss of {:.2g} points or more in {} {}.", 100 * *gate.visible_loss, n, noun)
-               : fmt::format("It can see no loss in {} {}: they are too few.", n, noun);
+               ? fmt::format("It can see a loss of {:.2g} points or more in {}.", 100 * *gate.visible_loss, all)
+               : fmt::format("It can see no loss in {}: too few.", all);
   }
   return "The study has no tolerance, so no target counts as solved.";
 }

@@ -10,6 +10,7 @@
 
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::papers {
 
@@ -126,7 +127,7 @@ std::string tally_words(const std::vector<JudgedClaim>& claims) {
     const auto count = std::ranges::count(claims, static_cast<Holds>(i), &JudgedClaim::holds);
     if (count > 0) parts.push_back(fmt::format("{} {}", verdicts[i], count));
   }
-  return fmt::format("{} claims: {}.", claims.size(), show::listed(parts, ", "));
+  return fmt::format("{}: {}.", numerics::counted(std::ssize(claims), "claims"), show::listed(parts, ", "));
 }
 
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table) {

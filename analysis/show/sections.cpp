@@ -6,10 +6,12 @@
 
 #include "analysis/show/report.hpp"
 #include "analysis/show/words.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::show {
 
 using namespace compare;
+using numerics::counted;
 
 namespace {
 
@@ -20,8 +22,8 @@ Blocks with_heading(std::string heading, Blocks blocks) {
 
 std::string what_is_studied(const StudyResults& study) {
   const results::Definition& of = study.definition;
-  return fmt::format("{}: {}, {} runs of {} targets ({}).", study.entry.name, of.robot, study.runs, study.points,
-                     of.path);
+  return fmt::format("{}: {}, {} of {} ({}).", study.entry.name, of.robot, counted(study.runs, "runs"),
+                     counted(study.points, "targets"), of.path);
 }
 
 Blocks first(const Reported& of) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/show/text.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::show {
 
@@ -32,7 +33,7 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
   if (std::isnan(value)) return "not known";
   if (counts(judged)) {
     const std::string count = fmt::format("{:.0f}", its.mean * its.n / 100);
-    if (is_first) return fmt::format("{} of {} {}", count, its.n, shown.noun);
+    if (is_first) return fmt::format("{} of {}", count, numerics::counted(its.n, shown.noun));
     return its.n == n_of_first ? count : fmt::format("{} of {}", count, its.n);
   }
   const Observations& of = judged.observations;
@@ -84,7 +85,7 @@ std::string all_or_none(const Shown& shown) {
   };
   const std::string who = all_of(judged);
   const std::string what =
-      counts(judged) ? fmt::format("all {} {}", judged.described.front().n, shown.noun) : "every target";
+      counts(judged) ? "all " + numerics::counted(judged.described.front().n, shown.noun) : "every target";
   if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
   return all_have(0) ? fmt::format("{} solved no target", who) : "";
 }
@@ -124,8 +125,8 @@ std::string not_tested(const Shown& shown) {
   const Finding& finding = judged.findings.front();
   switch (finding.why) {
     case Why::too_few:
-      return fmt::format("Not tested: {} {} cannot decide it, {} can; {}", finding.n, shown.noun, finding.needed,
-                         numbers_of(shown, true));
+      return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, shown.noun),
+                         finding.needed, numbers_of(shown, true));
     case Why::fact:
       return fmt::format("A fact of these {}, since the solvers repeat themselves: {}", shown.noun,
                          numbers_of(shown, true));
