@@ -25,14 +25,20 @@ Lines lines_of(const std::string& text) {
   return lines;
 }
 
-// A line a pair: those of the best solver first.
+// A line a pair: those of the best solvers first, as the table has them.
 Lines pairs_of(const Shown& shown) {
   const bool has_two = shown.decisive().described.size() == 2;
   std::vector<std::vector<std::string>> rows;
   for (const Judged& judged : shown.metrics) {
     if (!has_two && &judged != &shown.decisive()) continue;
     std::vector<Finding> findings = judged.findings;
-    std::ranges::stable_partition(findings, [&](const Finding& of) { return of.first == judged.headline.best; });
+    const std::vector<std::size_t> order = best_first(judged, shown.plan);
+    const auto place = [&](const std::string& name) {
+      return std::ranges::find(order, name, [&](std::size_t i) { return judged.observations.groups[i].name; });
+    };
+    std::ranges::stable_sort(findings, {}, [&](const Finding& of) {
+      return std::minmax({place(of.first), place(of.second)});
+    });
     for (const Finding& of : findings) {
       auto& row = rows.emplace_back();
       if (has_two) row.push_back("  " + shortened(judged.observations.quantity, longest_name));
