@@ -201,6 +201,7 @@ std::string margin_words(const Judged& judged) {
 std::string verdict_words(const Finding& finding, const Judged& judged) {
   const std::string margin = margin_words(judged);
   if (finding.verdict == Verdict::same) return finding.are_all_equal ? "same: all equal" : "same within " + margin;
+  if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("equal in all {}", finding.n);
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
   const double none = finding.scale == Scale::ratio ? 1 : 0;
