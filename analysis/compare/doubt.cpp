@@ -49,7 +49,7 @@ std::string words_of(const Doubt& doubt) {
     case DoubtKind::few_decide_mean:
       return fmt::format("few values decide the mean {} of {}: nothing is called better by it", what, who);
     case DoubtKind::plan_changed:
-      return fmt::format("the plan was changed after {} solves were made: {}", share, what);
+      return fmt::format("the plan was changed after {} solves were made{}: {}", share, of_whom, what);
     case DoubtKind::repeats_itself:
       return fmt::format("{} gave the same {} {:.0f} {}, {}", who, what.empty() ? "answers in all" : what, doubt.count,
                          what.empty() ? "runs" : "times",
