@@ -39,6 +39,7 @@ Definition definition_of(std::string_view json) {
                                     {"robot", &of.robot},
                                     {"search", &of.search},
                                     {"start", &of.start},
+                                    {"bounds", &of.bounds},
                                     {"limits", &of.limits}})
     study.text(key, *member);
   study.whole("runs", of.runs, counts);

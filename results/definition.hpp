@@ -17,7 +17,7 @@ struct Definition {
     double tolerance_cm = 0, tolerance_deg = 0, seconds = 0;  // 0: none
     std::int64_t iterations = 0, evaluations = 0;
   };
-  std::string title, published, robot, search, start, path, limits;
+  std::string title, published, robot, search, start, path, bounds, limits;
   std::string base_link, tip_link;     // of an arm from a URDF file
   std::vector<std::string> arm_notes;  // what of the file was not taken as it stands
   int runs = 0, points = 0;
