@@ -250,6 +250,16 @@ std::string_view name_of(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
+
+bool is_apart_from_interval(const Finding& finding) {
+  const double none = finding.scale == Scale::ratio ? 1 : 0;
+  if (!finding.interval || finding.why != Why::tested) return false;
+  const auto [low, high] = *finding.interval;
+  const bool has_none = low <= none && none <= high;
+  return is_difference(finding.verdict) ? has_none && low < high : !has_none && finding.verdict == Verdict::undecided;
+}
+
 std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   if (!plan.control.empty() && std::ranges::find(of.groups, plan.control, &Group::name) == of.groups.end())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");

@@ -139,10 +139,7 @@ Table pairs_table(const Shown& shown) {
   bool is_any_apart_from_p = false;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
-      const double equal = finding.scale == Scale::ratio ? 1 : 0;
-      const auto& interval = finding.interval;
-      is_any_apart_from_p |= finding.verdict == Verdict::undecided && finding.why == Why::tested && interval &&
-                             (interval->low > equal || interval->high < equal);
+      is_any_apart_from_p |= is_apart_from_interval(finding);
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
                             cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
@@ -152,7 +149,9 @@ Table pairs_table(const Shown& shown) {
   table.notes = {
       "Metrics but the headline's are exploratory. p by Holm over the pairs of a metric, whose intervals hold together; "
       "A12: share of comparisons in which the first is better."};
-  if (is_any_apart_from_p) table.notes.emplace_back("Where an interval excludes equality and p does not, p decides.");
+  if (is_any_apart_from_p)
+    table.notes.emplace_back(
+        "Where an interval and p disagree, p decides: intervals hold together, and p is corrected in steps.");
   return table;
 }
 

@@ -205,7 +205,7 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
   const double none = finding.scale == Scale::ratio ? 1 : 0;
-  if (finding.verdict <= Verdict::worse && finding.interval && finding.interval->low == none &&
+  if (is_difference(finding.verdict) && finding.interval && finding.interval->low == none &&
       finding.interval->high == none)
     words += ", though most are equal";
   switch (finding.why) {
