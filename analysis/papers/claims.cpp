@@ -89,7 +89,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Sha
       if (const auto own = std::ranges::find(shares, judged.id, &SharesOfClaim::id); own != shares.end())
         judged.shares = *own;
       const JudgedClaim* const same = claim_named(otherwise, judged.id);
-      if (same != nullptr && same->holds < Holds::not_compared) {
+      if (same != nullptr && is_judged(same->holds)) {
         judged.otherwise = same->holds;
         judged.number_otherwise = same->number;
       }
@@ -164,7 +164,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     std::vector<std::vector<std::string>> rows;
     std::map<Holds, std::string> without_number;  // sentences
     for (const JudgedClaim& claim : grouped(claims, are_ours)) {
-      if (claim.holds >= Holds::not_compared) {
+      if (!is_judged(claim.holds)) {
         std::string& all = without_number[claim.holds];
         all += (all.empty() ? "" : "; ") + claim.sentence;
         continue;

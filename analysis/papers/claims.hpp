@@ -11,9 +11,10 @@
 namespace ikbench::papers {
 
 // in_part: for some of those that it is about. not_compared: about another program or machine. not_tested: nothing here
-// can decide it.
+// can decide it. Tables have them in this order.
 enum class Holds { holds, in_part, fails, undecided, not_compared, not_tested };
 std::string_view name_of(Holds holds);
+constexpr bool is_judged(Holds holds) { return holds != Holds::not_compared && holds != Holds::not_tested; }
 
 // Shares of all readings of what a paper leaves open.
 struct Shares {

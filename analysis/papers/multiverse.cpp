@@ -387,7 +387,8 @@ double Multiverse::OfStudy::readings() const {
 }
 
 bool hangs_on_reading(const Claim& claim) {
-  return claim.rule == "better" && claim.metrics.size() == 1 && claim.study.empty() && claim.of <= Of::spread &&
+  return claim.rule == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
+         (claim.of == Of::means || claim.of == Of::spread) &&
          std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
 }
 

@@ -495,7 +495,7 @@ Verdict verdict_between(const Judged& judged, std::string_view first, std::strin
   const Finding* const finding = show::finding_of(judged, first, second);
   if (finding == nullptr) return Verdict::not_tested;
   const Verdict verdict = finding->verdict;
-  if (finding->first == first || (verdict != Verdict::better && verdict != Verdict::worse)) return verdict;
+  if (finding->first == first || !is_difference(verdict)) return verdict;
   return verdict == Verdict::better ? Verdict::worse : Verdict::better;
 }
 

@@ -166,7 +166,8 @@ Table reading_table(const Repeated& of, const JudgedStudy& other) {
 
 std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
   const auto words = [](Holds holds, const std::string& number) {
-    return fmt::format("{}{} ({})", holds > Holds::fails ? "is " : "", name_of(holds), number);
+    const bool is_open = holds == Holds::undecided || !is_judged(holds);
+    return fmt::format("{}{} ({})", is_open ? "is " : "", name_of(holds), number);
   };
   const JudgedClaim* const most = claim_named(claims, "most_accurate");
   if (most == nullptr || most->number.empty()) return {};
