@@ -210,10 +210,12 @@ std::string to_latex(const Table& whole) {
   std::string notes;
   for (const std::string& note : table.notes)
     notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
+  // Notes shrink with a table that is wider than the column.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip{}\n"
-      "\\resizebox{{\\ifdim\\width>\\columnwidth\\columnwidth\\else\\width\\fi}}{{!}}{{%\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n"
-      "\\end{{tabular}}}}\n{}\\end{{table}}\n",
+      "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
+      "\\dimen0=\\ifdim\\wd0>\\columnwidth\\wd0\\else\\columnwidth\\fi\n"
+      "\\resizebox{{\\columnwidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}\n\\end{{table}}\n",
       latex_text(table.caption), table.name, table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, notes);
 }
 
