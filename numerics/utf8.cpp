@@ -25,13 +25,14 @@ std::size_t length_of_first(std::string_view text) {
   return is_overlong || is_no_character ? 0 : length;
 }
 
-// Controls, and characters that end a line or turn its direction.
+// Controls, and characters that end a line, turn its direction or cannot be seen; LaTeX stops at them.
 bool is_control(std::string_view character) {
   const unsigned char lead = byte(character, 0);
   if (character.size() == 1) return lead < 0x20 || lead == 0x7F;
-  if (character.size() == 2) return (lead == 0xC2 && byte(character, 1) < 0xA0) || character == "\u061C";
-  return (character >= "\u200E" && character <= "\u200F") || (character >= "\u2028" && character <= "\u202E") ||
-         (character >= "\u2066" && character <= "\u2069");
+  if (character.size() == 2)
+    return (lead == 0xC2 && byte(character, 1) < 0xA0) || character == "\u00AD" || character == "\u061C";
+  return (character >= "\u200B" && character <= "\u200F") || (character >= "\u2028" && character <= "\u202E") ||
+         (character >= "\u2060" && character <= "\u206F") || character == "\uFEFF";
 }
 
 }  // namespace

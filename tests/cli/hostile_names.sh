@@ -6,7 +6,7 @@ name=$'<script>$(touch pwned)`touch pwned`"\''
 long=$(printf 'long%.0s' {1..50}) # 200 characters, the most
 labels=("\"quoted\", 'single'" '<b>&amp;</b>' '<script>pwned</script>' '$(touch pwned)`touch pwned`' '100 % | 50 $ \ ~^#_{}&'
   'Gelenkkörper 関節 плечо' '@{/Symbol a} %s %n \n' "'; DROP TABLE solves; --" '../../pwned' '=1+1' 'a  b' '-x' '*'
-  $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z' "$long")
+  $'turned \u202egnp.exe \u2066x\u2069 \u061cy\u2028z\u200bw' "$long")
 {
   printf 'name = "%s"\ntitle = "<img src=x> $\\\\alpha$"\nruns = 2\npopulation = 6\n' "${name//\"/\\\"}"
   printf '[stop]\niterations = 5\n[path]\npoints = 3\n'
@@ -32,7 +32,7 @@ folder=$(realpath out/*)
 cd ..
 
 # What people read has no letter that turns the direction of writing or ends a line, and no HTML of the user's making.
-turning='[\x{61c}\x{200e}\x{200f}\x{2028}-\x{202e}\x{2066}-\x{2069}]'
+turning='[\x{61c}\x{200b}-\x{200f}\x{2028}-\x{202e}\x{2066}-\x{2069}]'
 grep -qP "$turning" hostile.toml || fail "grep does not see them"
 equal "files with letters that turn" "$(grep -lP "$turning" screen "$folder"/report.{md,html} "$folder"/tables/*.{md,tex})" ""
 ! sed -E 's/^<script( type="[a-z\/]*" id="motion-data")?>//; s/<img alt="[^"<>]*" src="data:image\/svg\+xml;base64,[A-Za-z0-9+\/=]*">//' \
