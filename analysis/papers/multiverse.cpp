@@ -238,7 +238,7 @@ std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
 // A number is explained if it lies, but for its rounding, in the range that 95 % of studies with as many runs would
 // have.
 ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedMetrics& printed) {
-  std::map<std::vector<double>, Ranges> known;  // many readings share a series
+  std::map<std::vector<double>, std::optional<Ranges>> known;  // many readings share a series
   ExplainedReadings explained;
   for (const OfStudy& study : multiverse.studies) {
     explained.emplace_back(study.solvers.size());
@@ -251,8 +251,7 @@ ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedMetric
           const auto [found, is_new] = known.try_emplace(pooled(own, m));
           if (is_new) found->second = predicted_ranges(found->first, row->numbers.n);
           for (std::size_t i = 0; i < statistics.size(); ++i) {
-            const auto& [low, high] = found->second[i];
-            its[m * statistics.size() + i] = can_be(low, high, row->digits[i]);
+            its[m * statistics.size() + i] = found->second && can_be((*found->second)[i], row->digits[i]);
           }
         }
       }

@@ -49,9 +49,9 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
 
 // The range of each statistic in 95 % of studies of so many runs, by Hill's A(n) (JASA 63 (1968) 677) on the logarithms
 // of the values: the next one is equally likely in each gap of the known ones, and then is known itself; beyond the
-// last there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163). Unknown for fewer than five
+// last there is an exponential tail of Hill's slope (Annals of Statistics 3 (1975) 1163). None for fewer than five
 // values, or one that is not above 0.
 using Ranges = std::array<compare::Interval, statistics.size()>;
-Ranges predicted_ranges(const std::vector<double>& values, int runs);
+std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs);
 
 }  // namespace ikbench::papers

@@ -101,7 +101,7 @@ Rate rate_of(const StudyResults& study, const std::string& solver, double printe
   }
   std::ranges::sort(iterations);
   rate.share = static_cast<double>(iterations.size()) / n;
-  rate.interval = wilson(rate.share, n, 1 - rates.level);
+  rate.interval = wilson(*rate.share, n, 1 - rates.level);
   for (int most = 1; most <= rates.iterations; ++most) {
     const auto solved = std::ranges::upper_bound(iterations, most) - iterations.begin();
     const Interval of = wilson(static_cast<double>(solved) / n, n, 1 - rates.level);
@@ -217,19 +217,15 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
   const Description ours = numbers_of(judged, solver);
   const bool is_time = judged.observations.unit == "s";
   const auto group = std::ranges::find(judged.observations.groups, solver, &Group::name);
-  Ranges ranges;
-  ranges.fill({unknown, unknown});
-  if (row && ours.n > 0 && !is_time) ranges = predicted_ranges(group->values, row->numbers.n);
+  const auto ranges = row && ours.n > 0 && !is_time ? predicted_ranges(group->values, row->numbers.n) : std::nullopt;
   std::vector<show::Cell> cells;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     const double number = ours.*statistics[s].of;
     auto& cell = cells.emplace_back(beside(is_time ? 1000 * number : number, row, s));
     auto* const printed = std::get_if<show::Printed>(&cell);
     if (printed && is_time) printed->printed = in_thousandths(printed->printed);
-    if (printed && ranges[s].low == ranges[s].low)
-      printed->sign = agrees(number, printed->printed)                          ? '='
-                      : can_be(ranges[s].low, ranges[s].high, printed->printed) ? '~'
-                                                                                : 'x';
+    if (printed && ranges)
+      printed->sign = agrees(number, printed->printed) ? '=' : can_be((*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
 }
@@ -265,8 +261,8 @@ show::Table rates_table(const Repeated& of) {
   for (const RatesOfArm& arm : rates_of(of)) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
     for (const Rate& rate : arm.rates)
-      row.emplace_back(show::Printed{100 * rate.share, fmt::format("{:.2f}", 100 * rate.printed),
-                                     !rate.is_solved_here() ? ""
+      row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
+                                     !rate.share            ? ""
                                      : rate.is_as_printed() ? "~"
                                                             : "x"});
   }

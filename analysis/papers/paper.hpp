@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -78,12 +79,12 @@ Timed timed(const compare::StudyResults& study, std::string_view solver, double 
 // A solver's share of solved targets on an arm.
 struct Rate {
   std::string solver;
-  double printed = compare::unknown, share = compare::unknown;  // unknown share: not solved here
+  double printed = 0;
+  std::optional<double> share = {};  // none: not solved here
   compare::Interval interval = {};
   int first = 0, last = 0;  // numbers of iterations, from and to, whose interval has the printed share; 0: none
 
   bool is_as_printed() const { return interval.low <= printed && printed <= interval.high; }
-  bool is_solved_here() const { return share == share; }
 };
 struct RatesOfArm {
   std::string arm;  // as printed

@@ -21,11 +21,9 @@ double tail_slope(const std::vector<double>& outwards) {
 
 }  // namespace
 
-Ranges predicted_ranges(const std::vector<double>& values, int runs) {
+std::optional<Ranges> predicted_ranges(const std::vector<double>& values, int runs) {
   constexpr std::size_t studies = 500, least = 12, most = 487;  // of the sorted ones: 2.5 and 97.5 %
-  Ranges ranges;
-  ranges.fill({compare::unknown, compare::unknown});
-  if (values.size() < 5 || std::ranges::min(values) <= 0) return ranges;
+  if (values.size() < 5 || std::ranges::min(values) <= 0) return {};
   std::vector<double> logs;
   for (const double value : values) logs.push_back(std::log(value));
   std::ranges::sort(logs);
@@ -47,6 +45,7 @@ Ranges predicted_ranges(const std::vector<double>& values, int runs) {
     const compare::Description its = compare::describe(study);
     for (std::size_t s = 0; s < statistics.size(); ++s) replicates[s].push_back(its.*statistics[s].of);
   }
+  Ranges ranges;
   for (std::size_t s = 0; s < statistics.size(); ++s) {
     std::ranges::sort(replicates[s]);
     ranges[s] = {replicates[s][least], replicates[s][most]};

@@ -52,9 +52,9 @@ bool agrees(double ours, std::string_view printed) {
   return std::abs(ours - parsed(printed)) <= half_unit(printed) * room;
 }
 
-bool can_be(double low, double high, std::string_view printed) {
+bool can_be(const compare::Interval& of, std::string_view printed) {
   const double number = parsed(printed), half = half_unit(printed);
-  return low <= number + half && number - half <= high;
+  return of.low <= number + half && number - half <= of.high;
 }
 
 std::string in_thousandths(std::string_view printed) {

@@ -13,9 +13,9 @@
 namespace ikbench::papers {
 
 // These throw std::invalid_argument for a text that is no number.
-double half_unit(std::string_view printed);                      // of the last digit: 5e-9 of "1.7824e-4"
-bool agrees(double ours, std::string_view printed);              // our number rounds to the printed digits
-bool can_be(double low, double high, std::string_view printed);  // one between does
+double half_unit(std::string_view printed);                          // of the last digit: 5e-9 of "1.7824e-4"
+bool agrees(double ours, std::string_view printed);                  // our number rounds to the printed digits
+bool can_be(const compare::Interval& of, std::string_view printed);  // a number in it does
 
 std::string in_thousandths(std::string_view printed);  // "243.9" of "0.2439"
 

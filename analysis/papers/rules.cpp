@@ -384,8 +384,8 @@ JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResu
 // All rates of an arm belong to one number of iterations, which is not printed. So one depends on that number only if
 // it can be the other's, too.
 JudgedClaim count_as_printed(const Asked& asked, const RatesOfArm& arm, const Rate& rate) {
-  const auto other = std::ranges::find_if(
-      arm.rates, [&](const Rate& each) { return each.is_solved_here() && each.solver != rate.solver; });
+  const auto other =
+      std::ranges::find_if(arm.rates, [&](const Rate& each) { return each.share && each.solver != rate.solver; });
   const bool can_depend = rate.first > 0;
   const bool depends = can_depend && (other == arm.rates.end() || other->first == 0 ||
                                       (rate.first <= other->last && other->first <= rate.last));
@@ -395,7 +395,7 @@ JudgedClaim count_as_printed(const Asked& asked, const RatesOfArm& arm, const Ra
       fmt::format(fmt::runtime(asked.claim.sentence), fmt::arg("solver", rate.solver), fmt::arg("arm", arm.arm),
                   fmt::arg("share", fmt::format("{:.2f} %", 100 * rate.printed)));
   claim.holds = always_or_on_average(rate.is_as_printed(), depends);
-  claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * rate.share, 100 * rate.printed);
+  claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * *rate.share, 100 * rate.printed);
   if (can_depend) claim.evidence = fmt::format("As printed within {} to {} iterations.", rate.first, rate.last);
   if (can_depend && !depends)
     claim.evidence += fmt::format(" The other rate takes {} to {}.", other->first, other->last);
@@ -407,7 +407,7 @@ Found count(const Asked& asked) {
   for (const RatesOfArm& arm :
        asked.claim.that == "as_printed" ? rates_of(asked.repeated) : std::vector<RatesOfArm>()) {
     for (const Rate& rate : arm.rates) {
-      if (rate.is_solved_here()) found.push_back(count_as_printed(asked, arm, rate));
+      if (rate.share) found.push_back(count_as_printed(asked, arm, rate));
     }
   }
   const JudgedStudy* const judged = study_of(asked);
