@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/shard.hpp"
+#include "numerics/names.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {
@@ -77,9 +78,9 @@ void add_merge(Command& app, Invocation& invocation) {
       return merge(out, stores, [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); });
     }();
     if (!arguments->is_json) {
-      fmt::print("{}\n", wrapped(fmt::format("{}: {} solve{} added from {} store{}, {} were there with the same bits",
-                                             out.string(), merged.added, merged.added == 1 ? "" : "s", stores.size(),
-                                             stores.size() == 1 ? "" : "s", merged.known)));
+      fmt::print("{}\n", wrapped(fmt::format("{}: {} added from {}, {} were there with the same bits", out.string(),
+                                             numerics::counted(merged.added, "solves"),
+                                             numerics::counted(std::ssize(stores), "stores"), merged.known)));
     }
     const Store store(out, Store::Mode::read);
     numerics::OrderedJson missing = numerics::OrderedJson::object();

@@ -97,10 +97,20 @@ void add_report_options(Command& command, ReportArguments& arguments) {
   add_json_option(command, arguments.is_json);
 }
 
-FigureStyle styled(FigureStyle style, const ReportArguments& arguments) {
+FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
   if (!arguments.style.empty()) read_style_file(arguments.style, style);
+  for (const std::string& label : style.solvers) {
+    if (std::ranges::find(labels, label) == labels.end())
+      throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
+  }
   if (are_drawn(arguments.figures)) figures::refuse_missing_font(style.font);
   return style;
+}
+
+std::vector<std::string> labels_of(const Study& study) {
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  return labels;
 }
 
 void add_overrides(Command& command, Overrides& overrides) {
@@ -159,12 +169,7 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
   compare::StudyResults results = checked_study(store, store.study(study));
-  const FigureStyle style = styled(results.definition.style, arguments);
-  const std::vector<std::string>& solvers = results.solvers;
-  for (const std::string& label : style.solvers) {
-    if (std::ranges::find(solvers, label) == solvers.end())
-      throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, solvers)));
-  }
+  const FigureStyle style = styled(results.definition.style, results.solvers, arguments);
   compare::JudgedStudy judged = compare::judge(std::move(results));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);

@@ -27,8 +27,11 @@ struct ReportArguments {
 
 bool are_drawn(const std::vector<std::string>& names);
 void add_report_options(Command& command, ReportArguments& arguments);
-// Reads the style file, if there is one. Call it before anything is solved.
-results::FigureStyle styled(results::FigureStyle style, const ReportArguments& arguments);
+// Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
+// drawn. Call it before anything is solved.
+results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
+                            const ReportArguments& arguments);
+std::vector<std::string> labels_of(const experiments::Study& study);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
 

@@ -81,9 +81,8 @@ std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper
 
 void report(const Store& store, const Paper& paper, const Arguments& arguments, const std::filesystem::path& folder,
             const papers::JudgedMultiverse& readings) {
-  const FigureStyle style =
-      styled(definition_of(store.study(paper.studies.front()).definition).style, arguments.report);
   std::vector<compare::JudgedStudy> all = judged_studies(store, paper);
+  const FigureStyle style = styled(all.front().study.definition.style, all.front().study.solvers, arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.claims);
@@ -147,8 +146,9 @@ void add_reproduce(Command& app, Invocation& invocation) {
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
   command->callback([arguments, &invocation, readings_option] {
-    static_cast<void>(styled({}, arguments->report));  // a mistake in it shows before hours are spent
     const Paper& paper = papers::paper_named(arguments->paper);
+    // A mistake in it shows before hours are spent.
+    static_cast<void>(styled({}, labels_of(load_study(paper.studies.front())), arguments->report));
     if (readings_option->count() > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));

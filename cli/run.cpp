@@ -11,6 +11,7 @@
 #include "cli/reporting.hpp"
 #include "experiments/shard.hpp"
 #include "experiments/study_reader.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::cli {
 
@@ -22,9 +23,9 @@ namespace {
 void refuse_empty_shard(const Study& study, Shard shard) {
   const std::int64_t parts = parts_of(size_of(study));
   if (shard.count <= parts) return;
-  throw std::invalid_argument(
-      fmt::format("--shard {}: {} has only {} {}{} to share out, so give at most that many shards", shard.text(),
-                  study.name, parts, size_of(study).is_chained ? "run" : "target", parts == 1 ? "" : "s"));
+  throw std::invalid_argument(fmt::format("--shard {}: {} has only {} to share out, so give at most that many shards",
+                                          shard.text(), study.name,
+                                          numerics::counted(parts, size_of(study).is_chained ? "runs" : "targets")));
 }
 
 struct StudyToRun {
@@ -61,7 +62,8 @@ void add_run(Command& app, Invocation& invocation) {
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
     const Study study = load_study(arguments->study, arguments->overrides);
-    static_cast<void>(styled(study.figures, arguments->report));  // a mistake in it shows before hours are spent
+    // A mistake in it shows before hours are spent.
+    static_cast<void>(styled(study.figures, labels_of(study), arguments->report));
     check_plan(study);
     const Shard shard = arguments->shard ? shard_from(*arguments->shard) : Shard{};
     const bool is_part = arguments->shard.has_value();
