@@ -12,10 +12,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
+#include "analysis/show/text.hpp"
 #include "numerics/utf8.hpp"
 #include "results/files.hpp"
 
@@ -94,47 +94,6 @@ std::string coloured_for(int stream, std::string text, Tone tone) {
   return has_colours(stream) ? fmt::format("\x1b[{}m{}\x1b[0m", codes[static_cast<int>(tone)], text) : text;
 }
 
-// The words of a text in lines of at most that width; longer words stay whole.
-std::vector<std::string> lines_of(std::string_view text, std::size_t first, std::size_t others) {
-  std::vector<std::string> lines{""};
-  std::size_t used = 0;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string_view word = text.substr(at, end - at);
-    const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
-    if (at > 0 && used + 1 + length > width && used > 0) {
-      lines.emplace_back(word);
-      used = length;
-    } else {
-      if (at > 0) lines.back() += ' ';
-      lines.back() += word;
-      used += length + (at > 0 ? 1 : 0);
-    }
-    at = end + 1;
-  }
-  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
-  return lines;
-}
-
-// Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
-void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t width) {
-  std::vector<std::size_t> least(widths.size(), 1);
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      for (const std::string& word : lines_of(row[c], 1, 1)) least[c] = std::max(least[c], character_count(word));
-    }
-  }
-  const std::size_t gaps = 2 * (widths.size() - std::min<std::size_t>(widths.size(), 1));
-  for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
-    std::size_t widest = widths.size();
-    for (std::size_t c = 0; c < widths.size(); ++c) {
-      if (widths[c] > least[c] && (widest == widths.size() || widths[c] > widths[widest])) widest = c;
-    }
-    if (widest == widths.size()) return;
-    --widths[widest];
-  }
-}
-
 // Rate and time left; empty before anything is done.
 std::string pace(const Progress& progress, double elapsed) {
   const std::int64_t solved = progress.done - progress.reused;
@@ -185,7 +144,7 @@ std::string wrapped(std::string_view text, std::size_t width) {
   for (std::size_t at = 0; at <= shown.size();) {
     const std::size_t end = std::min(shown.find('\n', at), shown.size());
     const std::vector<std::string> lines =
-        lines_of(std::string_view(shown).substr(at, end - at), width, width - indent);
+        show::broken(std::string_view(shown).substr(at, end - at), width, width - indent);
     if (at > 0) result += '\n';
     result += fmt::format("{}", fmt::join(lines, '\n' + std::string(indent, ' ')));
     at = end + 1;
@@ -211,35 +170,11 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
   return text;
 }
 
-std::string aligned(const Rows& rows, std::size_t width) {
-  Rows shown = rows;
-  std::vector<std::size_t> widths;
-  for (auto& row : shown) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      row[c] = one_line(printable(row[c]));
-      widths[c] = std::max(widths[c], character_count(row[c]));
-    }
+std::string aligned(Rows rows, std::size_t width) {
+  for (auto& row : rows) {
+    for (std::string& cell : row) cell = one_line(printable(cell));
   }
-  narrow(widths, shown, width);
-  std::string text;
-  for (const auto& row : shown) {
-    std::vector<std::vector<std::string>> cells;
-    std::size_t lines = 1;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      lines = std::max(lines, cells.emplace_back(lines_of(row[c], widths[c], widths[c])).size());
-    }
-    for (std::size_t line = 0; line < lines; ++line) {
-      std::size_t missing = 0;  // blanks before the next cell
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        const std::string cell = line < cells[c].size() ? cells[c][line] : "";
-        if (!cell.empty()) text += std::string(std::exchange(missing, 0), ' ') + cell;
-        missing += widths[c] - std::min(widths[c], character_count(cell)) + 2;
-      }
-      text += '\n';
-    }
-  }
-  return text;
+  return show::aligned(rows, 2, width);
 }
 
 SignalWatch::SignalWatch() {

@@ -41,7 +41,7 @@ std::string shell_command(std::string_view program, const std::vector<std::strin
 using Rows = std::vector<std::vector<std::string>>;
 // Pads columns to their widest cell; the first row is the head. If the rows are wider than `width`, the words of the
 // widest columns are wrapped.
-std::string aligned(const Rows& rows, std::size_t width = text_width());
+std::string aligned(Rows rows, std::size_t width = text_width());
 
 // While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (unless started by nohup), so their handling may use
 // any function. They end the program with a sentence and 128 + the number of the signal, and remove scratch folders;

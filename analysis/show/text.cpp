@@ -6,12 +6,16 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <span>
 #include <sstream>
+#include <utility>
 
 namespace ikbench::show {
 namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
 
 struct Substitute {
   char character;
@@ -30,6 +34,25 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
     }
   }
   return result;
+}
+
+// Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
+void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap, std::size_t width) {
+  std::vector<std::size_t> least(widths.size(), 1);
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      for (const std::string& word : broken(row[c], 1, 1)) least[c] = std::max(least[c], character_count(word));
+    }
+  }
+  const std::size_t gaps = gap * (widths.size() - std::min<std::size_t>(widths.size(), 1));
+  for (std::size_t all = std::accumulate(widths.begin(), widths.end(), gaps); all > width; --all) {
+    std::size_t widest = widths.size();
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      if (widths[c] > least[c] && (widest == widths.size() || widths[c] > widths[widest])) widest = c;
+    }
+    if (widest == widths.size()) return;
+    --widths[widest];
+  }
 }
 
 }  // namespace
@@ -82,33 +105,58 @@ std::string listed(const std::vector<std::string>& names, std::string_view last)
   return text;
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t gap) {
+std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others) {
+  std::vector<std::string> lines{""};
+  std::size_t used = 0;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
+    if (at > 0 && used + 1 + length > width && used > 0) {
+      lines.emplace_back(word);
+      used = length;
+    } else {
+      if (at > 0) lines.back() += ' ';
+      lines.back() += word;
+      used += length + (at > 0 ? 1 : 0);
+    }
+    at = end + 1;
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
+}
+
+std::string aligned(const Rows& rows, std::size_t gap, std::size_t width) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], character_count(row[c]));
   }
+  narrow(widths, rows, gap, width);
   std::string text;
   for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c)
-      text += row[c] + std::string(widths[c] - character_count(row[c]) + gap, ' ');
-    text.resize(text.find_last_not_of(' ') + 1);
-    text += '\n';
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      lines = std::max(lines, cells.emplace_back(broken(row[c], widths[c], widths[c])).size());
+    }
+    for (std::size_t line = 0; line < lines; ++line) {
+      std::size_t missing = 0;  // blanks before the next cell
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const std::string cell = line < cells[c].size() ? cells[c][line] : "";
+        if (!cell.empty()) text += std::string(std::exchange(missing, 0), ' ') + cell;
+        missing += widths[c] - std::min(widths[c], character_count(cell)) + gap;
+      }
+      text += '\n';
+    }
   }
   return text;
 }
 
 std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first) {
   constexpr std::size_t width = 100;
-  std::vector<std::string> lines{first};
-  bool is_first = true;
-  std::istringstream all(one_line(text));
-  for (std::string word; all >> word; is_first = false) {
-    if (!is_first && character_count(lines.back()) + 1 + character_count(word) > width)
-      lines.push_back(indent + word);
-    else
-      lines.back() += (is_first ? "" : " ") + word;
-  }
+  std::vector<std::string> lines = broken(one_line(text), width - character_count(first), width - indent.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = (i == 0 ? first : indent) + lines[i];
   return lines;
 }
 

@@ -22,8 +22,12 @@ std::string p_text(double p);      // "0.0005", "< 0.0001"
 std::string p_sentence(double p);  // "p = 0.0005", "p < 0.0001"
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");  // "A, B and C"
 
-// Rows of one line each, their columns padded.
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3);
+// The words of a text in lines of at most that width; longer words stay whole.
+std::vector<std::string> broken(std::string_view text, std::size_t first, std::size_t others);
+
+// Rows with their columns padded. If they are wider than `width`, the words of the widest columns are wrapped.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t gap = 3,
+                    std::size_t width = std::string::npos);
 
 // Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
 // `indent`.
