@@ -125,7 +125,6 @@ void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arg
   draw(judged.figure, folder / "figures", {.render = are_drawn(arguments.figures)});
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));
-  for (const std::string& sentence : judged.sentences) fmt::print("{}\n", wrapped(sentence));
   fmt::print("Table and figure: {}\n", printable(folder.string()));
 }
 

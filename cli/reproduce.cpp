@@ -113,9 +113,7 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
   if (!readings.claims.empty()) {
-    show::Blocks blocks{show::Heading{"What the paper leaves open"}, readings.figure, readings.table};
-    for (const std::string& sentence : readings.sentences) blocks.emplace_back(sentence);
-    reported.additions.push_back(std::move(blocks));
+    reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.figure, readings.table});
   }
   announce(reported, folder, arguments.report, style,
            fmt::format("{}{}\n", papers::screen(sentences, means, claims), fingerprints_of(store, paper.studies)));

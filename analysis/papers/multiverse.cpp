@@ -260,55 +260,6 @@ ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedMetric
   return explained;
 }
 
-// The first of the readings that explain most, by what it chooses otherwise than the default.
-std::string nearest_words(const Multiverse& multiverse, const ExplainedReadings& explained, std::size_t numbers) {
-  std::size_t most = 0, by_default = 0;
-  Names settings;
-  for (const auto& of_solver : explained[0]) by_default += of_solver[0].count();
-  for (std::size_t g = 0; g < explained.size(); ++g) {
-    std::size_t all = 0;
-    Chosen chosen = multiverse.studies[g].chosen;
-    for (std::size_t s = 0; s < explained[g].size(); ++s) {
-      const auto best = std::ranges::max_element(explained[g][s], {}, &Explained::count);
-      const auto place = static_cast<std::size_t>(best - explained[g][s].begin());
-      const Chosen& own = multiverse.studies[g].solvers[s][place].chosen;
-      chosen.insert(chosen.end(), own.begin(), own.end());
-      all += best->count();
-    }
-    if (all <= most) continue;
-    most = all;
-    settings.clear();
-    for (const auto& [dimension, alternative] : chosen) {
-      if (alternative > 0) settings.push_back(multiverse.dimensions[dimension].alternatives[alternative].set);
-    }
-  }
-  return fmt::format(
-      "Of {} printed numbers of error and joint motion the default explains {}, the nearest reading {}{}.", numbers,
-      by_default, most, settings.empty() ? "" : fmt::format(" (with {})", fmt::join(settings, ", ")));
-}
-
-std::string unexplained_words(const Multiverse& multiverse, const ExplainedReadings& explained,
-                              const PrintedMetrics& printed) {
-  Names none;
-  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
-    Explained any;
-    for (const auto& of_study : explained) {
-      for (const Explained& own : of_study[s]) any |= own;
-    }
-    for (std::size_t m = 0; m < printed.size(); ++m) {
-      Names names;
-      for (std::size_t i = 0; i < statistics.size(); ++i) {
-        if (!any[m * statistics.size() + i]) names.emplace_back(statistics[i].column);
-      }
-      if (!names.empty() && row_of(printed[m], multiverse.solvers[s]))
-        none.push_back(fmt::format("{} of {} ({})", metric_named(metrics_of_readings[m]).name, multiverse.solvers[s],
-                                   fmt::join(names, ", ")));
-    }
-  }
-  return none.empty() ? "Each is explained by some reading."
-                      : fmt::format("No reading explains: {}.", fmt::join(none, "; "));
-}
-
 // Readings drawn at random by their weights, the same each time; a seed of each. The side is the verdict of the claim
 // that the solver is the most accurate, and the interval has the level at which claims judge a pair.
 figures::Figure curve(const Multiverse& multiverse, const std::string& solver, const Plan& plan) {
@@ -408,7 +359,7 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
   const bool can_compare = numbers > 0 && runs == printed_runs;
   const ExplainedReadings explained = can_compare ? explained_in(multiverse, printed) : ExplainedReadings();
   std::vector<Counted> claims;
-  JudgedMultiverse result{.claims = {}, .sentences = {}, .table = {}, .figure = curve(multiverse, paper.solver, plan)};
+  JudgedMultiverse result{.claims = {}, .table = {}, .figure = curve(multiverse, paper.solver, plan)};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
     auto counts = count_claim(multiverse, claim, plan, explained, can_compare ? paper.near : 0);
@@ -422,13 +373,9 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
         fmt::format("near: readings that explain at least {} of the {} printed numbers, {} of all.", paper.near,
                     numbers, percent(result.claims.front().near.all())));
   }
-  if (can_compare) {
-    result.sentences = {nearest_words(multiverse, explained, numbers),
-                        unexplained_words(multiverse, explained, printed)};
-  } else if (numbers > 0) {
-    result.sentences = {
-        fmt::format("The paper has {} runs, this has {}: not compared with print.", printed_runs, runs)};
-  }
+  if (numbers > 0 && !can_compare)
+    result.table.notes.push_back(
+        fmt::format("The paper has {} runs, this has {}: not compared with print.", printed_runs, runs));
   return result;
 }
 

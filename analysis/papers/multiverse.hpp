@@ -40,9 +40,8 @@ bool hangs_on_reading(const Claim& claim);
 
 struct JudgedMultiverse {
   std::vector<SharesOfClaim> claims;
-  std::vector<std::string> sentences;  // at most two: on the printed numbers
-  show::Table table;                   // "multiverse": the shares, and what decides them most
-  figures::Figure figure;              // "multiverse": the specification curve
+  show::Table table;       // "multiverse": the shares, and what decides them most
+  figures::Figure figure;  // "multiverse": the specification curve
 };
 
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan);
