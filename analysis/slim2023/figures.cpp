@@ -1,7 +1,6 @@
 #include "analysis/slim2023/figures.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <string>
 #include <string_view>
@@ -17,8 +16,7 @@ using results::CsvTable;
 
 namespace {
 
-constexpr std::string_view own_solver = "IK-BA", error = "position_error_cm", motion = "variation_deg",
-                           time = "seconds";
+constexpr std::string_view error = "position_error_cm", motion = "variation_deg", time = "seconds";
 
 About numbered(int number, const std::string& caption) {
   return {.name = fmt::format("figure-{}", number), .caption = fmt::format("Figure {}. {}", number, caption)};
@@ -35,17 +33,6 @@ About about_of(const StudyResults& study, const PaperMetric& of, int number, con
 }
 
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
-
-// The printed times are of another machine: only their ratios can be compared.
-std::string times_in_print() {
-  const papers::PrintedRows rows = in_print(time);
-  const double own = papers::row_of(rows, own_solver)->numbers.mean;
-  std::vector<std::string> ratios;
-  for (const auto& [solver, numbers, digits] : rows) {
-    if (solver != own_solver) ratios.push_back(fmt::format("{} {:.3g}", solver, numbers.mean / own));
-  }
-  return fmt::format(" Printed mean times, in multiples of {}'s: {}.", own_solver, fmt::join(ratios, ", "));
-}
 
 Figure path_figure(const StudyResults& study, int number, std::size_t arms, const Look& look) {
   const std::string solver = shown_solvers(study, look).front();
@@ -81,7 +68,6 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   for (const PaperMetric& metric : paper_metrics) {
     About about = about_of(study, metric, metric.curves,
                            fmt::format("The {} at each point, mean of the runs. Dotted: the median.", metric.name));
-    if (metric.column == time) about.caption += times_in_print();
     all.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);

@@ -142,28 +142,6 @@ std::optional<Table> table_8(const Repeated& of) {
   return table;
 }
 
-Table reading_table(const Repeated& of, const JudgedStudy& other) {
-  Table table{.name = "table-3-readings",
-              .caption = "Means where the joints before the wrist are searched, or all seven",
-              .columns = {{"solver"}}};
-  for (const std::string& solver : of.study.study.solvers) table.rows.push_back({solver});
-  for (const auto& [column, name, anova, curves, boxes] : {paper_metrics[0], paper_metrics[1]}) {
-    const Metric& metric = metric_named(column);
-    const PrintedRows printed = printed_rows(of.paper, metric);
-    table.columns.push_back({fmt::format("{}, wrist", name), std::string(metric.unit)});
-    table.columns.push_back({fmt::format("{}, all joints", name), std::string(metric.unit)});
-    for (auto& row : table.rows) {
-      const std::string solver = std::get<std::string>(row[0]);
-      for (const JudgedStudy* study : {&of.study, &other}) {
-        const Judged* const judged = figures::judged_of(*study, column);
-        const double mean = judged == nullptr ? unknown : numbers_of(*judged, solver).mean;
-        row.push_back(study == &of.study ? beside(mean, row_of(printed, solver)) : Cell(mean));
-      }
-    }
-  }
-  return table;
-}
-
 std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
   const auto words = [](Holds holds, const std::string& number) {
     const bool is_open = holds == Holds::undecided || !is_judged(holds);
@@ -201,8 +179,6 @@ std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedC
   show::Blocks means;
   for (Table& table : tables_3(of)) means.emplace_back(std::move(table));
   add("Table 3", std::move(means));
-  if (const JudgedStudy* const other = of.part(of.paper.other_reading))
-    add("Both readings of what is searched", {reading_table(of, *other)});
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(of)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));

@@ -1,5 +1,4 @@
-// What Slim et al. 2023 adds to a report: Tables 3 to 8 beside the printed numbers, both readings of what is searched,
-// and the answer in some sentences.
+// What Slim et al. 2023 adds to a report: Tables 3 to 8 beside the printed numbers, and the answer in some sentences.
 #pragma once
 
 #include <array>
@@ -29,9 +28,6 @@ std::vector<show::Table> anova_tables(const papers::Repeated& of);
 // Of random targets and of the circle; none for other studies.
 std::optional<show::Table> table_7(const papers::Repeated& of);
 std::optional<show::Table> table_8(const papers::Repeated& of);
-
-// Means by both readings: the joints before the wrist are searched (Sec. 4.3), or all seven (Sec. 5.1).
-show::Table reading_table(const papers::Repeated& of, const compare::JudgedStudy& all_joints);
 
 // Is IK-BA the most accurate? By which reading? What beats it? At most three, of which each has its numbers.
 std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims);

@@ -144,7 +144,6 @@ TEST_CASE("the paper's figures have the printed numbers beside ours", "[of_study
                                    "figure-11", "figure-12"});
   CHECK(contains(figures[6].data, " 0.0016 0.0019 0.0022\n"));  // Table 3, in its unit
   CHECK(contains(figures[8].data, "NaN NaN NaN\n"));            // no times of another machine
-  CHECK(contains(figures[4].caption, "BA 1.15, DE 1.7"));
   const StudyResults circle =
       study({.runs = 1, .rest = R"(, "published": "slim2023", "robot": "dobot_magician")" + planar_arm},
             [](SolveRecord& solve) {
