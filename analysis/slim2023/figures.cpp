@@ -94,17 +94,8 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
 
 std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
   std::vector<Figure> all{path_figure(study, 14, 0, look), path_figure(study, 15, 3, look)};
-  auto [rows, columns] = joint_rows(study, look);
-  std::string caption = "Joint angles along the circle. Dashed: limits.";
-  if (study.definition.robot ==
-      "dobot_magician") {  // its joint 4 turns the tool; the paper draws it with joint 1's angle
-    caption += " Joint 4 repeats joint 1, as printed.";
-    columns.push_back({"joint 4"});
-    for (JointRow& row : rows) {
-      for (std::vector<double>& angles : row.angles_deg) angles.push_back(angles.front());
-    }
-  }
-  all.push_back(joints(numbered(16, caption), rows, columns));
+  const auto [rows, columns] = joint_rows(study, look);
+  all.push_back(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
