@@ -51,9 +51,7 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
                                    {"note", &claim.note}})
     reader.text(key, *field, "");
   reader.choice("by", claim.is_ours, {{"paper", false}, {"us", true}}, "");
-  reader.choice("of", claim.of,
-                {{"means", Of::means}, {"spread", Of::spread}, {"points", Of::points}, {"each_study", Of::each_study}},
-                "");
+  reader.choice("of", claim.of, {{"means", Of::means}, {"spread", Of::spread}, {"each_study", Of::each_study}}, "");
   reader.choice("from", claim.from, {{"both", From::both}, {"solvers", From::solvers}, {"others", From::others}}, "");
   reader.texts("solvers", claim.solvers, "");
   reader.texts("against", claim.against, "");

@@ -12,9 +12,9 @@
 
 namespace ikbench::papers {
 
-// What a claim compares of its metrics: the means; the standard deviations of the runs; the means at each target; or
-// the same metric in the study and in each companion.
-enum class Of { means, spread, points, each_study };
+// What a claim compares of its metrics: the means; the standard deviations of the runs; or the same metric in the
+// study and in each companion.
+enum class Of { means, spread, each_study };
 // Whose numbers come from the companion that a claim names; those of the rest come from the study.
 enum class From { both, solvers, others };
 

@@ -163,26 +163,6 @@ Names same_there(const Asked& asked) {
   return same;
 }
 
-// Its mean over the runs is the smallest at each target.
-Found better_at_each_point(const Asked& asked) {
-  const StudyResults& study = asked.repeated.study.study;
-  const std::string& own = asked.claim.solvers.front();
-  std::map<int, std::map<std::string, std::vector<double>>> values;  // by point and solver
-  for (const SolveRecord& solve : study.solves)
-    values[solve.point][solve.solver].push_back(asked.claim.metrics.front()->value(solve, study));
-  int first = 0;
-  for (const auto& [point, solvers] : values) {
-    const auto mean = [&](const std::string& solver) { return summarise(solvers.at(solver)).mean; };
-    first += std::ranges::all_of(solvers, [&](const auto& each) {
-      return each.first == own || (solvers.contains(own) && mean(own) < mean(each.first));
-    });
-  }
-  JudgedClaim claim = begun(asked.claim);
-  claim.holds = always_or_on_average(first == study.points, 2 * first > study.points);
-  claim.number = fmt::format("{} of {} points", first, study.points);
-  return {claim};
-}
-
 // A larger share in each study, which are arms, than the best of the rivals.
 Found better_in_each_study(const Asked& asked) {
   const std::string& own = asked.claim.solvers.front();
@@ -208,7 +188,6 @@ Found better_in_each_study(const Asked& asked) {
 }
 
 Found better(const Asked& asked) {
-  if (asked.claim.of == Of::points) return better_at_each_point(asked);
   if (asked.claim.of == Of::each_study) return better_in_each_study(asked);
   const Names& own = asked.claim.solvers;
   JudgedClaim claim = begun(asked.claim);

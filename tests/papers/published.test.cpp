@@ -50,7 +50,7 @@ TEST_CASE("ours stand beside what is printed, alone where nothing is", "[papers]
 
 TEST_CASE("papers are read from their files, and a mistake says where it is", "[papers]") {
   CHECK(papers::papers().front().name == "slim2023");
-  CHECK(paper_named("slim2023").claims.size() == 24);
+  CHECK(paper_named("slim2023").claims.size() == 23);
   CHECK(paper_named("beeson2015").means.empty());
   CHECK(contains(refusal([&] { paper_named("slim2032"); }), "slim2023"));
   const auto read = [](const std::string& claim) { return read_paper("x", "[[claims]]\n" + claim, "x.toml"); };
