@@ -38,3 +38,8 @@ TEST_CASE("a text is cut between characters", "[names]") {
   CHECK(front("abcd\u20AC", 7) == "abcd\u20AC");
   CHECK(front("\u20AC", 2).empty());
 }
+
+TEST_CASE("one has no plural", "[names]") {
+  CHECK(counted(1, "runs") == "1 run");
+  CHECK(counted(0, "runs") == "0 runs");
+}
