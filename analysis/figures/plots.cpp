@@ -244,7 +244,7 @@ std::string flat_axes(const Corner& low, double side) {
   const std::string step = text_of(round_step_of(side, 4));
   return fmt::format(
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics {}\nset ytics {}\nset xlabel 'x [cm]'\n"
-      "set label 'y [cm]' at graph 0, graph 0.5 center rotate offset -4, 0\n",
+      "set label 'y [cm]' at graph 0, graph 0.5 center rotate offset -5.2, 0\n",
       text_of(low[0]), text_of(low[0] + side), text_of(low[1]), text_of(low[1] + side), step, step);
 }
 
