@@ -228,7 +228,8 @@ std::string to_html(const Table& whole) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
       text += fmt::format("<{}{}>{}</{}>", tag,
-                          !is_text(table, c)                                   ? " class=\"number\""
+                          has<Printed>(table, c)                               ? " class=\"number printed\""
+                          : !is_text(table, c)                                 ? " class=\"number\""
                           : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
                                                                                : "",
                           is_verdict ? pill(row[c]) : row[c], tag.substr(0, tag.find(' ')));
