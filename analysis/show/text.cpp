@@ -60,7 +60,13 @@ void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap,
 std::string html_text(std::string_view text) {
   constexpr std::array<Substitute, 5> substitutes{
       {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
-  return replaced(text, substitutes, "");
+  std::string result = replaced(text, substitutes, "");
+  for (const std::string_view unit : {" %", " cm", " mm", " deg", " ms"}) {  // on one line with their number
+    for (std::size_t at = result.find(unit, 1); at != std::string::npos; at = result.find(unit, at + 1)) {
+      if (result[at - 1] >= '0' && result[at - 1] <= '9') result.replace(at, 1, "\u00a0");
+    }
+  }
+  return result;
 }
 
 std::string markdown_text(std::string_view text) {
