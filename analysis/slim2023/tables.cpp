@@ -33,28 +33,29 @@ std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& ano
 
 }  // namespace
 
-std::vector<Table> tables_3(const Repeated& of) {
-  std::vector<Table> tables;
+Table table_3(const Repeated& of) {
+  const std::vector<std::string>& solvers = of.study.study.solvers;
+  Table table{.name = "table-3",
+              .caption = "Table 3: statistics of the runs",
+              .columns = {{"solver"}, {"statistic"}},
+              .notes = {std::string(meaning_of_signs),
+                        "Printed times are of another machine and language. Our time of a run is the median of its "
+                        "points; Figure 8 has means of the runs."}};
+  for (const Statistic& each : statistics) {
+    for (const std::string& solver : solvers) table.rows.push_back({solver, std::string(each.column)});
+  }
   for (const auto& [column, name, anova, curves, boxes] : paper_metrics) {
     const Metric& metric = metric_named(column);
     const Judged* const judged = figures::judged_of(of.study, column);
     if (judged == nullptr) continue;
-    Table& table = tables.emplace_back(Table{.name = fmt::format("table-3-{}", metric.slug),
-                                             .caption = fmt::format("Table 3: {}", name),
-                                             .columns = {{"solver"}}});
-    for (const Statistic& each : statistics) table.columns.push_back({std::string(each.column), unit_beside(metric)});
+    table.columns.push_back({std::string(name), unit_beside(metric)});
     const PrintedRows printed = printed_rows(of.paper, metric);
-    for (const Group& group : judged->observations.groups) {
-      std::vector<Cell> cells = beside(*judged, group.name, row_of(printed, group.name));
-      cells.insert(cells.begin(), group.name);
-      table.rows.push_back(std::move(cells));
+    for (std::size_t i = 0; i < solvers.size(); ++i) {
+      const std::vector<Cell> cells = beside(*judged, solvers[i], row_of(printed, solvers[i]));
+      for (std::size_t s = 0; s < cells.size(); ++s) table.rows[s * solvers.size() + i].push_back(cells[s]);
     }
-    table.notes.emplace_back(metric.unit == "s"
-                                 ? "Printed times are of another machine and language. Our time of a run is the median "
-                                   "of its points; Figure 8 has means of the runs."
-                                 : meaning_of_signs);
   }
-  return tables;
+  return table;
 }
 
 std::vector<Table> anova_tables(const Repeated& of) {
@@ -176,9 +177,7 @@ std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedC
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
     sections.push_back(std::move(blocks));
   };
-  show::Blocks means;
-  for (Table& table : tables_3(of)) means.emplace_back(std::move(table));
-  add("Table 3", std::move(means));
+  add("Table 3", {table_3(of)});
   show::Blocks anovas, circle(figures_of_circle.begin(), figures_of_circle.end()), times;
   for (Table& table : anova_tables(of)) anovas.emplace_back(std::move(table));
   add("Tables 4 to 6", std::move(anovas));

@@ -21,8 +21,8 @@ constexpr std::array<PaperMetric, 3> paper_metrics{{{"position_error_cm", "posit
                                                     {"variation_deg", "angles variation", 5, 7, 11},
                                                     {"seconds", "computing time", 6, 8, 12}}};
 
-// Table 3: of error, variation and time.
-std::vector<show::Table> tables_3(const papers::Repeated& of);
+// Solvers and their statistics by error, variation and time.
+show::Table table_3(const papers::Repeated& of);
 // Tables 4 to 6: of error, variation and time.
 std::vector<show::Table> anova_tables(const papers::Repeated& of);
 // Of random targets and of the circle; none for other studies.
