@@ -17,5 +17,7 @@ struct Invocation {
 };
 
 void add_commands(Command& app, Invocation& invocation);
+// The names of figures, and the keys of their look.
+std::string help_of_figures();
 
 }  // namespace ikbench::cli

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better\n"
-      "  ikbench help COMMAND      has more\n\n"
+      "  ikbench help COMMAND      has more; ikbench help figures: which there are, and their look\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system,\n"
       "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());
@@ -56,6 +56,10 @@ int main(int argc, char** argv) {
   if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
+  }
+  if (is_help && words == std::vector<std::string>{"figures"}) {
+    fmt::print("{}", cli::help_of_figures());
+    return std::fflush(stdout) == 0 ? 0 : 2;
   }
   if (words.empty()) words.emplace_back("--help");
   const std::string first = words.front();

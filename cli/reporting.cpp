@@ -15,6 +15,7 @@
 #include "analysis/figures/of_study.hpp"
 #include "analysis/papers/paper.hpp"
 #include "analysis/show/screen.hpp"
+#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "experiments/environment.hpp"
@@ -92,9 +93,24 @@ void add_report_options(Command& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's")
+  command
+      .add_option("--style", arguments.style, "TOML file of keys of [figures], in place of the study's (help figures)")
       ->check(not_empty());
   add_json_option(command, arguments.is_json);
+}
+
+std::string help_of_figures() {
+  return "Figures of a report, those that its study has values for: run, report, reproduce --figures NAME,NAME\n"
+         "  overview                              error, or share solved, against joint motion\n"
+         "  error-boxes, motion-boxes, time-boxes the distribution of each solver\n"
+         "  error-by-iteration, error-by-point    medians and quartiles\n"
+         "  solved-by-evaluations                 share of targets solved within a number of evaluations\n"
+         "  differences                           pairs of solvers, with intervals, and who is better\n"
+         "  path, joints                          targets and arm; joint angles along the path\n"
+         "  figure-5 to figure-18, multiverse     those of slim2023\n"
+         "error stands for all that begin with it, none for no figure.\n\n"
+         "Their look: keys of [figures] in a study, or of a file (--style FILE)\n" +
+         to_toml(FigureStyle(), "'IK-BA', 'PSO'");
 }
 
 FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {

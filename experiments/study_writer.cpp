@@ -313,16 +313,19 @@ std::string to_toml(Path path) {
          lines_of(written(path));
 }
 
+std::string to_toml(FigureStyle style, const std::string& shown) {
+  std::string text = lines_of(written(style));
+  if (style.solvers.empty()) text += fmt::format("# solvers = [{}]  # {}\n", shown, meaning_of_shown);
+  return text;
+}
+
 std::string to_toml(const Study& study) {
   Study fields = as_in_files(study);
   std::string text = lines_of(written(fields));
   text += "\n[analysis]  # how the results are judged; it does not affect the solves\n" +
           lines_of(written(fields.analysis)) +
           "\n[figures]  # their style; it affects neither the solves nor how they are judged\n" +
-          lines_of(written(fields.figures));
-  if (fields.figures.solvers.empty())
-    text += fmt::format("# solvers = [{}]  # {}\n",
-                        study.solvers.empty() ? "" : toml_string(study.solvers.front().label), meaning_of_shown);
+          to_toml(fields.figures, study.solvers.empty() ? "" : toml_string(study.solvers.front().label));
   if (is_urdf_file(study.robot)) text += "\n[urdf]\n" + lines_of(written(fields.urdf));
   text += "\n[stop]\n" + lines_of(written(fields.stop)) + '\n' + to_toml(fields.path);
   for (const LeftOut& left_out : study.left_out)

@@ -70,6 +70,8 @@ for command in $(sed -n '/^Subcommands/,/^$/s/^  \([a-z-]*\) .*/\1/p' all); do
   quiet
 done
 equal commands "$(sed -n '/^Subcommands/,/^$/p' all | grep -c '^  [a-z]')" 11
+succeeds help figures
+has "$out" "text_pt = 8"
 succeeds --version
 [[ $out =~ ^ikbench\ ([0-9]+\.[0-9]+\.[0-9]+)\ \(.+\)$ ]] || fail "--version says: $out"
 grep -qx "version: ${BASH_REMATCH[1]}" "$root/CITATION.cff" || fail "CITATION.cff is not of ${BASH_REMATCH[1]}"
