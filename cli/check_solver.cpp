@@ -1,5 +1,5 @@
 // ikbench check-solver: checks a program for its author before a study runs it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
+#include "numerics/json.hpp"
 
 namespace ikbench::cli {
 

@@ -1,5 +1,5 @@
 // ikbench compare: is a solver worse than its baseline?
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <memory>
@@ -14,6 +14,7 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"

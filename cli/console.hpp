@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/runner.hpp"
+#include "experiments/progress.hpp"
 
 namespace ikbench::cli {
 

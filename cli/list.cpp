@@ -20,6 +20,7 @@
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/instruction_set.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
 #include "solvers/registry.hpp"

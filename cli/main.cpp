@@ -1,6 +1,6 @@
 // ikbench: which inverse-kinematics solver is better, and does a published claim hold?
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 // ikbench merge: merges the stores of several machines into one.
 #include "results/merge.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>
@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
 #include "experiments/shard.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/files.hpp"
 

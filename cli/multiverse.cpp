@@ -1,7 +1,7 @@
 // ikbench multiverse: the claims of a paper in every reading of what it leaves open.
 #include "cli/multiverse.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include "cli/reporting.hpp"
 #include "experiments/environment.hpp"
 #include "experiments/study_reader.hpp"
+#include "numerics/json.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::cli {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 
 namespace ikbench::cli {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "numerics/json.hpp"
+#include "numerics/json_fwd.hpp"
 
 namespace CLI {
 class App;

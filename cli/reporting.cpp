@@ -23,6 +23,7 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/same_solves.hpp"
 

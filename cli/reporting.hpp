@@ -9,10 +9,13 @@
 #include "analysis/compare/study.hpp"
 #include "analysis/show/report.hpp"
 #include "cli/options.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
 #include "results/figure_style.hpp"
 #include "results/store.hpp"
+
+namespace ikbench::experiments {
+struct RunRequest;
+struct Study;
+}  // namespace ikbench::experiments
 
 namespace ikbench::cli {
 
@@ -49,7 +52,7 @@ compare::StudyResults checked_study(const results::Store& store, const results::
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
 
 // Adds --set and --sweep, which change the study.
-void add_overrides(Command& command, experiments::Overrides& overrides);
+void add_overrides(Command& command, std::vector<std::string>& overrides);
 
 struct RunArguments {
   std::string out;

@@ -18,6 +18,7 @@
 #include "cli/reporting.hpp"
 #include "experiments/study.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/json.hpp"
 #include "numerics/number.hpp"
 #include "numerics/units.hpp"
 #include "robots/spherical_wrist.hpp"

@@ -1,5 +1,5 @@
 // ikbench run: runs a study, built-in or from a file.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 #include <optional>
@@ -9,7 +9,7 @@
 #include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
-#include "experiments/shard.hpp"
+#include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "numerics/names.hpp"
 

@@ -1,5 +1,5 @@
 // ikbench stats: which group of a user's CSV is better, or of printed means and standard deviations.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <fstream>

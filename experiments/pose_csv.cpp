@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "experiments/orientation.hpp"
+#include "numerics/names.hpp"
 #include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
 #include "results/csv.hpp"
 
@@ -57,7 +57,7 @@ std::string_view without_blanks(std::string_view text) {
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   text = text.substr(0, longest);
-  return TomlReader::is_plain(text) ? fmt::format("\"{}\"", text) : "bytes that are no text";
+  return is_plain(text) ? fmt::format("\"{}\"", text) : "bytes that are no text";
 }
 
 class Table {

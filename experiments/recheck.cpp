@@ -1,6 +1,6 @@
 #include "experiments/recheck.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "experiments/runner.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

@@ -8,18 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "experiments/progress.hpp"
 #include "experiments/shard.hpp"
 #include "experiments/study.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
-
-struct Progress {
-  std::int64_t done = 0;  // solves, including those that the store already had
-  std::int64_t total = 0;
-  std::int64_t reused = 0;              // those of `done` that the store already had
-  std::vector<std::string> notes = {};  // at the end: one sentence per program about more than its solves
-};
 
 struct RunRequest {
   int jobs = 1;                                   // solves at once; times are comparable with 1 only

@@ -1,6 +1,6 @@
 #include "experiments/series_means.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cerrno>

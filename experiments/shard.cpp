@@ -1,11 +1,12 @@
 #include "experiments/shard.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
+#include "experiments/study.hpp"
 #include "numerics/json.hpp"
 
 namespace ikbench::experiments {

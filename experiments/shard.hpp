@@ -5,10 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/study.hpp"
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
+
+struct Study;
 
 // The size of a study's work. Its parts are its runs, or, if no solve starts from the previous answer, the single
 // targets of every run. All solvers solve a part on one machine, so that they can be compared.

@@ -16,8 +16,8 @@
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
-#include "numerics/toml_table.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::experiments {

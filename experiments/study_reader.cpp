@@ -16,6 +16,7 @@
 #include "experiments/study_fields.hpp"
 #include "experiments/task.hpp"
 #include "numerics/embedded_file.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -266,7 +267,7 @@ std::string value_in(const TomlReader& settings, const SolverEntry& entry, const
   }
   std::string text;
   if (const auto quoted = node.value<std::string>()) {
-    if (!TomlReader::is_plain(*quoted)) settings.fail(setting, node, TomlReader::plain);
+    if (!is_plain(*quoted)) settings.fail(setting, node, plain_text);
     if (const auto number = number_from(*quoted); number && is_of_numbers(entry, setting))
       settings.fail(setting, node,
                     std::isfinite(*number) ? fmt::format("a number, without quotes: {}", *number) : "a finite number");
@@ -400,7 +401,7 @@ std::vector<SolverEntry> combinations(const TomlReader& reader, const SolverEntr
     }
     entries = std::move(longer);
   }
-  if (!std::ranges::all_of(entries, TomlReader::is_plain, &SolverEntry::label))
+  if (!std::ranges::all_of(entries, is_plain, &SolverEntry::label))
     throw wrong("a label of more than 200 bytes; expected a shorter label");
   return entries;
 }

@@ -31,7 +31,8 @@ using namespace results;
 
 namespace {
 
-std::vector<double> in_units(const Eigen::VectorXd& values, double unit) {
+template <class Values>
+std::vector<double> in_units(const Values& values, double unit) {
   std::vector<double> result;
   for (const double value : values) result.push_back(in_unit(value, unit));
   return result;
@@ -98,7 +99,7 @@ class Written final : public Fields {
   void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
     add(name, in_unit(field, unit), fmt::format("{}", field));
   }
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
+  void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     add(name, in_units(field, unit), exact(field));
   }
   void on_poses(Name name, std::vector<Pose>& field) override {

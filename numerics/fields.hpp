@@ -2,7 +2,6 @@
 // meaning. A class derived from Fields visits that list to read or write them.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +13,14 @@
 
 #include "numerics/names.hpp"
 
+namespace Eigen {  // a pose by its name alone: most lists have none, and Eigen's headers take long to compile
+template <class, int, int, int>
+class Transform;
+}
+
 namespace ikbench::numerics {
+
+using Poses = std::vector<Eigen::Transform<double, 3, 1, 0>>;  // Eigen::Isometry3d
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
@@ -82,14 +88,13 @@ class Fields {
   template <class Vector>
   void numbers(std::string_view key, Vector& field, double unit, int size, std::string_view meaning = "",
                InKey in_key = InKey::by_name) {
-    Eigen::VectorXd values = field;
+    std::vector<double> values(field.begin(), field.end());
     on_numbers({key, meaning, in_key}, values, unit, size);
-    field = values;
+    field.resize(static_cast<std::ptrdiff_t>(values.size()));
+    std::ranges::copy(values, field.begin());
   }
 
-  void poses(std::string_view key, std::vector<Eigen::Isometry3d>& field) {
-    on_poses({key, "", InKey::by_name}, field);
-  }
+  void poses(std::string_view key, Poses& field) { on_poses({key, "", InKey::by_name}, field); }
 
  private:
   template <class Enum>
@@ -105,8 +110,8 @@ class Fields {
   virtual void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) = 0;
   virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
   virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
-  virtual void on_numbers(Name name, Eigen::VectorXd& field, double unit, int size) = 0;
-  virtual void on_poses(Name, std::vector<Eigen::Isometry3d>&) {}
+  virtual void on_numbers(Name name, std::vector<double>& field, double unit, int size) = 0;
+  virtual void on_poses(Name, Poses&) {}
 };
 
 }  // namespace ikbench::numerics

@@ -1,6 +1,6 @@
 #include "numerics/instruction_set.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdlib>
 #include <stdexcept>

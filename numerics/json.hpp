@@ -5,10 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace ikbench::numerics {
+#include "numerics/json_fwd.hpp"
 
-using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;  // members keep their order of insertion
+namespace ikbench::numerics {
 
 constexpr int deepest_json = 100;  // levels; copies of deeper values would overflow the stack
 // Returns a discarded value (is_discarded()) if the text is not JSON or is nested deeper.

@@ -61,6 +61,13 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
 }
 
+bool is_plain(std::string_view text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  const auto is_c1 = [](unsigned char first, unsigned char second) { return first == 0xc2 && second < 0xa0; };
+  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control) &&
+         std::adjacent_find(text.begin(), text.end(), is_c1) == text.end();
+}
+
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = did_you_mean(name, candidates);
   return fmt::format("unknown {} \"{}\"{}{}", kind, front(name, 100),

@@ -27,6 +27,10 @@ std::string counted(std::int64_t count, std::string_view nouns);
 // The first bytes, at most `most`, without a cut character of UTF-8 at the end.
 std::string_view front(std::string_view text, std::size_t most);
 
+// True for a text that is safe in a message, a table or a file's name.
+bool is_plain(std::string_view text);
+constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";
+
 // `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);
 

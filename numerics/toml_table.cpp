@@ -4,12 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
-#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -45,26 +42,6 @@ toml::array list_of(const Json& list) {
 }
 
 }  // namespace
-
-std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest) {
-  note_input(file);
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw std::invalid_argument(fmt::format("{} is no regular file", file.string()));
-  std::ifstream in(file, std::ios::binary);
-  std::string text;
-  std::array<char, 1 << 16> part;
-  while (in.read(part.data(), part.size()) || in.gcount() > 0) {  // the size of a file may be unknown
-    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > largest) {
-      throw std::invalid_argument(
-          fmt::format("{}: expected a file of at most {:g} MB", file.string(), static_cast<double>(largest) / 1e6));
-    }
-  }
-  if (!in.is_open() || in.bad()) throw std::invalid_argument(fmt::format("cannot read {}", file.string()));
-  return text;
-}
 
 void refuse_deep_keys(std::string_view text, std::string_view source) {
   constexpr int most_dots = 500;
@@ -109,7 +86,7 @@ void TomlReader::on_text(Name name, std::string& field) {
   if (node == nullptr) return;
   const toml::value<std::string>* value = node->as_string();
   if (value == nullptr) fail(name.key, *node, "a quoted string");
-  if (!is_plain(value->get())) fail(name.key, *node, plain);
+  if (!is_plain(value->get())) fail(name.key, *node, plain_text);
   field = value->get();
 }
 
@@ -167,19 +144,18 @@ void TomlReader::on_number(Name name, double& field, double unit, std::pair<doub
   field = *value * unit;
 }
 
-void TomlReader::on_numbers(Name name, Eigen::VectorXd& field, double unit, int size) {
+void TomlReader::on_numbers(Name name, std::vector<double>& field, double unit, int size) {
   const toml::node* node = find(name.key);
   if (node == nullptr) return;
   const toml::array* array = node->as_array();
   const std::string expected = size == 0 ? "a list of numbers" : fmt::format("a list of {} numbers", size);
   if (array == nullptr || (size != 0 && array->size() != static_cast<std::size_t>(size)))
     fail(name.key, *node, expected);
-  field.resize(static_cast<Eigen::Index>(array->size()));
-  Eigen::Index index = 0;
+  field.clear();
   for (const toml::node& element : *array) {
     const std::optional<double> value = as_number(element);
     if (!value || !(std::abs(*value) <= 1e6)) fail(name.key, element, expected + " within +-1e6");
-    field[index++] = *value * unit;
+    field.push_back(*value * unit);
   }
 }
 
@@ -234,13 +210,6 @@ std::string TomlReader::where(const toml::source_region& region, std::string_vie
   if (!is_of_text_) return fmt::format("{}: ", source_);
   if (region.begin.line == 0 || region.path) return fmt::format("{} {}{}: ", override_source, prefix_, key);
   return fmt::format("{}:{}:{}: ", source_, region.begin.line, region.begin.column);
-}
-
-bool TomlReader::is_plain(std::string_view text) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  const auto is_c1 = [](unsigned char first, unsigned char second) { return first == 0xc2 && second < 0xa0; };
-  return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control) &&
-         std::adjacent_find(text.begin(), text.end(), is_c1) == text.end();
 }
 
 std::vector<std::string> TomlReader::texts_in(const toml::node& node) {

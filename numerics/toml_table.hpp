@@ -24,9 +24,6 @@ namespace ikbench::numerics {
 // The `path` of nodes that come from an override; nodes of a file have none.
 constexpr std::string_view override_source = "--set";
 
-// The content of a user's file, an input; std::invalid_argument if it is larger than `largest` bytes or cannot be read.
-std::string text_of_file(const std::filesystem::path& file, std::uintmax_t largest = 10'000'000);
-
 // All of these throw std::invalid_argument with the place, as `source`:line:column, and the mistake.
 toml::table parse_toml(std::string_view text, std::string_view source);
 // Refuses keys such as a.a.a.a, tables nested in tables. toml++ bounds the depth of brackets, not of these, and a
@@ -60,10 +57,6 @@ class TomlReader : public Fields {
   // "study.toml:3:8: "; "--set path.tool: " for an override; "study x: " for a table that was no text.
   std::string where(const toml::source_region& region, std::string_view key) const;
 
-  // True for a text that is safe in a message, a table or a file's name: at most 200 bytes, no control characters.
-  static bool is_plain(std::string_view text);
-  static constexpr std::string_view plain = "a text of at most 200 bytes without control characters";
-
   TomlReader nested(const toml::table& table, std::string prefix) const {
     TomlReader reader(table, source_, std::move(prefix));
     reader.is_of_text_ = is_of_text_;
@@ -81,7 +74,7 @@ class TomlReader : public Fields {
   void on_chosen(Name name, std::vector<std::size_t>& chosen, const std::vector<std::string>& choices) override;
   void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) override;
   void on_number(Name name, double& field, double unit, std::pair<double, double> range) override;
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int size) override;
+  void on_numbers(Name name, std::vector<double>& field, double unit, int size) override;
 
   static std::optional<double> as_number(const toml::node& node);    // nothing if not finite
   static std::vector<std::string> texts_in(const toml::node& node);  // empty if no list

@@ -1,6 +1,6 @@
 #include "results/definition.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <limits>
 #include <stdexcept>
@@ -12,16 +12,16 @@ namespace ikbench::results {
 
 using namespace numerics;
 
-Plan plan_of(const nlohmann::json& analysis) {
+Plan plan_of(std::string_view json) {
   Plan plan;
-  const toml::table table = toml_of(analysis);
+  const toml::table table = toml_of(parsed_json(json));
   TomlReader reader(table, "the plan of a session", "");
   list_fields(reader, plan);
   return plan;
 }
 
 Definition definition_of(std::string_view json) {
-  const nlohmann::json all = parsed_json(json);
+  const Json all = parsed_json(json);
   if (!all.is_object()) throw std::invalid_argument("the definition of a study is no JSON object");
   const toml::table table = toml_of(all), none;
   TomlReader study(table, fmt::format("study {}", table["name"].value_or("without a name")), "");
@@ -60,7 +60,7 @@ Definition definition_of(std::string_view json) {
   arm.text("base_link", of.base_link);
   arm.text("tip_link", of.tip_link);
   arm.texts("notes", of.arm_notes);
-  of.arm = all.value("arm", nlohmann::json());
+  of.arm = text_of(all.value("arm", Json()));
   list_fields(figures, of.style);
   if (const toml::table* const colours = figures.subtable("colours")) {
     TomlReader colour = figures.nested(*colours, "figures.colours.");

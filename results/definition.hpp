@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +26,7 @@ struct Definition {
   std::vector<std::string> departures;       // settings that differ from the published study
   std::vector<std::string> missing_solvers;  // of the published study
   int out_of_reach = 0;                      // targets that no configuration reaches
-  nlohmann::json arm;                        // as robots/robot.hpp reads it
+  std::string arm;                           // JSON, as robots/robot.hpp reads it
   Plan plan;
   FigureStyle style;
 
@@ -41,6 +40,6 @@ struct Definition {
 // study's name and the member whose value cannot be.
 Definition definition_of(std::string_view json);
 // The part "analysis" of a definition, also as a session recorded it.
-Plan plan_of(const nlohmann::json& analysis);
+Plan plan_of(std::string_view json);
 
 }  // namespace ikbench::results

@@ -1,11 +1,12 @@
 #include "results/figure_style.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
 #include <set>
 
+#include "numerics/inputs.hpp"
 #include "numerics/toml_table.hpp"
 
 namespace ikbench::results {

@@ -1,6 +1,6 @@
 #include "results/fingerprint.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>

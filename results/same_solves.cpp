@@ -1,6 +1,6 @@
 #include "results/same_solves.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "robots/chain.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

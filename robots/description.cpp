@@ -1,6 +1,6 @@
 #include "robots/description.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "robots/robot.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "numerics/embedded_file.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/toml_table.hpp"
@@ -120,9 +121,9 @@ bool is_arm_file(std::string_view name) { return name.ends_with(".toml") || is_u
 Robot parse_robot(std::string_view text, const std::filesystem::path& file) {
   const toml::table table = parse_toml(text, file.string());
   std::string name = file.stem().string();
-  if (name.empty() || !TomlReader::is_plain(name))
+  if (name.empty() || !is_plain(name))
     throw std::invalid_argument(
-        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), TomlReader::plain));
+        fmt::format("{}: the arm has the name of its file; expected {}", file.string(), plain_text));
   return read_robot(TomlReader(table, file.string(), ""), std::move(name), lengths_m);
 }
 
@@ -145,8 +146,9 @@ std::string text_of_arm_file(const std::filesystem::path& file) {
   return is_urdf_file(file.string()) ? text_of_file(file, largest_urdf) : text_of_file(file);
 }
 
-std::optional<Robot> stored_arm(Json arm) {
+std::optional<Robot> stored_arm(std::string_view json) {
   try {
+    Json arm = parsed_json(json);
     for (const char* told : {"notes", "base_link", "tip_link"}) arm.erase(told);
     if (arm.at("links").size() > most_joints) return std::nullopt;
     for (Json& link : arm.at("links")) link.erase("name");

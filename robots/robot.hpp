@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -61,6 +60,6 @@ Robot load_robot(const std::filesystem::path& file, const UrdfChoice& choice);
 Robot load_robot(const std::filesystem::path& file);
 
 // The arm in the definition of a stored study, to the rounding of its degrees; empty if no arm file can be it.
-std::optional<Robot> stored_arm(nlohmann::json arm);
+std::optional<Robot> stored_arm(std::string_view json);
 
 }  // namespace ikbench::robots

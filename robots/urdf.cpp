@@ -18,7 +18,6 @@
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
 #include "numerics/random.hpp"
-#include "numerics/toml_table.hpp"
 #include "robots/arm_fields.hpp"
 #include "robots/description.hpp"
 
@@ -78,7 +77,7 @@ class Place {
   std::string name(const XMLElement& at, const char* attribute) const {
     const char* const text = at.Attribute(attribute);
     if (text == nullptr || *text == '\0') fail(at, fmt::format("<{}> has no {}", at.Name(), attribute));
-    if (!TomlReader::is_plain(text)) fail(at, fmt::format("a {} is not {}", attribute, TomlReader::plain));
+    if (!is_plain(text)) fail(at, fmt::format("a {} is not {}", attribute, plain_text));
     return text;
   }
 
@@ -125,9 +124,7 @@ class Place {
     return at.Attribute(attribute) == nullptr ? if_none : numbers(at, attribute, 1, any).values[0];
   }
 
-  static std::string shown(std::string_view text) {
-    return TomlReader::is_plain(text) ? std::string(text) : "(not printable)";
-  }
+  static std::string shown(std::string_view text) { return is_plain(text) ? std::string(text) : "(not printable)"; }
 
  private:
   const std::filesystem::path& file_;
@@ -141,7 +138,7 @@ bool is_unexpanded(const XMLElement& element) {
 
 std::string_view type_of(const XMLElement& joint) {
   const char* const type = joint.Attribute("type");
-  return type == nullptr || !TomlReader::is_plain(type) ? "no type" : type;
+  return type == nullptr || !is_plain(type) ? "no type" : type;
 }
 
 bool floats(const XMLElement& joint) { return type_of(joint) == "floating" || type_of(joint) == "planar"; }

@@ -1,6 +1,6 @@
 #include "solvers/registry.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <stdexcept>
 

@@ -11,7 +11,6 @@
 
 #include "analysis/compare/describe.hpp"
 #include "analysis/compare/tests_of_two.hpp"
-#include "numerics/json.hpp"
 
 namespace ikbench::compare {
 
@@ -262,7 +261,7 @@ std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
   for (const Session& session : study.sessions) {
     const auto recorded = session.environment.find("analysis");
     if (recorded == session.environment.end()) continue;
-    const Plan then = plan_of(numerics::parsed_json(recorded->second));
+    const Plan then = plan_of(recorded->second);
     std::set<std::string> fields;
     if (then.test != plan.test) fields.insert("test");
     if (then.metric != plan.metric) fields.insert("metric");

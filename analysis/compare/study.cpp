@@ -1,6 +1,6 @@
 #include "analysis/compare/study.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "analysis/csv/user_csv.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "analysis/figures/of_study.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "analysis/figures/solver_styles.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "analysis/papers/paper.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -8,7 +8,7 @@
 
 #include "analysis/compare/tests_of_two.hpp"
 #include "analysis/figures/figure.hpp"
-#include "numerics/json.hpp"
+#include "numerics/json_fwd.hpp"
 
 namespace ikbench::show {
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"

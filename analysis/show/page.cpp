@@ -1,5 +1,5 @@
 // Writes a report as a page of HTML that loads nothing.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <algorithm>

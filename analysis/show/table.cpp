@@ -9,6 +9,7 @@
 
 #include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
+#include "numerics/json.hpp"
 #include "results/csv.hpp"
 
 namespace ikbench::show {

@@ -1,6 +1,6 @@
 #include "experiments/foreign/foreign_solver.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>

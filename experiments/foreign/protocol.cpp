@@ -1,6 +1,6 @@
 #include "experiments/foreign/protocol.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +13,6 @@
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
-#include "numerics/toml_table.hpp"
 #include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
@@ -73,12 +72,12 @@ Settings options_of(const Hello& hello, const Settings& settings) {
   return list.values();
 }
 
-Message::Message(std::string line) : line_(std::move(line)) {
+Message::Message(std::string line) : line_(std::move(line)), json_(std::make_shared<OrderedJson>()) {
   if (read_candidates()) return;
   constexpr int deepest = 20;  // copies of deeper values would overflow the stack
-  json_ = numerics::parsed_ordered_json(line_, deepest);
-  if (!json_.is_object()) fail("JSON, in which a number that is not finite is null");
-  name_ = text(json_, "message");
+  json_ = std::make_shared<OrderedJson>(numerics::parsed_ordered_json(line_, deepest));
+  if (!json_->is_object()) fail("JSON, in which a number that is not finite is null");
+  name_ = text(*json_, "message");
   if (name_.empty()) fail("a \"message\"");
 }
 
@@ -120,8 +119,8 @@ void Message::fail(const std::string& expected) const {
 std::string Message::text(const OrderedJson& object, const char* key) const {
   const auto found = object.find(key);
   if (found == object.end()) return {};
-  if (!found->is_string() || !TomlReader::is_plain(found->get<std::string>()))
-    fail(fmt::format("\"{}\" to be {}", key, TomlReader::plain));
+  if (!found->is_string() || !is_plain(found->get<std::string>()))
+    fail(fmt::format("\"{}\" to be {}", key, plain_text));
   return found->get<std::string>();
 }
 
@@ -134,7 +133,7 @@ HelloOption Message::option(const OrderedJson& object) const {
   }
   if (const auto choices = object.find("choices"); choices != object.end()) {
     for (const OrderedJson& choice : *choices) {
-      if (!choice.is_string() || !TomlReader::is_plain(choice.get<std::string>())) fail("choices that are texts");
+      if (!choice.is_string() || !is_plain(choice.get<std::string>())) fail("choices that are texts");
       option.choices.push_back(choice.get<std::string>());
     }
     const auto preset = std::ranges::find(option.choices, text(object, "default"));
@@ -153,11 +152,11 @@ HelloOption Message::option(const OrderedJson& object) const {
 }
 
 Hello Message::hello() const {
-  if (name_ != "hello" || number_in(json_, "ikbench", 0) != protocol_version)
+  if (name_ != "hello" || number_in(*json_, "ikbench", 0) != protocol_version)
     fail(fmt::format("{{\"message\":\"hello\",\"ikbench\":{},...}}", protocol_version));
-  Hello hello{.name = text(json_, "name"), .version = text(json_, "version"), .options = {}};
+  Hello hello{.name = text(*json_, "name"), .version = text(*json_, "version"), .options = {}};
   if (hello.name.empty()) fail("a \"name\"");
-  OrderedJson options = json_.value("options", OrderedJson::array());
+  OrderedJson options = json_->value("options", OrderedJson::array());
   if (options.is_object()) options = OrderedJson::array({options});  // Octave writes a list of one so
   if (options.size() > most_options) fail(fmt::format("at most {} options", most_options));
   for (const OrderedJson& each : options) {
@@ -165,12 +164,12 @@ Hello Message::hello() const {
     if (std::ranges::count(hello.options, hello.options.back().name, &HelloOption::name) > 1)
       fail(fmt::format("the option {} once", hello.options.back().name));
   }
-  hello.wants_urdf = json_.value("urdf", OrderedJson(false)) == true;
+  hello.wants_urdf = json_->value("urdf", OrderedJson(false)) == true;
   return hello;
 }
 
 std::string Message::why() const {
-  const std::string why = text(json_, "why");
+  const std::string why = text(*json_, "why");
   return why.empty() ? "it does not say why" : why;
 }
 
@@ -189,7 +188,7 @@ Candidates Message::candidates(int joints) const {
   const std::string expected = fmt::format("\"candidates\", a list of lists of {} numbers", joints);
   if (candidates_.size() > 0 && candidates_.rows() != joints) fail(expected);
   if (candidates_.size() > 0) return candidates_;
-  OrderedJson list = json_.value("candidates", OrderedJson());
+  OrderedJson list = json_->value("candidates", OrderedJson());
   if (!list.is_array() || list.empty()) fail(expected);
   if (!list.front().is_array()) list = OrderedJson::array({list});  // Octave writes a list of one so
   Candidates q(joints, static_cast<Eigen::Index>(list.size()));
@@ -200,12 +199,14 @@ Candidates Message::candidates(int joints) const {
 }
 
 Configuration Message::joints(int joints) const {
-  return configuration(json_.value("q", OrderedJson()), joints, fmt::format("\"q\", a list of {} numbers", joints));
+  return configuration(json_->value("q", OrderedJson()), joints, fmt::format("\"q\", a list of {} numbers", joints));
 }
 
+bool Message::has(const char* key) const { return json_->contains(key); }
+
 double Message::number(const char* key) const {
-  const auto found = json_.find(key);
-  if (found == json_.end() || found->is_null()) return not_a_number;
+  const auto found = json_->find(key);
+  if (found == json_->end() || found->is_null()) return not_a_number;
   if (!found->is_number()) fail(fmt::format("a number as \"{}\"", key));
   return found->get<double>();
 }

@@ -4,11 +4,12 @@
 
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "experiments/foreign/child_process.hpp"
+#include "numerics/json_fwd.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
@@ -43,7 +44,7 @@ class Message {
   Hello hello() const;
   std::string why() const;
   robots::Candidates candidates(int joints) const;
-  bool has(const char* key) const { return json_.contains(key); }
+  bool has(const char* key) const;
   robots::Configuration joints(int joints) const;  // [rad]; NaN where the message has null
   double number(const char* key) const;            // NaN if there is none
   std::int64_t count(const char* key) const;       // -1 if there is none
@@ -52,13 +53,12 @@ class Message {
 
  private:
   bool read_candidates();
-  std::string text(const nlohmann::ordered_json& object, const char* key) const;
-  HelloOption option(const nlohmann::ordered_json& object) const;
-  robots::Configuration configuration(const nlohmann::ordered_json& list, int joints,
-                                      const std::string& expected) const;
+  std::string text(const numerics::OrderedJson& object, const char* key) const;
+  HelloOption option(const numerics::OrderedJson& object) const;
+  robots::Configuration configuration(const numerics::OrderedJson& list, int joints, const std::string& expected) const;
 
   std::string line_, name_;
-  nlohmann::ordered_json json_;
+  std::shared_ptr<const numerics::OrderedJson> json_;
   Eigen::MatrixXd candidates_;  // if read_candidates read them; else json_ has them
 };
 

@@ -1,5 +1,5 @@
 // Poses from a CSV file beside the study.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 #include "experiments/path.hpp"
 #include "experiments/pose_csv.hpp"
-#include "numerics/toml_table.hpp"
+#include "numerics/inputs.hpp"
 
 namespace ikbench::experiments {
 

@@ -3,7 +3,7 @@
 // iteration, so only JSON has them. Values that are not finite are NaN, Inf or -Inf.
 #include "results/csv.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <stdexcept>

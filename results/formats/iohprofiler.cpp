@@ -1,7 +1,7 @@
 // A study in the format of IOHprofiler (Doerr, Wang, Ye, van Rijn and Baeck 2018), for IOHanalyzer and IOHinspector. A
 // target of the path is a function, a run an instance, the number of searched joints the dimension, and the error [cm]
 // the objective. Each solve lists the evaluations at which its best error became smaller.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // infinities, which JSON does not have.
 #include "numerics/json.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <type_traits>
 #include <utility>

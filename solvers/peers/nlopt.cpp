@@ -1,6 +1,6 @@
 // NLopt (Johnson 2007) minimizes our objective: half the square of the residual for algorithms that use a slope, else
 // the error. One step is one call of the library, which ends by itself or by the study's budgets and tolerances.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <nlopt.h>
 
 #include <limits>

@@ -1,7 +1,7 @@
 // pagmo (Biscani and Izzo 2020) evolves a population by our objective. One step is one call of the library, for as many
 // generations as iterations are planned, or until the study's budgets and tolerances end it. Its algorithms need finite
 // limits: for a joint without end, a whole turn on both sides of the start contains every direction well inside.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <limits>
 #include <pagmo/algorithm.hpp>

@@ -52,7 +52,7 @@ class PointsSetter final : public Fields {
     if (name.key == "points") field = count_;
   }
   void on_number(Name, double&, double, std::pair<double, double>) override {}
-  void on_numbers(Name, Eigen::VectorXd&, double, int) override {}
+  void on_numbers(Name, std::vector<double>&, double, int) override {}
   void on_poses(Name, std::vector<Pose>& field) override {
     field.assign(static_cast<std::size_t>(count_), Pose::Identity());
   }

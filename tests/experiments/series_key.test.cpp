@@ -54,7 +54,7 @@ class Changer final : public Fields {
   void on_number(Name name, double& field, double unit, std::pair<double, double>) override {
     if (is_at(name)) field += unit;
   }
-  void on_numbers(Name name, Eigen::VectorXd& field, double unit, int) override {
+  void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     if (is_at(name)) field[0] += unit;
   }
   void on_poses(Name name, std::vector<Pose>& field) override {

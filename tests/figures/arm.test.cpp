@@ -1,6 +1,5 @@
 #include "analysis/figures/arm.hpp"
 
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "tests/catch.hpp"
@@ -13,7 +12,7 @@ namespace {
 constexpr double quarter = std::numbers::pi / 2;
 
 // The KUKA iiwa 14; its lengths are the manufacturer's.
-const char* const iiwa = R"({"arm": {"base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
+const char* const iiwa = R"({"base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
   "tool": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]}, "links": [
   {"a_m": 0, "alpha_deg": -90, "d_m": 0.36, "offset_deg": 0},
   {"a_m": 0, "alpha_deg": 90, "d_m": 0, "offset_deg": 0},
@@ -21,14 +20,14 @@ const char* const iiwa = R"({"arm": {"base": {"position_m": [0, 0, 0], "rpy_deg"
   {"a_m": 0, "alpha_deg": -90, "d_m": 0, "offset_deg": 0},
   {"a_m": 0, "alpha_deg": -90, "d_m": 0.4, "offset_deg": 0},
   {"a_m": 0, "alpha_deg": 90, "d_m": 0, "offset_deg": 0},
-  {"a_m": 0, "alpha_deg": 0, "d_m": 0.126, "offset_deg": 0}]}})";
+  {"a_m": 0, "alpha_deg": 0, "d_m": 0.126, "offset_deg": 0}]})";
 
 std::vector<Point> points_of(const robots::Robot& arm, const std::vector<double>& angles) {
   return arm_points(arm, Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size())));
 }
 
 std::vector<Point> points_of(const char* definition, const std::vector<double>& angles) {
-  return points_of(robots::stored_arm(nlohmann::json::parse(definition)["arm"]).value(), angles);
+  return points_of(robots::stored_arm(definition).value(), angles);
 }
 
 void check(const std::vector<Point>& points, const std::vector<Point>& expected) {
@@ -68,18 +67,18 @@ TEST_CASE("a chain's corners are the shoulder, the elbow, the wrist and the tool
 }
 
 TEST_CASE("a link's length, offset and the tip are where Denavit and Hartenberg have them", "[arm]") {
-  const char* const one = R"({"arm": {"base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
+  const char* const one = R"({"base": {"position_m": [0, 0, 0], "rpy_deg": [0, 0, 0]},
     "tool": {"position_m": [0, 0.5, 0], "rpy_deg": [0, 0, 0]},
-    "links": [{"a_m": 2, "alpha_deg": 90, "d_m": 1, "offset_deg": 90}]}})";
+    "links": [{"a_m": 2, "alpha_deg": 90, "d_m": 1, "offset_deg": 90}]})";
   // x turns to y; a along it; alpha then turns the tip's y up.
   check(points_of(one, {0}), {{0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 1.5}});
 }
 
 TEST_CASE("slides, coupled links, base and tool are where the solves had them", "[arm]") {
-  const char* const arm = R"({"arm": {"links": [
+  const char* const arm = R"({"links": [
     {"joint": "slides", "offset_deg": 90, "d_m": 0.5, "a_m": 0.2, "alpha_deg": 0, "limits_m": [0, 0.25]},
     {"joint": "coupled", "offset_deg": 0, "d_m": 0, "a_m": 0.3, "alpha_deg": 90, "limits_deg": [-90, 90]}],
-    "base": {"position_m": [1, 0, 0], "rpy_deg": [0, 0, 90]}, "tool": {"position_m": [0, 0.125, 0], "rpy_deg": [0, 0, 0]}}})";
+    "base": {"position_m": [1, 0, 0], "rpy_deg": [0, 0, 90]}, "tool": {"position_m": [0, 0.125, 0], "rpy_deg": [0, 0, 0]}})";
   // By hand: the base turns x to y, the slide's offset to -x; the coupled link points down, and its twist turns y up.
   check(points_of(arm, {0.25, quarter}),
         {{0, 0, 0}, {1, 0, 0}, {1, 0, 0.75}, {0.8, 0, 0.75}, {0.8, 0, 0.45}, {0.8, 0, 0.575}});

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "numerics/toml_table.hpp"
+#include "numerics/inputs.hpp"
 #include "robots/spherical_wrist.hpp"
 #include "tests/catch.hpp"
 #include "tests/mutator.hpp"
