@@ -290,6 +290,7 @@ struct Store::Database {
   const Mode mode;
   SQLite::Database sqlite;
   const std::optional<std::pair<dev_t, ino_t>> identity;  // of the opened file
+  std::optional<SolveInsert> insert;                      // from the first solve on
 };
 
 Store::Store(const fs::path& file, Mode mode)
@@ -376,12 +377,8 @@ std::vector<Session> Store::sessions() const {
 void Store::append(const std::vector<SolveRecord>& records) {
   guarded(database_->name, [&] {
     database_->write([&] {
-      SQLite::Statement insert(database_->sqlite, insert_solve());
-      for (const SolveRecord& record : records) {
-        bind_solve(insert, record);
-        insert.exec();
-        insert.reset();
-      }
+      if (!database_->insert) database_->insert.emplace(database_->sqlite);
+      for (const SolveRecord& record : records) (*database_->insert)(record);
     });
   });
 }

@@ -24,8 +24,8 @@ constexpr std::string_view json_nan = "null";
 constexpr std::string_view json_infinity = "1e999";
 constexpr std::string_view json_minus_infinity = "-1e999";
 
-std::string json_array(const std::vector<double>& numbers) {
-  std::string text = "[";
+void write_numbers(std::string& text, const std::vector<double>& numbers) {
+  text = "[";
   for (const double number : numbers) {
     if (text.size() > 1) text += ',';
     if (std::isfinite(number))
@@ -33,7 +33,7 @@ std::string json_array(const std::vector<double>& numbers) {
     else
       text += std::isnan(number) ? json_nan : number > 0 ? json_infinity : json_minus_infinity;
   }
-  return text + "]";
+  text += ']';
 }
 
 double json_number(std::string_view text) {
@@ -68,14 +68,19 @@ constexpr std::string_view sql_type() {
   return "TEXT NOT NULL";
 }
 
+// SQLite copies no text: names are literals, and the record outlives the insertion.
 template <class Value>
-auto sql_value(const Value& value) {
-  if constexpr (std::is_enum_v<Value>)
-    return std::string(name_of(value));
-  else if constexpr (std::is_same_v<Value, std::vector<double>>)
-    return json_array(value);
-  else
-    return value;
+void bind(SQLite::Statement& insert, int index, const Value& value, std::string& list) {
+  if constexpr (std::is_arithmetic_v<Value>) {
+    insert.bind(index, value);
+  } else if constexpr (std::is_enum_v<Value>) {
+    insert.bindNoCopy(index, name_of(value).data());
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    write_numbers(list, value);
+    insert.bindNoCopy(index, list);
+  } else {
+    insert.bindNoCopy(index, value);
+  }
 }
 
 // The text of a column; valid as long as its row.
@@ -132,15 +137,19 @@ std::string solve_declarations() {
   return listed([](std::string_view name, std::string_view type) { return fmt::format("{} {}", name, type); });
 }
 
-std::string insert_solve() {
-  return fmt::format("INSERT INTO solves ({}) VALUES ({})", solve_columns(),
-                     listed([](std::string_view, std::string_view) { return "?"; }));
-}
+SolveInsert::SolveInsert(SQLite::Database& store)
+    : insert_(store, fmt::format("INSERT INTO solves ({}) VALUES ({})", solve_columns(),
+                                 listed([](std::string_view, std::string_view) { return "?"; }))),
+      lists_(static_cast<std::size_t>(insert_.getBindParameterCount())) {}
 
-void bind_solve(SQLite::Statement& insert, const SolveRecord& record) {
+void SolveInsert::operator()(const SolveRecord& record) {
+  insert_.tryReset();  // also after a failure
   int index = 0;
-  for_each_column(
-      [&](std::string_view, auto member, std::string_view) { insert.bind(++index, sql_value(record.*member)); });
+  for_each_column([&](std::string_view, auto member, std::string_view) {
+    std::string& list = lists_[static_cast<std::size_t>(index)];
+    bind(insert_, ++index, record.*member, list);
+  });
+  insert_.exec();
 }
 
 void read_solve(SQLite::Statement& row, SolveRecord& record) {

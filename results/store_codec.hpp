@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "results/record.hpp"
 
@@ -26,9 +27,16 @@ constexpr std::int64_t store_version = 2;
 std::string solve_columns();
 std::string solve_declarations();
 
-// An INSERT with a parameter for each column, and the binding of their values.
-std::string insert_solve();
-void bind_solve(SQLite::Statement& insert, const SolveRecord& record);
+// Adds solves to a store, prepared once for all.
+class SolveInsert {
+ public:
+  explicit SolveInsert(SQLite::Database& store);
+  void operator()(const SolveRecord& record);
+
+ private:
+  SQLite::Statement insert_;
+  std::vector<std::string> lists_;  // the texts of lists of numbers, a place for each column
+};
 
 // Reads the present row of a statement that selects solve_columns(). Damage names the column.
 void read_solve(SQLite::Statement& row, SolveRecord& record);
