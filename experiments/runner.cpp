@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -139,9 +138,8 @@ struct RunTask {
   std::vector<Configuration> starts = {};
 };
 
-// Solves the rest of every chain, `jobs` chains at once.
-void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue::PassOn pass_on) {
-  RecordQueue record_queue(std::move(pass_on));
+// Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this.
+void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
@@ -164,15 +162,21 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
       record_queue.hand_in(std::move(record));
     }
   };
-  work_together(jobs, [&] {
-    RunTask task;
-    try {
-      for (std::size_t i = next++; i < plan.done.size() && !is_over(); i = next++) work_on(i, task);
-    } catch (...) {
-      has_failed = true;  // the other workers stop after their present solve
-      throw;
-    }
-  });
+  try {
+    work_together(jobs, [&] {
+      RunTask task;
+      try {
+        for (std::size_t i = next++; i < plan.done.size() && !is_over(); i = next++) work_on(i, task);
+      } catch (...) {
+        has_failed = true;  // the other workers stop after their present solve
+        throw;
+      }
+    });
+  } catch (...) {
+    record_queue.flush();
+    throw;
+  }
+  record_queue.flush();
 }
 
 StudyEntry entry_of(const Plan& plan) {
@@ -216,31 +220,16 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["solvers"] = labels_of(plan.study);
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = processor_seconds().stolen;
-  std::vector<SolveRecord> waiting;
-  auto stored_last = std::chrono::steady_clock::now();
-  const auto store_them = [&] {
-    if (waiting.empty()) return;
-    const std::vector<SolveRecord> stored = std::exchange(waiting, {});  // nothing is stored twice, whatever fails here
-    store.append(stored);
-    for (std::size_t i = 0; i < stored.size(); ++i) {
+  const auto store_them = [&](std::vector<SolveRecord>& records) {
+    for (SolveRecord& record : records) record.session = session_id;
+    store.append(records);
+    for (std::size_t i = 0; i < records.size(); ++i) {
       ++progress.done;
       if (request.progress) request.progress(progress);
     }
-    stored_last = std::chrono::steady_clock::now();
   };
-  try {
-    solve_rest(plan, request.jobs, request.cancelled, [&](std::vector<SolveRecord> records) {
-      for (SolveRecord& record : records) {
-        record.session = session_id;
-        waiting.push_back(std::move(record));
-      }
-      if (std::chrono::steady_clock::now() - stored_last >= request.patience) store_them();
-    });
-  } catch (...) {
-    store_them();  // what waits is solved, whatever ended the run
-    throw;
-  }
-  store_them();
+  RecordQueue record_queue(store_them, request.patience);
+  solve_rest(plan, request.jobs, request.cancelled, record_queue);
   progress.notes = tell_of_programs(plan, store, session_id);
   if (const double stolen = processor_seconds().stolen - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
@@ -287,9 +276,10 @@ void check_is_stored(const Study& study, const Store& store) {
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
   const Plan plan(study, 1, jobs);
-  solve_rest(plan, jobs, cancelled, [&](std::vector<SolveRecord> records) {
+  RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
+  solve_rest(plan, jobs, cancelled, record_queue);
 }
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {

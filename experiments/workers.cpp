@@ -42,17 +42,25 @@ void work_together(int jobs, const std::function<void()>& worker) {
   tbb::task_arena(jobs).execute([&] { tbb::parallel_for(0, jobs, work); });
 }
 
-void RecordQueue::hand_in(SolveRecord record) {
+void RecordQueue::hand_in(SolveRecord&& record) {
   std::unique_lock lock(mutex_);
   waiting_.push_back(std::move(record));
-  if (is_busy_) return;
+  while (!is_busy_ && !waiting_.empty() && Clock::now() - last_ >= patience_) pass_on(lock);
+}
+
+void RecordQueue::flush() {
+  std::unique_lock lock(mutex_);
+  if (!is_busy_ && !waiting_.empty()) pass_on(lock);
+}
+
+void RecordQueue::pass_on(std::unique_lock<std::mutex>& lock) {
   is_busy_ = true;
-  while (!waiting_.empty()) {
-    std::vector<SolveRecord> records = std::exchange(waiting_, {});
-    lock.unlock();
-    pass_on_(std::move(records));
-    lock.lock();
-  }
+  passed_.swap(waiting_);
+  lock.unlock();
+  pass_on_(passed_);
+  passed_.clear();  // and keeps its memory
+  lock.lock();
+  last_ = Clock::now();
   is_busy_ = false;
 }
 

@@ -1,6 +1,7 @@
 // Threads that work side by side, and the queue where they hand in their records.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <vector>
@@ -13,20 +14,27 @@ namespace ikbench::experiments {
 // throws.
 void work_together(int jobs, const std::function<void()>& worker);
 
-// Passes records on, one thread at a time. Records handed in meanwhile wait, and the busy thread passes them on next,
-// all at once, so that no worker waits for another. After a failure it passes nothing on.
+// Passes records on, one thread at a time, `patience` after the last time or later. Records handed in meanwhile wait
+// and are passed on all at once, so that no worker waits for another. After a failure it passes nothing on.
 class RecordQueue {
  public:
-  using PassOn = std::function<void(std::vector<results::SolveRecord>)>;
+  using Clock = std::chrono::steady_clock;
+  using PassOn = std::function<void(std::vector<results::SolveRecord>&)>;  // the records are its own
 
-  explicit RecordQueue(PassOn pass_on) : pass_on_(std::move(pass_on)) {}
-  void hand_in(results::SolveRecord record);
+  explicit RecordQueue(PassOn pass_on, Clock::duration patience = {})
+      : pass_on_(std::move(pass_on)), patience_(patience) {}
+  void hand_in(results::SolveRecord&& record);
+  void flush();  // passes on what waits
 
  private:
+  void pass_on(std::unique_lock<std::mutex>& lock);
+
   PassOn pass_on_;
+  Clock::duration patience_;
+  Clock::time_point last_ = Clock::now();
   std::mutex mutex_;
   bool is_busy_ = false;
-  std::vector<results::SolveRecord> waiting_;
+  std::vector<results::SolveRecord> waiting_, passed_;
 };
 
 }  // namespace ikbench::experiments
