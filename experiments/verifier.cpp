@@ -110,6 +110,7 @@ double pose_error(const Verification& verified, double weight) {
 }
 
 Matrix pose_of(const Frame& frame) {
+  if (frame.position.isZero(0) && frame.rpy.isZero(0)) return identity;
   Matrix pose = moved(frame.position.x(), frame.position.y(), frame.position.z());
   pose = product(product(pose, turned_about_z(frame.rpy.z())), turned_about_y(frame.rpy.y()));
   return product(pose, turned_about_x(frame.rpy.x()));
