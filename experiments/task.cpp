@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "experiments/environment.hpp"
 #include "solvers/bounds.hpp"
 
 namespace ikbench::experiments {
@@ -52,13 +51,11 @@ Problem Task::problem(const Configuration& start, int population) const {
 
 Clocked Task::clocked(Solver& solver, const Problem& problem, Objective& objective, Random& random, const Pose& target,
                       const Configuration& start) const {
-  const double thread_started = thread_seconds();
   const auto started = std::chrono::steady_clock::now();
   Solution solution = solvers::solve(solver, problem, objective, random, study_.stop, study_.trace);
   Configuration answer = completed(solution.best.q, target, start);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  const double cpu_seconds = thread_seconds() - thread_started;
-  return {std::move(solution), std::move(answer), seconds.count(), cpu_seconds};
+  return {std::move(solution), std::move(answer), seconds.count()};
 }
 
 Configuration Task::completed(const Configuration& found, const Pose& target, const Configuration& start) const {

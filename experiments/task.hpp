@@ -14,7 +14,6 @@ struct Clocked {
   solvers::Solution solution;
   robots::Configuration answer;  // all joints
   double seconds;
-  double cpu_seconds;
 };
 
 // True if the last joint turns the tool about its own point, so that it moves that point nowhere.
