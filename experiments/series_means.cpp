@@ -13,8 +13,11 @@
 #include <utility>
 
 #include "experiments/study_writer.hpp"
+#include "experiments/task.hpp"
+#include "experiments/verifier.hpp"
 #include "experiments/workers.hpp"
 #include "numerics/number.hpp"
+#include "numerics/units.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::experiments {
@@ -75,6 +78,42 @@ struct Line {
 
 std::string line_of(const std::string& key, const RunMeans& means) {
   return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
+}
+
+// The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
+// bends and turns.
+std::string search_key(Study study) {
+  if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
+    study.wrist_branch = WristBranch::nearest;
+    study.wrist_turns = WristTurns::principal;
+  }
+  return series_key(study, study.solvers.front());
+}
+
+// Solves of one search with the wrist of another study: its errors and joint motion.
+std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveRecord> solves) {
+  const robots::Robot arm = arm_of(study);
+  const Task task(study, arm);
+  std::vector<robots::Pose> poses;
+  std::vector<robots::Configuration> own_starts;
+  robots::Configuration start;
+  for (int run = 0; SolveRecord & solve : solves) {
+    if (solve.run != run) {
+      run = solve.run;
+      poses = targets(study, arm, run);
+      own_starts = starts(study, arm, run);
+      start = study.initial;
+    }
+    const auto place = static_cast<std::size_t>(solve.point - 1);
+    if (!own_starts.empty()) start = own_starts[place];
+    const robots::Configuration answer = task.completed(
+        Eigen::Map<const Eigen::VectorXd>(solve.answer_rad.data(), task.arm().joints()), poses[place], start);
+    const Verification verified = verify(arm, poses[place], start, answer);
+    solve.position_error_cm = verified.position_error / centimetre;
+    solve.variation_deg = verified.variation / degree;
+    if (study.start == Start::previous && solve.status != Status::not_finite) start = answer;
+  }
+  return solves;
 }
 
 std::int64_t solves_of_series(const Study& study) { return std::int64_t{study.runs} * study.path->points(); }
@@ -173,18 +212,25 @@ std::vector<RunMeans> solve_series(const std::vector<Study>& series, SeriesMeans
     if (request.progress) request.progress(progress);
   };
   if (request.progress) request.progress(progress);
+  std::map<std::string, std::vector<std::size_t>> by_search;
+  for (std::size_t i = 0; i < series.size(); ++i)
+    if (!solved[i]) by_search[search_key(series[i])].push_back(i);
+  std::vector<std::vector<std::size_t>> searches;
+  for (auto& [key, places] : by_search) searches.push_back(std::move(places));
+  std::ranges::sort(searches);  // in the order of the series
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (request.cancelled != nullptr && *request.cancelled); };
   work_together(request.jobs, [&] {
     try {
-      for (std::size_t i = next++; i < series.size() && !is_over(); i = next++) {
-        if (solved[i]) continue;
+      for (std::size_t s = next++; s < searches.size() && !is_over(); s = next++) {
+        const Study& first = series[searches[s].front()];
         std::vector<SolveRecord> solves;
         solve_study(
-            series[i], 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
-        if (static_cast<std::int64_t>(solves.size()) < solves_of_series(series[i])) break;
-        take(i, request.means_of(series[i], std::move(solves)));
+            first, 1, [&](SolveRecord record) { solves.push_back(std::move(record)); }, request.cancelled);
+        if (static_cast<std::int64_t>(solves.size()) < solves_of_series(first)) break;
+        for (const std::size_t i : searches[s])
+          take(i, request.means_of(series[i], &series[i] == &first ? solves : with_wrist_of(series[i], solves)));
       }
     } catch (...) {
       has_failed = true;

@@ -33,10 +33,11 @@ class Task {
   Clocked clocked(solvers::Solver& solver, const solvers::Problem& problem, solvers::Objective& objective,
                   numerics::Random& random, const robots::Pose& target, const robots::Configuration& start) const;
 
- private:
   // All joints of the answer: those found by the search, the wrist's by the closed form, wrapped if the study says so.
   robots::Configuration completed(const robots::Configuration& found, const robots::Pose& target,
                                   const robots::Configuration& start) const;
+
+ private:
   void wrap(robots::Configuration& answer) const;
   // Turns each angle of a branch by whole turns, if the study says so.
   void turn_near(Eigen::Vector3d& branch, const Eigen::Vector3d& near) const;
