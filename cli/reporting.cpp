@@ -25,6 +25,7 @@
 #include "experiments/study_writer.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "results/export.hpp"
 #include "results/same_solves.hpp"
 
 namespace ikbench::cli {
@@ -124,6 +125,12 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
   return style;
 }
 
+FigureStyle styled(const StudyEntry& entry, const ReportArguments& arguments) {
+  std::vector<std::string> labels;
+  for (const Series& series : entry.series) labels.push_back(series.label);
+  return styled(definition_of(entry.definition).style, labels, arguments);
+}
+
 std::vector<std::string> labels_of(const Study& study) {
   std::vector<std::string> labels;
   for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
@@ -185,16 +192,23 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
 
 void write_and_announce(const Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments) {
-  compare::StudyResults results = checked_study(store, store.study(study));
-  const FigureStyle style = styled(results.definition.style, results.solvers, arguments);
-  compare::JudgedStudy judged = compare::judge(std::move(results));
+  const StudyEntry entry = store.study(study);
+  const FigureStyle style = styled(entry, arguments);
+  compare::JudgedStudy judged = compare::judge(exported_study(store, entry, folder));
   std::vector<figures::Figure> pictures = figures::of_study(judged, figures::look_of(judged.study.entry.series, style));
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
-compare::StudyResults checked_study(const Store& store, const StudyEntry& entry) {
-  compare::StudyResults study = compare::read_study(store, entry);
-  std::ranges::for_each(study.solves, recheck_of(entry));
+compare::StudyResults checked_study(const Store& store, const StudyEntry& entry, const compare::TakeSolve& also) {
+  return compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
+    check(solve);
+    if (also) also(solve);
+  });
+}
+
+compare::StudyResults exported_study(const Store& store, const StudyEntry& entry, const std::filesystem::path& folder) {
+  compare::StudyResults study;
+  write_csv(folder / "solves.csv", [&](const compare::TakeSolve& take) { study = checked_study(store, entry, take); });
   return study;
 }
 

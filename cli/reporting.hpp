@@ -34,6 +34,8 @@ void add_report_options(Command& command, ReportArguments& arguments);
 // drawn. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
                             const ReportArguments& arguments);
+// The same of a stored study.
+results::FigureStyle styled(const results::StudyEntry& entry, const ReportArguments& arguments);
 std::vector<std::string> labels_of(const experiments::Study& study);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
@@ -45,8 +47,12 @@ void announce(show::Reported reported, const std::filesystem::path& folder, cons
 void write_and_announce(const results::Store& store, const std::string& study, const std::filesystem::path& folder,
                         const ReportArguments& arguments);
 
-// Reads a study, and computes the errors of all its solves again (experiments/recheck.hpp).
-compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry);
+// Reads a study, computes the errors of all its solves again (experiments/recheck.hpp), and passes each on to `also`.
+compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry,
+                                    const compare::TakeSolve& also = {});
+// The same, and writes the solves into the folder's solves.csv, which belongs to its report.
+compare::StudyResults exported_study(const results::Store& store, const results::StudyEntry& entry,
+                                     const std::filesystem::path& folder);
 
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);

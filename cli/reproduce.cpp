@@ -73,16 +73,20 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
 }
 
 // A paper's studies that the store has, judged; the first is its own.
-std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper& paper) {
+std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper& paper,
+                                                 const std::filesystem::path& folder) {
   std::vector<compare::JudgedStudy> all;
-  for (const std::string& name : paper.studies) all.push_back(compare::judge(checked_study(store, store.study(name))));
+  for (const std::string& name : paper.studies) {
+    const StudyEntry entry = store.study(name);
+    all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
+  }
   return all;
 }
 
 void report(const Store& store, const Paper& paper, const Arguments& arguments, const std::filesystem::path& folder,
             const papers::JudgedMultiverse& readings) {
-  std::vector<compare::JudgedStudy> all = judged_studies(store, paper);
-  const FigureStyle style = styled(all.front().study.definition.style, all.front().study.solvers, arguments.report);
+  const FigureStyle style = styled(store.study(paper.studies.front()), arguments.report);
+  std::vector<compare::JudgedStudy> all = judged_studies(store, paper, folder);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.claims);

@@ -16,7 +16,7 @@ namespace ikbench::compare {
 namespace {
 
 using namespace results;
-using Solves = std::span<const SolveRecord>;
+using Solves = std::span<const Solve>;
 
 void refuse_other_task(const Side& one, const Side& other) {
   const Definition &a = one.study.definition, &b = other.study.definition;
@@ -32,7 +32,7 @@ void refuse_other_task(const Side& one, const Side& other) {
                            : nullptr;
   for (std::size_t i = 0; !differ && !a.draws_targets && i < std::min(of_a.size(), of_b.size()); ++i) {
     const bool is_one_place = of_a[i].run == of_b[i].run && of_a[i].point == of_b[i].point;
-    if (is_one_place && of_a[i].target_position_m != of_b[i].target_position_m) differ = "targets";
+    if (is_one_place && of_a[i].target != of_b[i].target) differ = "targets";
   }
   if (differ) throw std::invalid_argument(fmt::format("{} and {} had different {}", one.solver, other.solver, differ));
 }
@@ -42,27 +42,27 @@ StudyResults study_of_both(Side& baseline, Side& candidate) {
   const bool are_named = baseline.solver != candidate.solver;
   StudyEntry entry = candidate.study.entry;
   entry.series.clear();
-  std::vector<SolveRecord> solves;
+  std::vector<Solve> solves;
+  solves.reserve(candidate.study.solves.size() + baseline.study.solves.size());
   std::vector<Session> sessions;
   for (Side* side : {&candidate, &baseline}) {
     const std::string name = are_named ? side->solver : side == &candidate ? "candidate" : "baseline";
     entry.series.push_back({.label = name});
-    std::map<std::int64_t, std::int64_t> numbers;
+    std::map<std::int64_t, int> numbers;
     for (const Session& session : side->study.sessions) {
       const auto is_same = [&](const Session& each) {
         return each.began == session.began && each.environment == session.environment;
       };
       const auto known = std::ranges::find_if(sessions, is_same);
-      numbers[session.id] = known != sessions.end() ? known->id : std::ssize(sessions) + 1;
+      numbers[session.id] = static_cast<int>(known != sessions.end() ? known->id : std::ssize(sessions) + 1);
       if (known != sessions.end()) continue;
       sessions.push_back(session);
       sessions.back().id = numbers[session.id];
     }
-    for (SolveRecord& solve : side->study.solves) {
-      if (solve.solver != side->solver) continue;
-      solve.solver = name;
+    for (Solve solve : side->study.of(side->solver)) {
+      solve.solver = side == &candidate ? 0 : 1;
       solve.session = numbers[solve.session];
-      solves.push_back(std::move(solve));
+      solves.push_back(solve);
     }
     side->study.solves = {};
   }
@@ -74,7 +74,7 @@ StudyResults study_of_both(Side& baseline, Side& candidate) {
 
 bool are_all_same(const StudyResults& study) {
   return std::ranges::equal(study.of(study.solvers.front()), study.of(study.solvers.back()),
-                            [](const SolveRecord& one, const SolveRecord& other) {
+                            [](const Solve& one, const Solve& other) {
                               return one.run == other.run && one.point == other.point && are_same(one, other) &&
                                      one.evaluations == other.evaluations;
                             });
@@ -98,8 +98,7 @@ std::vector<Doubt> doubts_of_limits(const Side& baseline, const Side& candidate,
 
 bool have_one_session(const StudyResults& study) {
   std::set<std::int64_t> of_first, of_second;
-  for (const SolveRecord& solve : study.solves)
-    (solve.solver == study.solvers.front() ? of_first : of_second).insert(solve.session);
+  for (const Solve& solve : study.solves) (solve.solver == 0 ? of_first : of_second).insert(solve.session);
   return of_first == of_second;
 }
 
@@ -109,7 +108,7 @@ Judged judged_answers(const StudyResults& study) {
       .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
     Group& group = of.groups.emplace_back(Group{.name = solver});
-    for (const SolveRecord& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
+    for (const Solve& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
   }
   return judge(std::move(of), study.definition.plan);
 }
@@ -177,6 +176,9 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
     else if (!is_time && !gate.are_same && !finding.are_all_equal && finding.why != Why::fact && is_open)
       gate.not_decided.push_back(of.quantity);
   }
+  for (Judged& judged : gate.judged.metrics) {
+    for (Group& group : judged.observations.groups) group.values = {};
+  }
   return gate;
 }
 
@@ -184,8 +186,8 @@ std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
     if (each.findings.front().why == Why::apart) return "";
-    const auto n = std::ssize(each.observations.groups.back().values);
-    const std::string all = numerics::counted(n, gate.judged.study.definition.is_chained() ? "runs" : "targets");
+    const std::string all =
+        numerics::counted(each.described.back().n, gate.judged.study.definition.is_chained() ? "runs" : "targets");
     return gate.visible_loss
                ? fmt::format("It can see a loss of {:.2g} points or more in {}.", 100 * *gate.visible_loss, all)
                : fmt::format("It can see no loss in {}: too few.", all);

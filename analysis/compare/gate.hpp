@@ -15,9 +15,9 @@ struct Side {
 };
 
 struct Gate {
-  // Without solves.
-  JudgedStudy
-      judged;  // of two solvers, the candidate first; with the share of solves that gave an answer as last metric
+  // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
+  // answer.
+  JudgedStudy judged;
   std::vector<std::string> worse, better, not_decided;  // quantities; the last also of what is not tested
   bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
   std::optional<double> visible_loss;                   // smallest loss of the share solved that the test would show

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "analysis/compare/observations.hpp"
-#include "results/record.hpp"
 
 namespace ikbench::compare {
 
+struct Solve;
 struct StudyResults;
-using Run = std::span<const results::SolveRecord>;  // the solves of one run, by point
+using Run = std::span<const Solve>;  // the solves of one run, by point
 
 // share: solved or not. error: a distance from the target. cost: effort for an answer; with a tolerance, only of
 // targets that both solvers of a pair solved. time: a cost that is compared only where times are comparable.
@@ -26,8 +26,8 @@ struct Metric {
   double floor;      // of ratios: a smaller value counts as this
   double rounding;   // values that differ by no more are equal
   bool is_reported;  // in every report; else only where a claim or a command names it
-  double (*value)(const results::SolveRecord& solve, const StudyResults& study);  // NaN: the solve has none
-  double (*of_run)(Run run, const StudyResults& study);                           // in place of value
+  double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
+  double (*of_run)(Run run, const StudyResults& study);            // in place of value
 };
 
 std::span<const Metric> metrics();

@@ -18,12 +18,12 @@ using namespace results;
 
 namespace {
 
-using Solves = std::span<const SolveRecord>;
+using Solves = std::span<const Solve>;
 
 std::vector<Run> runs_of(Solves rest) {
   std::vector<Run> runs;
   while (!rest.empty()) {
-    const auto is_other = [&](const SolveRecord& solve) { return solve.run != rest.front().run; };
+    const auto is_other = [&](const Solve& solve) { return solve.run != rest.front().run; };
     runs.push_back(rest.first(static_cast<std::size_t>(std::ranges::find_if(rest, is_other) - rest.begin())));
     rest = rest.subspan(runs.back().size());
   }
@@ -59,8 +59,8 @@ Design design_of(const StudyResults& study, bool of_run) {
 bool repeats_itself(const StudyResults& study, std::string_view solver) {
   const std::vector<Run> runs = complete_runs_of(study, solver);
   return runs.size() > 1 && std::ranges::all_of(runs, [&](Run run) {
-           return std::ranges::equal(run, runs.front(), [](const SolveRecord& one, const SolveRecord& other) {
-             return !one.answer_rad.empty() && are_same(one, other);
+           return std::ranges::equal(run, runs.front(), [](const Solve& one, const Solve& other) {
+             return one.answer != 0 && are_same(one, other);
            });
          });
 }
@@ -92,7 +92,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
       values.push_back({run.front().run, metric.of_run(run, study)});
       continue;
     }
-    for (const SolveRecord& solve : run) {
+    for (const Solve& solve : run) {
       if (of_solved && solve.status != Status::ok) continue;
       const int block = design.are_runs            ? solve.run
                         : definition.draws_targets ? (solve.run - 1) * study.points + solve.point
@@ -149,12 +149,7 @@ void add(std::vector<Doubt>& doubts, const StudyResults& study, Doubt doubt, Is 
 }
 
 auto is_timed(Timing how) {
-  return [how](const SolveRecord& solve) { return solve.timing == how; };
-}
-
-// A clean solve that took more than 10 % longer than its processor time.
-bool was_disturbed(const SolveRecord& solve) {
-  return solve.timing == Timing::clean && solve.cpu_seconds > 0 && solve.seconds > 1.1 * solve.cpu_seconds;
+  return [how](const Solve& solve) { return solve.timing == how; };
 }
 
 // Machines differ if their processors do, or both name and start: one that starts again keeps its name, and containers
@@ -182,7 +177,7 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   if (!doubts.empty()) return {doubts.front()};
   Doubt busy = of("the machine was busy");
   for (const std::string& solver : study.solvers) {
-    const auto disturbed = std::ranges::count_if(study.of(solver), was_disturbed);
+    const auto disturbed = std::ranges::count_if(study.of(solver), &Solve::was_disturbed);
     const auto clean = std::ranges::count_if(study.of(solver), is_timed(Timing::clean));
     if (disturbed < 2 || 10 * disturbed <= clean) continue;
     busy.who.push_back(solver);
@@ -220,7 +215,7 @@ std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
 std::vector<Doubt> doubts_of_evaluations(const StudyResults& study) {
   std::vector<Doubt> doubts;
   const auto is_counted = [](CountedBy by) {
-    return [by](const SolveRecord& solve) { return gave_answer(solve) && solve.counted_by == by; };
+    return [by](const Solve& solve) { return gave_answer(solve) && solve.counted_by == by; };
   };
   add(doubts, study, {.kind = DoubtKind::budgets_differ, .what = "own kinematics; nobody counted the evaluations"},
       is_counted(CountedBy::nobody));
@@ -237,7 +232,7 @@ std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
   for (const std::string& solver : study.solvers) {
     double evaluations = 0, limited = 0, uncounted = 0;
     const Solves all = study.of(solver);
-    for (const SolveRecord& solve : all) {
+    for (const Solve& solve : all) {
       evaluations += static_cast<double>(solve.evaluations) / static_cast<double>(all.size());
       limited += solve.stop_reason == StopReason::iterations;
       uncounted += solve.counted_by != CountedBy::suite;
@@ -274,7 +269,7 @@ std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
   for (const auto& [session, own] : changed) fields.insert(own.begin(), own.end());
   std::vector<Doubt> doubts;
   add(doubts, study, {.kind = DoubtKind::plan_changed, .what = fmt::format("{}", fmt::join(fields, ", "))},
-      [&](const SolveRecord& solve) { return changed.contains(solve.session); });
+      [&](const Solve& solve) { return changed.contains(solve.session); });
   return doubts;
 }
 
@@ -307,29 +302,25 @@ std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
 
 }  // namespace
 
-bool gave_answer(const SolveRecord& solve) {
-  return !is_without_answer(solve.status) && solve.status != Status::not_finite;
-}
+bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
 
-bool are_same(const SolveRecord& one, const SolveRecord& other) {
-  return one.target_position_m == other.target_position_m && one.target_rotation == other.target_rotation &&
-         one.status == other.status && one.answer_rad == other.answer_rad;
+bool are_same(const Solve& one, const Solve& other) {
+  return one.target == other.target && one.status == other.status && one.answer == other.answer;
 }
 
 bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {
   constexpr double nearly = 0.9;  // programs and libraries stop by themselves
   const double limit = study.definition.stop.seconds;
-  return limit > 0 && std::ranges::any_of(study.of(solver),
-                                          [&](const SolveRecord& solve) { return solve.seconds >= nearly * limit; });
+  return limit > 0 &&
+         std::ranges::any_of(study.of(solver), [&](const Solve& solve) { return solve.seconds >= nearly * limit; });
 }
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {
   std::vector<Doubt> doubts = doubts_of_runs(study);
-  add(doubts, study, {.kind = DoubtKind::without_answer}, [](const SolveRecord& solve) { return !gave_answer(solve); });
+  add(doubts, study, {.kind = DoubtKind::without_answer}, [](const Solve& solve) { return !gave_answer(solve); });
   add(doubts, study, {.kind = DoubtKind::claimed_but_wrong},
-      [](const SolveRecord& solve) { return solve.status == Status::claimed_but_wrong; });
-  add(doubts, study, {.kind = DoubtKind::outside_limits},
-      [](const SolveRecord& solve) { return solve.limit_violation_deg > 0 || solve.limit_violation_m > 0; });
+      [](const Solve& solve) { return solve.status == Status::claimed_but_wrong; });
+  add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
   const auto append = [&](std::vector<Doubt> more) { std::ranges::move(more, std::back_inserter(doubts)); };
   append(doubts_of_budgets(study));
   if (const int count = study.definition.out_of_reach; count > 0)

@@ -9,9 +9,9 @@
 
 namespace ikbench::compare {
 
-bool gave_answer(const results::SolveRecord& solve);
+bool gave_answer(const Solve& solve);
 // The same target, outcome and answer, bit for bit.
-bool are_same(const results::SolveRecord& one, const results::SolveRecord& other);
+bool are_same(const Solve& one, const Solve& other);
 // Some solve took the seconds that the study gives.
 bool is_ended_by_clock(const StudyResults& study, std::string_view solver);
 

@@ -3,11 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+
+#include "numerics/units.hpp"
 
 namespace ikbench::compare {
 
@@ -15,74 +21,184 @@ using namespace results;
 
 namespace {
 
-std::ptrdiff_t place_of(const std::vector<std::string>& solvers, std::string_view solver) {
-  return std::ranges::find(solvers, solver) - solvers.begin();
+// -0.0 counts as 0.0; 0 is the hash of no numbers.
+std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
+  std::uint64_t hash = 0;
+  for (const std::span<const double> list : lists) {
+    for (const double number : list) {
+      hash = (std::rotl(hash + 1, 29) ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9E3779B97F4A7C15;
+      hash ^= hash >> 32;
+    }
+  }
+  return hash;
 }
 
+int place_of(StudyResults& study, std::string_view solver) {
+  const auto found = std::ranges::find(study.solvers, solver);
+  const auto place = static_cast<int>(found - study.solvers.begin());
+  if (found == study.solvers.end()) study.solvers.emplace_back(solver);
+  return place;
+}
+
+// The mean absolute second difference of all joint angles of a run, answer by answer.
+class Bend {
+ public:
+  void begin_run() {
+    before_.clear();
+    here_.clear();
+    sum_ = count_ = 0;
+  }
+
+  double with(const std::vector<double>& after) {
+    if (!before_.empty() && (before_.size() != here_.size() || after.size() != here_.size())) sum_ = none;
+    for (std::size_t joint = 0; joint < std::min(before_.size(), after.size()); ++joint, ++count_)
+      sum_ += std::abs(before_[joint] - 2 * here_[joint] + after[joint]) / numerics::degree;
+    before_.swap(here_);
+    here_ = after;
+    return count_ > 0 ? sum_ / count_ : none;
+  }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> before_, here_;  // the last two answers
+  double sum_ = 0, count_ = 0;
+};
+
+// Adds records to a study, which come by solver, run and point.
+class Adder {
+ public:
+  explicit Adder(StudyResults& study) : study_(study) {}
+
+  void add(const SolveRecord& record) {
+    if (record.run < 1 || record.point < 1)
+      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
+                                              study_.entry.name, record.solver, record.run, record.point));
+    const int solver = place_of(study_, record.solver);
+    const bool is_first = study_.solves.empty() || study_.solves.back().solver != solver;
+    if (is_first) first_run_ = record.run, drawn_ = 0;
+    if (is_first || study_.solves.back().run != record.run) bend_.begin_run();
+    if (!record.trace_cm.empty() || (record.run == first_run_ && drawn_++ < most_drawn)) study_.drawn.push_back(record);
+    study_.solves.push_back({.run = record.run,
+                             .point = record.point,
+                             .solver = solver,
+                             .session = static_cast<int>(record.session),
+                             .status = record.status,
+                             .stop_reason = record.stop_reason,
+                             .timing = record.timing,
+                             .counted_by = record.counted_by,
+                             .is_outside_limits = record.limit_violation_deg > 0 || record.limit_violation_m > 0,
+                             .was_disturbed = record.timing == Timing::clean && record.cpu_seconds > 0 &&
+                                              record.seconds > 1.1 * record.cpu_seconds,
+                             .position_error_cm = record.position_error_cm,
+                             .orientation_error = record.orientation_error,
+                             .variation_deg = record.variation_deg,
+                             .variation_m = record.variation_m,
+                             .largest_move_deg = record.largest_move_deg,
+                             .limit_violation_deg = record.limit_violation_deg,
+                             .seconds = record.seconds,
+                             .bend_deg = bend_.with(record.answer_rad),
+                             .evaluations = record.evaluations,
+                             .iterations = record.iterations,
+                             .target = hash_of({record.target_position_m, record.target_rotation}),
+                             .start = hash_of({record.start_rad}),
+                             .answer = hash_of({record.answer_rad})});
+  }
+
+ private:
+  StudyResults& study_;
+  int first_run_ = 1, drawn_ = 0;
+  Bend bend_;
+};
+
 bool had_same_targets(const StudyResults& study) {
-  const auto place = [](const SolveRecord& solve) { return std::pair(solve.run, solve.point); };
-  const auto is_same = [&](const SolveRecord& one, const SolveRecord& other) {
-    return one.target_position_m == other.target_position_m && one.target_rotation == other.target_rotation &&
-           (study.definition.is_chained() || one.start_rad == other.start_rad);
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  const auto is_same = [&](const Solve& one, const Solve& other) {
+    return one.target == other.target && (study.definition.is_chained() || one.start == other.start);
   };
-  const std::span<const SolveRecord> first = study.of(study.solvers.empty() ? "" : study.solvers.front());
+  const std::span<const Solve> first = study.of(study.solvers.empty() ? "" : study.solvers.front());
   return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
     auto here = first.begin();
-    return std::ranges::all_of(study.of(solver), [&](const SolveRecord& solve) {
+    return std::ranges::all_of(study.of(solver), [&](const Solve& solve) {
       while (here != first.end() && place(*here) < place(solve)) ++here;
       return here == first.end() || place(*here) != place(solve) || is_same(*here, solve);
     });
   });
 }
 
-}  // namespace
-
-std::span<const SolveRecord> StudyResults::of(std::string_view solver) const {
-  const auto place = [&](const SolveRecord& solve) { return place_of(solvers, solve.solver); };
-  const std::ptrdiff_t here = place_of(solvers, solver);
-  return {std::ranges::lower_bound(solves, here, {}, place), std::ranges::upper_bound(solves, here, {}, place)};
-}
-
-StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> solves, const std::vector<Session>& sessions) {
-  StudyResults study{.entry = entry, .definition = definition_of(entry.definition), .solves = std::move(solves)};
+// Of an entry, without its solves.
+StudyResults begun(const StudyEntry& entry) {
+  StudyResults study{.entry = entry, .definition = definition_of(entry.definition)};
   study.runs = study.definition.runs;
   study.points = study.definition.points;
-  std::set<std::int64_t> used;
   for (const Series& series : entry.series) {
     if (series.label.empty())
       throw std::invalid_argument(fmt::format("study '{}' has a solver without a label; expected one", entry.name));
     study.solvers.push_back(series.label);
   }
-  for (const SolveRecord& solve : study.solves) {
-    if (solve.run < 1 || solve.point < 1)
-      throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
-                                              entry.name, solve.solver, solve.run, solve.point));
-    if (place_of(study.solvers, solve.solver) == std::ssize(study.solvers)) study.solvers.push_back(solve.solver);
+  return study;
+}
+
+// Adds what follows from the solves.
+StudyResults complete(StudyResults study, const std::vector<Session>& sessions) {
+  std::set<std::int64_t> used;
+  for (const Solve& solve : study.solves) {
     study.runs = std::max(study.runs, solve.run);
     study.points = std::max(study.points, solve.point);
     used.insert(solve.session);
   }
   std::ranges::copy_if(sessions, std::back_inserter(study.sessions),
                        [&](const Session& session) { return used.contains(session.id); });
-  const auto place = [&](const SolveRecord& solve) {
-    return std::tuple(place_of(study.solvers, solve.solver), solve.run, solve.point);
-  };
-  if (!std::ranges::is_sorted(study.solves, {}, place)) std::ranges::stable_sort(study.solves, {}, place);
   std::string& control = study.definition.plan.control;
-  if (place_of(study.solvers, control) == std::ssize(study.solvers)) control.clear();
+  if (std::ranges::count(study.solvers, control) == 0) control.clear();
   study.had_same_targets = had_same_targets(study);
   return study;
 }
 
-StudyResults read_study(const Store& store, const StudyEntry& entry) {
+}  // namespace
+
+std::span<const Solve> StudyResults::of(std::string_view solver) const {
+  const auto here = std::ranges::find(solvers, solver) - solvers.begin();
+  return std::ranges::equal_range(solves, here, {}, &Solve::solver);
+}
+
+std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver) const {
+  const auto first = std::ranges::find(drawn, solver, &SolveRecord::solver);
+  const auto end = std::find_if(
+      first, drawn.end(), [&](const SolveRecord& solve) { return solve.solver != solver || solve.run != first->run; });
+  return {first, end};
+}
+
+StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> records, const std::vector<Session>& sessions) {
+  StudyResults study = begun(entry);
+  for (const SolveRecord& record : records) place_of(study, record.solver);
+  const auto place = [&](const SolveRecord& record) {
+    return std::tuple(place_of(study, record.solver), record.run, record.point);
+  };
+  std::ranges::stable_sort(records, {}, place);
+  Adder adder(study);
+  for (const SolveRecord& record : records) adder.add(record);
+  return complete(std::move(study), sessions);
+}
+
+StudyResults study_of(const StudyEntry& entry, std::vector<Solve> solves, const std::vector<Session>& sessions) {
+  StudyResults study = begun(entry);
+  study.solves = std::move(solves);
+  return complete(std::move(study), sessions);
+}
+
+StudyResults read_study(const Store& store, const StudyEntry& entry, const TakeSolve& also) {
   const std::int64_t all = store.number_of_solves(entry);
   if (all > most_solves)
     throw std::invalid_argument(
         fmt::format("study '{}' has {} solves; expected at most {}", entry.name, all, most_solves));
-  std::vector<SolveRecord> solves;
-  solves.reserve(static_cast<std::size_t>(all));
-  store.each_of_study(entry, [&](SolveRecord& solve) { solves.push_back(std::move(solve)); });
-  StudyResults study = study_of(entry, std::move(solves), store.sessions());
+  StudyResults study = begun(entry);
+  study.solves.reserve(static_cast<std::size_t>(all));
+  Adder adder(study);
+  store.each_of_study(entry, [&](const SolveRecord& record) {
+    if (also) also(record);
+    adder.add(record);
+  });
+  study = complete(std::move(study), store.sessions());
   for (const Series& series : entry.series) {
     if (std::ssize(study.of(series.label)) >= std::int64_t{study.runs} * study.points) continue;
     std::int64_t others = 0;

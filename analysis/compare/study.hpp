@@ -1,7 +1,11 @@
 // A study as it is judged: its definition, its plan and all of its solves.
+//
+// A study may have millions of solves, so judging keeps numbers of each and a hash of its lists. Whole records are kept
+// only of what figures draw.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,26 +17,54 @@
 
 namespace ikbench::compare {
 
+// What judging needs of a solve; the columns of results/columns.inc have the same names.
+struct Solve {
+  int run = 1, point = 1;
+  int solver = 0;  // its place in StudyResults::solvers
+  int session = 0;
+  results::Status status = results::Status::ok;
+  results::StopReason stop_reason = results::StopReason::iterations;
+  results::Timing timing = results::Timing::clean;
+  results::CountedBy counted_by = results::CountedBy::suite;
+  bool is_outside_limits = false;
+  bool was_disturbed = false;  // clean, and took more than 10 % longer than its processor time
+  double position_error_cm = 0, orientation_error = 0, variation_deg = 0, variation_m = 0;
+  double largest_move_deg = 0, limit_violation_deg = 0, seconds = 0;
+  double bend_deg = 0;  // mean second difference of all joint angles of its run until here; NaN: not known
+  std::int64_t evaluations = 0, iterations = 0;
+  std::uint64_t target = 0, start = 0, answer = 0;  // hashes of the bits of position and rotation, and of all joints
+};
+
 struct StudyResults {
-  results::StudyEntry entry;                  // name, definition as JSON, series
-  results::Definition definition;             // the same, read; a control that is no solver is empty
-  std::vector<std::string> solvers;           // labels, in the order of the study
-  int runs = 0, points = 0;                   // as defined
-  std::vector<results::SolveRecord> solves;   // by solver, run and point; only current ones
-  std::vector<results::Session> sessions;     // that made them
-  bool had_same_targets = true;               // all solvers, and where solves are not chained the same starts
-  std::int64_t solves_of_other_versions = 0;  // that stand in the store instead of missing ones
+  results::StudyEntry entry;                // name, definition as JSON, series
+  results::Definition definition;           // the same, read; a control that is no solver is empty
+  std::vector<std::string> solvers;         // labels, in the order of the study
+  int runs = 0, points = 0;                 // as defined
+  std::vector<Solve> solves;                // by solver, run and point; only current ones
+  std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
+  std::vector<results::Session> sessions;   // that made them
+  bool had_same_targets = true;             // all solvers, and where solves are not chained the same starts
+  std::int64_t solves_of_other_versions = 0;                // that stand in the store instead of missing ones
   std::vector<std::string> solvers_of_other_versions = {};  // whose these are
 
   // By run and point.
-  std::span<const results::SolveRecord> of(std::string_view solver) const;
+  std::span<const Solve> of(std::string_view solver) const;
+  // Of its first run.
+  std::span<const results::SolveRecord> first_run_of(std::string_view solver) const;
 };
 
-// Reads the current solves of a study. Throws std::invalid_argument for more than `most_solves`.
-constexpr std::int64_t most_solves = 2'000'000;
-StudyResults read_study(const results::Store& store, const results::StudyEntry& entry);
+constexpr std::int64_t most_solves = 10'000'000;
+constexpr int most_drawn = 10'000;  // of a first run
+
+// Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
+// `most_solves`.
+using TakeSolve = std::function<void(const results::SolveRecord&)>;
+StudyResults read_study(const results::Store& store, const results::StudyEntry& entry, const TakeSolve& also = {});
 // The same from records in any order. Solvers that the entry lacks follow.
-StudyResults study_of(const results::StudyEntry& entry, std::vector<results::SolveRecord> solves,
+StudyResults study_of(const results::StudyEntry& entry, std::vector<results::SolveRecord> records,
                       const std::vector<results::Session>& sessions = {});
+// The same from solves by solver, run and point, whose solvers are those of the entry. Nothing of it can be drawn.
+StudyResults study_of(const results::StudyEntry& entry, std::vector<Solve> solves,
+                      const std::vector<results::Session>& sessions);
 
 }  // namespace ikbench::compare

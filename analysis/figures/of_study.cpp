@@ -27,12 +27,6 @@ constexpr std::size_t most_iterations = 200;  // drawn
 // Targets that have an order.
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.points > 1; }
 
-std::span<const SolveRecord> first_run_of(const StudyResults& study, std::string_view solver) {
-  const std::span<const SolveRecord> all = study.of(solver);
-  const auto end = std::ranges::find_if(all, [&](const SolveRecord& solve) { return solve.run != all.front().run; });
-  return all.first(static_cast<std::size_t>(end - all.begin()));
-}
-
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   const compare::Description all = describe({.name = "", .values = values});
   if (average == Average::mean) return {.x = x, .y = all.mean, .dotted = values.size() > 1 ? all.median : nowhere};
@@ -104,7 +98,7 @@ std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
   bool are_counted = study.definition.has_tolerance();
   for (const std::string& solver : shown_solvers(study, look)) {
     Successes& one = all.emplace_back(Successes{.label = solver, .style = style_of(look, solver)});
-    for (const SolveRecord& solve : study.of(solver)) {
+    for (const Solve& solve : study.of(solver)) {
       are_counted = are_counted && solve.counted_by != results::CountedBy::nobody;
       ++one.attempts;
       if (solve.status == results::Status::ok)
@@ -218,7 +212,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
   std::vector<Line> all;
   for (const std::string& solver : shown_solvers(study, look)) {
     std::map<int, std::vector<double>> values;
-    for (const SolveRecord& solve : study.of(solver)) {
+    for (const Solve& solve : study.of(solver)) {
       const double value = factor * metric.value(solve, study);
       if (std::isfinite(value)) values[solve.point].push_back(value);
     }
@@ -232,16 +226,18 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
   const double factor = drawn_unit(study, "cm").factor;
   std::vector<Line> all;
   for (const std::string& solver : shown_solvers(study, look)) {
-    std::size_t longest = 0;
-    for (const SolveRecord& solve : study.of(solver)) longest = std::max(longest, solve.trace_cm.size());
-    if (longest == 0) continue;
+    std::vector<std::span<const double>> traces;
+    for (const SolveRecord& solve : study.drawn) {
+      if (solve.solver == solver && !solve.trace_cm.empty()) traces.emplace_back(solve.trace_cm);
+    }
+    if (traces.empty()) continue;
+    const std::size_t longest = std::ranges::max(traces, {}, &std::span<const double>::size).size();
     Line& line = all.emplace_back(Line{.label = solver, .style = style_of(look, solver)});
     const std::size_t step = 1 + (longest - 1) / most_iterations;
     for (std::size_t i = 0; i < longest; i += step) {
       std::vector<double> values;
-      for (const SolveRecord& solve : study.of(solver)) {
-        if (solve.trace_cm.empty()) continue;
-        const double value = factor * solve.trace_cm[std::min(i, solve.trace_cm.size() - 1)];
+      for (const std::span<const double> trace : traces) {
+        const double value = factor * trace[std::min(i, trace.size() - 1)];
         if (std::isfinite(value)) values.push_back(value);
       }
       if (!values.empty()) line.rows.push_back(row_at(static_cast<double>(i + 1), values, average));
@@ -251,7 +247,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
 }
 
 PathRows path_rows(const StudyResults& study, const std::string& solver, std::size_t arms, const Look& look) {
-  const std::span<const SolveRecord> solves = first_run_of(study, solver);
+  const std::span<const SolveRecord> solves = study.first_run_of(solver);
   const auto corner_of = [](std::span<const double> metres) {
     if (metres.size() != 3) return Corner{nowhere, nowhere, nowhere};
     return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
@@ -291,7 +287,7 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
   }
   for (const std::string& solver : shown_solvers(study, look)) {
     JointRow row{.label = solver, .style = style_of(look, solver)};
-    for (const SolveRecord& solve : first_run_of(study, solver)) {
+    for (const SolveRecord& solve : study.first_run_of(solver)) {
       std::vector<double>& angles = row.angles_deg.emplace_back();
       for (const std::size_t joint : turning)
         angles.push_back(joint < solve.answer_rad.size() ? solve.answer_rad[joint] / degree : nowhere);

@@ -94,7 +94,7 @@ Rate rate_of(const StudyResults& study, const std::string& solver, double printe
   const auto n = static_cast<double>(study.of(solver).size());
   if (n == 0) return rate;
   std::vector<std::int64_t> iterations;  // of what is solved
-  for (const results::SolveRecord& solve : study.of(solver)) {
+  for (const Solve& solve : study.of(solver)) {
     if (solve.status == results::Status::ok) iterations.push_back(solve.iterations);
   }
   std::ranges::sort(iterations);
@@ -169,7 +169,7 @@ Description numbers_of(const Judged& judged, std::string_view solver) {
 Timed timed(const StudyResults& study, std::string_view solver, double limit_ms) {
   constexpr double verifier_rounding_cm = 1e-7;
   Timed timed;
-  for (const results::SolveRecord& solve : study.of(solver)) {
+  for (const Solve& solve : study.of(solver)) {
     const double ms = 1000 * solve.seconds;
     const bool is_near = solve.position_error_cm <= study.definition.stop.tolerance_cm + verifier_rounding_cm;
     timed.ms.values.push_back(ms);

@@ -15,13 +15,12 @@
 namespace ikbench::papers {
 
 using namespace compare;
-using results::SolveRecord;
 using show::number_text;
 
 namespace {
 
 using Names = std::vector<std::string>;
-using Solves = std::span<const SolveRecord>;
+using Solves = std::span<const Solve>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -155,8 +154,8 @@ Names same_there(const Asked& asked) {
   const Solves ours = study_of(asked, false)->study.of(asked.claim.solvers.front());
   const StudyResults& there = study_of(asked)->study;
   for (const std::string& rival : there.solvers) {
-    const bool is_same = std::ranges::equal(ours, there.of(rival), [](const SolveRecord& a, const SolveRecord& b) {
-      return a.run == b.run && a.point == b.point && a.answer_rad == b.answer_rad;
+    const bool is_same = std::ranges::equal(ours, there.of(rival), [](const Solve& a, const Solve& b) {
+      return a.run == b.run && a.point == b.point && a.answer == b.answer;
     });
     if (is_rival(rival, asked.claim) && is_same) same.push_back(name_of_rival(rival, asked.claim));
   }
@@ -314,8 +313,8 @@ Found differ(const Asked& asked) {
 JudgedClaim count_inside(JudgedClaim claim, Solves solves) {
   std::size_t outside = 0;
   double worst = 0;
-  for (const SolveRecord& solve : solves) {
-    outside += solve.limit_violation_deg > 0 || solve.limit_violation_m > 0;
+  for (const Solve& solve : solves) {
+    outside += solve.is_outside_limits;
     worst = std::max(worst, solve.limit_violation_deg);
   }
   claim.holds = always_or_on_average(outside == 0, false);
@@ -325,15 +324,15 @@ JudgedClaim count_inside(JudgedClaim claim, Solves solves) {
 }
 
 // At most ten times the spacing of doubles at the farthest target.
-JudgedClaim count_rounding(JudgedClaim claim, Solves solves) {
+JudgedClaim count_rounding(JudgedClaim claim, Solves solves, std::span<const results::SolveRecord> first_run) {
   double farthest_cm = 0;
-  std::vector<double> errors;
-  for (const SolveRecord& solve : solves) {
+  for (const results::SolveRecord& solve : first_run) {
     double square = 0;
     for (const double at : solve.target_position_m) square += 1e4 * at * at;
     farthest_cm = std::max(farthest_cm, std::sqrt(square));
-    errors.push_back(solve.position_error_cm);
   }
+  std::vector<double> errors;
+  for (const Solve& solve : solves) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
   claim.holds = always_or_on_average(largest <= most, mean <= most);
@@ -391,10 +390,11 @@ Found count(const Asked& asked) {
   }
   const JudgedStudy* const judged = study_of(asked);
   if (!found.empty() || judged == nullptr) return found;
-  const Solves solves = judged->study.of(asked.claim.solvers.front());
+  const std::string& solver = asked.claim.solvers.front();
+  const Solves solves = judged->study.of(solver);
   if (solves.empty()) return {};
   const JudgedClaim claim = begun(asked.claim);
-  return {asked.claim.that == "at_rounding" ? count_rounding(claim, solves)
+  return {asked.claim.that == "at_rounding" ? count_rounding(claim, solves, judged->study.first_run_of(solver))
           : asked.claim.that == "in_time"   ? count_in_time(claim, asked, judged->study)
                                             : count_inside(claim, solves)};
 }

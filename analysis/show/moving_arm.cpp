@@ -49,13 +49,13 @@ Json joints_outside(const SolveRecord& solve, const robots::Robot& arm) {
 
 // The first run of a solver, point by point; a start only if it differs from the previous answer.
 Json first_run(const StudyResults& study, const std::string& solver, const robots::Robot& arm) {
-  const std::span<const SolveRecord> solves = study.of(solver);
+  const std::span<const SolveRecord> solves = study.first_run_of(solver);
   if (solves.empty()) return nullptr;
   const bool in_mm = study.definition.published.empty();  // as in tables
   Json steps = Json::array();
   const SolveRecord* before = nullptr;
   for (const SolveRecord& solve : solves) {
-    if (steps.size() == most_points || solve.run != solves.front().run) break;
+    if (steps.size() == most_points) break;
     Json step{{"point", solve.point},
               {"target", rounded(solve.target_position_m)},
               {"answer", rounded(solve.answer_rad)},
@@ -89,7 +89,7 @@ Json drawn(const robots::Chain& chain) {
 
 bool can_be_drawn(const StudyResults& study, std::size_t joints) {
   const auto is_near = [](double coordinate) { return std::abs(coordinate) <= 1000; };  // [m]
-  return std::ranges::all_of(study.solves, [&](const SolveRecord& solve) {
+  return std::ranges::all_of(study.drawn, [&](const SolveRecord& solve) {
     return solve.target_position_m.size() == 3 && std::ranges::all_of(solve.target_position_m, is_near) &&
            solve.start_rad.size() == joints && solve.answer_rad.size() == joints;
   });

@@ -8,7 +8,6 @@
 #include "analysis/show/report.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
-#include "results/export.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::show {
@@ -94,7 +93,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   std::vector<std::string>& files = published.files;
   std::ranges::copy(own_files, std::back_inserter(files));
   const bool is_of_study = !of.study.entry.series.empty();
-  if (!is_of_study) files.pop_back();
+  if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       const auto* table = std::get_if<Table>(&block);
@@ -108,8 +107,6 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
 
   Json json = to_json(of.shown);
   json["files"] = files;
-  if (is_of_study)
-    results::write_csv(folder / own_files[3], [&](const auto& take) { std::ranges::for_each(of.study.solves, take); });
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = of.study.definition.title;

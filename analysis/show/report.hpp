@@ -45,9 +45,9 @@ struct Published {
   std::vector<std::string> files;     // all, from the folder
   std::vector<std::string> warnings;  // figures that were not drawn
 };
-// Writes report.html, report.md, results.json, solves.csv, tables/ and figures/; removes what an earlier report wrote,
-// and this one does not. `program` made it, with its version. Throws std::invalid_argument if the folder cannot be
-// written.
+// Writes report.html, report.md, results.json, tables/ and figures/ beside the study's solves.csv, which whoever reads
+// its solves has written (results/export.hpp); removes what an earlier report wrote, and this one does not. `program`
+// made it, with its version. Throws std::invalid_argument if the folder cannot be written.
 Published publish(const Reported& reported, const std::filesystem::path& folder, const figures::RenderOptions& options,
                   const std::string& program = {});
 

@@ -80,11 +80,9 @@ Shown shown(const JudgedStudy& judged) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);
     const Observations& of = metric.observations;
-    const auto is_below_floor = [&](const Group& group) {
-      return std::ranges::any_of(group.values, [&](double value) { return value < of.floor; });
-    };
+    const auto is_below_floor = [&](const Description& its) { return its.smallest < of.floor; };
     const auto is_ratio = [](const Finding& finding) { return finding.scale == Scale::ratio; };
-    if (std::ranges::any_of(metric.findings, is_ratio) && std::ranges::any_of(of.groups, is_below_floor))
+    if (std::ranges::any_of(metric.findings, is_ratio) && std::ranges::any_of(metric.described, is_below_floor))
       all.notes.push_back(
           fmt::format("In ratios, {} below {} {} counts as that.", of.quantity, number_text(of.floor), of.unit));
   }

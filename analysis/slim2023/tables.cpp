@@ -97,8 +97,7 @@ std::optional<Table> table_7(const Repeated& of) {
   for (const std::string& solver : study.solvers) {
     const auto [ms, reached, in_time, both] = timed(study, solver, limit_ms);
     Group iterations;
-    for (const SolveRecord& solve : study.of(solver))
-      iterations.values.push_back(static_cast<double>(solve.iterations));
+    for (const Solve& solve : study.of(solver)) iterations.values.push_back(static_cast<double>(solve.iterations));
     auto& row = table.rows.emplace_back(std::vector<Cell>{solver, std::ssize(ms.values), reached, both});
     for (std::size_t s = 0; s < statistics.size(); ++s)
       row.push_back(beside(describe(ms).*statistics[s].of, row_of(printed, solver), s));
@@ -119,8 +118,7 @@ std::optional<Table> table_8(const Repeated& of) {
     table.columns.push_back({fmt::format("theta {}", joint), "deg"});
   table.columns.push_back({"position error", "cm"});
   std::size_t agreeing = 0, compared = 0;
-  for (const SolveRecord& solve : study.of(study.solvers.front())) {
-    if (solve.run > 1) break;
+  for (const SolveRecord& solve : study.first_run_of(study.solvers.front())) {
     const auto same =
         std::ranges::find(printed.rows, fmt::to_string(solve.point), [](const auto& row) { return row[0]; });
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});

@@ -354,9 +354,12 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
       solve.answer_rad = {1.0 * solve.point};
       solve.position_error_cm = 0.1 * solve.point;
     };
-    const StudyResults made = study({.start = start.substr(0, start.find(','))}, draw);
+    const Asked asked{.start = start.substr(0, start.find(','))};
+    const StudyResults made = study(asked, draw);
     const ScratchFolder folder;
-    results::write_csv(folder.path / "solves.csv", [&](const auto& take) { std::ranges::for_each(made.solves, take); });
+    results::write_csv(folder.path / "solves.csv", [&](const auto& take) {
+      std::ranges::for_each(solves_of(asked, {"A", "B"}, draw), take);
+    });
     const std::string text = file_text((folder.path / "solves.csv").string());
     Request request{.values = {"position_error_cm"}, .run = "run"};
     if (start == "home") request.block = "point";

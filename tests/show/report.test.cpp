@@ -138,6 +138,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   Reported before = report_of();
   before.figures.push_back(figure("gone"));
   results::write_file(folder.path / "store.sqlite", "not ours");
+  results::write_file(folder.path / "solves.csv", "");
   results::write_file(folder.path / "tables" / "own.csv", "not ours");
   publish(before, folder.path, options);
   CHECK(fs::exists(folder.path / "figures"));
@@ -271,7 +272,7 @@ TEST_CASE("the moving arm has the first run of each solver, and no text that end
       solve.answer_rad = {0.5 * run, 2};
       solve.position_error_cm = 0.1;
       solve.limit_violation_deg = 24;
-      study.solves.push_back(solve);
+      study.drawn.push_back(solve);
     }
   }
   const auto scene = moving_arm(study);
