@@ -62,6 +62,7 @@ constexpr double rounding_of_doubles = 4 * std::numeric_limits<double>::epsilon(
 // Makes values equal that lie within the rounding above the smallest of them: the metric's, or that of doubles.
 void remove_rounding(std::vector<double>& values, double rounding) {
   std::vector<std::pair<double, double*>> order;  // pairs stay in the cache, which places alone would not
+  order.reserve(values.size());
   for (double& value : values) order.emplace_back(value, &value);
   std::ranges::sort(order);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {

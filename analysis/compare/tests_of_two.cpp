@@ -218,6 +218,7 @@ Summary summarise(Values values) {
 
 Ranks midranks(Values values) {
   std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
+  order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
   std::ranges::sort(order);
   Ranks result{.ranks = std::vector<double>(values.size())};
