@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       "  ikbench reproduce         repeats Slim et al. 2023: which of its claims hold?\n"
       "  ikbench run my.toml       compares the solvers of a study, and writes a report\n"
       "  ikbench stats my.csv      says which group of your own data is better\n"
-      "  ikbench help COMMAND      has more; ikbench help figures: which there are, and their look\n\n"
+      "  ikbench help COMMAND      has more; ikbench help figures: their names and style\n\n"
       "Exit codes: 0 success, 1 a mistake in the request or a damaged store, 2 a failure of the program or the system,\n"
       "3 something is worse, 4 something is not decided (compare), 5 solves are missing (merge), 128 + a signal's number.");
   app.set_version_flag("--version", program_name());

@@ -65,6 +65,34 @@ void warn_of_unreachable(const Study& study) {
     warn(fmt::format("out of reach as well: {}", counted(std::ssize(found) - std::int64_t{most}, "points")));
 }
 
+struct KindOfFigures {
+  std::vector<std::string> names;
+  std::string_view meaning;
+};
+const KindOfFigures kinds_of_figures[]{
+    {{"overview"}, "error, or share solved, against joint motion"},
+    {{"error-boxes", "motion-boxes", "time-boxes"}, "the distribution of each solver"},
+    {{"error-by-iteration", "error-by-point"}, "medians and quartiles"},
+    {{"solved-by-evaluations"}, "share of targets solved within a number of evaluations"},
+    {{"differences"}, "pairs of solvers, with intervals, and who is better"},
+    {{"path", "joints"}, "targets and arm; joint angles along the path"},
+    {{"figure-5", "figure-18", "multiverse"}, "those of slim2023, 5 to 18"}};
+
+bool is_meant(const std::string& figure, const std::string& name) {
+  return figure == name || figure.starts_with(name + "-");
+}
+
+// Before anything is solved; a study may lack a figure that others have.
+void refuse_unknown_figures(const std::vector<std::string>& names) {
+  std::vector<std::string> all;
+  for (const KindOfFigures& kind : kinds_of_figures) all.insert(all.end(), kind.names.begin(), kind.names.end());
+  for (const std::string& name : names) {
+    if (!name.starts_with("figure-") &&
+        std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name); }))
+      throw std::invalid_argument(unknown_name("figure", name, all));
+  }
+}
+
 // Leaves the figures of these names or first words: "error" is error-boxes and error-by-point.
 void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
   std::vector<std::string> there;
@@ -72,9 +100,9 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
   const auto is_left_out = [&](const figures::Figure& figure) {
     there.push_back(figure.name);
     return std::ranges::none_of(names, [&](const std::string& name) {
-      const bool is_meant = figure.name == name || figure.name.starts_with(name + "-");
-      if (is_meant) unknown.erase(name);
-      return is_meant;
+      const bool is_chosen = is_meant(figure.name, name);
+      if (is_chosen) unknown.erase(name);
+      return is_chosen;
     });
   };
   std::erase_if(of.figures, is_left_out);
@@ -102,17 +130,13 @@ void add_report_options(Command& command, ReportArguments& arguments) {
 }
 
 std::string help_of_figures() {
-  return "Figures of a report, those that its study has values for: run, report, reproduce --figures NAME,NAME\n"
-         "  overview                              error, or share solved, against joint motion\n"
-         "  error-boxes, motion-boxes, time-boxes the distribution of each solver\n"
-         "  error-by-iteration, error-by-point    medians and quartiles\n"
-         "  solved-by-evaluations                 share of targets solved within a number of evaluations\n"
-         "  differences                           pairs of solvers, with intervals, and who is better\n"
-         "  path, joints                          targets and arm; joint angles along the path\n"
-         "  figure-5 to figure-18, multiverse     those of slim2023\n"
-         "error stands for all that begin with it, none for no figure.\n\n"
-         "Their look: keys of [figures] in a study, or of a file (--style FILE)\n" +
-         to_toml(FigureStyle(), "'IK-BA', 'PSO'");
+  std::string text =
+      "Figures of a report, those that its study has values for: run, report, reproduce --figures NAME,NAME\n";
+  for (const auto& [names, meaning] : kinds_of_figures)
+    text += fmt::format("  {:38}{}\n", fmt::format("{}", fmt::join(names, ", ")), meaning);
+  return text +
+         "error stands for all that begin with it, figure for all that slim2023 numbers, none for no figure.\n\n" +
+         "Keys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle(), "'IK-BA', 'PSO'");
 }
 
 FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, const ReportArguments& arguments) {
@@ -121,7 +145,10 @@ FigureStyle styled(FigureStyle style, const std::vector<std::string>& labels, co
     if (std::ranges::find(labels, label) == labels.end())
       throw std::invalid_argument(fmt::format("solvers of [figures]: {}", unknown_name("solver", label, labels)));
   }
-  if (are_drawn(arguments.figures)) figures::refuse_missing_font(style.font);
+  if (are_drawn(arguments.figures)) {
+    refuse_unknown_figures(arguments.figures);
+    figures::refuse_missing_font(style.font);
+  }
   return style;
 }
 

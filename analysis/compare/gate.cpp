@@ -169,11 +169,12 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
     const bool is_open = finding.verdict == Verdict::undecided || finding.verdict == Verdict::not_tested;
+    const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
     else if (finding.verdict == Verdict::better && !finding.is_within_margin)
       gate.better.push_back(of.quantity);
-    else if (!is_time && !gate.are_same && !finding.are_all_equal && finding.why != Why::fact && is_open)
+    else if (!is_time && !is_equal && finding.why != Why::fact && is_open)
       gate.not_decided.push_back(of.quantity);
   }
   for (Judged& judged : gate.judged.metrics) {

@@ -248,8 +248,8 @@ Table study_table(const StudyResults& study) {
                           of.draws_targets ? ", drawn for each run anew" : ""));
   add_setting(table, "search", with_blanks(of.search));
   add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(of.start));
-  add_setting(table, "joint limits of candidates", with_blanks(of.bounds));
-  add_setting(table, "answers outside the limits", of.limits);
+  add_setting(table, "candidates outside limits", with_blanks(of.bounds));
+  add_setting(table, "answers outside limits", of.limits);
   add_setting(table, "a solve ends at", stops_of(of.stop));
   add_setting(table, "runs", fmt::to_string(study.runs));
   add_setting(table, "seed", fmt::to_string(of.seed));
