@@ -72,9 +72,7 @@ class KArtificialBeeColony final : public Solver {
     draw_searches(random);
     random.uniforms(roulette_);
     spin_up();
-    for (Eigen::Index bee = 0; bee < sources; ++bee) {
-      source_[bee] = static_cast<Eigen::Index>(share_.pick(roulette_[bee]));
-    }  // onlookers
+    share_.pick(sources, roulette_.data(), source_.data());  // onlookers
     search(objective);
 
     for (Eigen::Index i = 0; i < sources; ++i) {  // scouts

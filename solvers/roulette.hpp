@@ -13,14 +13,23 @@ class Roulette {
   void clear() { sums_.clear(); }
   void add(double share) { sums_.push_back(sums_.empty() ? share : sums_.back() + share); }
 
-  // The entry that a number in [0, 1) picks; there must be one.
-  std::size_t pick(double chance) const {
-    const double wanted = chance * sums_.back();
-    std::size_t first = 0;  // the first entry whose sum exceeds `wanted`; bisection without a branch to predict
+  // The entries that `count` numbers in [0, 1) pick; there must be one.
+  template <class Index>
+  void pick(std::ptrdiff_t count, const double* chances, Index* picked) const {
+    // Finds the first entry whose sum exceeds a number's part of all: bisection without a branch to predict, a step for
+    // all numbers before the next, since a number's steps wait for each other.
+    std::fill_n(picked, count, Index{0});
     for (std::size_t left = sums_.size(); left > 1; left -= left / 2) {
-      first += sums_[first + left / 2 - 1] <= wanted ? left / 2 : 0;
+      const double* const last = sums_.data() + left / 2 - 1;
+      for (std::ptrdiff_t i = 0; i < count; ++i) {
+        picked[i] += static_cast<Index>(left / 2) * Index{last[picked[i]] <= chances[i] * sums_.back()};
+      }
     }
-    return first;
+  }
+  std::size_t pick(double chance) const {
+    std::size_t picked = 0;
+    pick(1, &chance, &picked);
+    return picked;
   }
 
  private:
