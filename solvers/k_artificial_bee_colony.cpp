@@ -66,14 +66,14 @@ class KArtificialBeeColony final : public Solver {
   void step(Objective& objective, Random& random) override {
     const Eigen::Index sources = x_.cols();
     draw_searches(random);
-    for (Eigen::Index bee = 0; bee < sources; ++bee) source_[bee] = bee;  // employed bees
-    search(objective);
+    for (Eigen::Index bee = 0; bee < sources; ++bee) source_[bee] = bee;
+    search(Bees::employed, objective);
 
     draw_searches(random);
     random.uniforms(roulette_);
     spin_up();
-    share_.pick(sources, roulette_.data(), source_.data());  // onlookers
-    search(objective);
+    share_.pick(sources, roulette_.data(), source_.data());
+    search(Bees::onlookers, objective);
 
     for (Eigen::Index i = 0; i < sources; ++i) {  // scouts
       if (failures_[i] <= limit_) continue;
@@ -88,6 +88,8 @@ class KArtificialBeeColony final : public Solver {
   const Best& best() const override { return best_; }
 
  private:
+  enum class Bees { employed, onlookers };
+
   void draw_searches(Random& random) {
     random.uniforms(joint_);
     random.uniforms(phi_);
@@ -95,14 +97,14 @@ class KArtificialBeeColony final : public Solver {
   }
 
   // Every bee tries its source.
-  void search(Objective& objective) {
+  void search(Bees bees, Objective& objective) {
     moved_by_.setConstant(-1);
     Eigen::Index proposed_from = 0;
     objective.one_by_one(
         candidates_, found_,
         [&](Eigen::Index first, Eigen::Index count) {
           proposed_from = first;
-          for (Eigen::Index bee = first; bee < first + count; ++bee) fly(bee);
+          fly(bees, first, count);
         },
         [&](Eigen::Index bee) {
           const Eigen::Index i = source_[bee];
@@ -118,21 +120,30 @@ class KArtificialBeeColony final : public Solver {
         },
         [&](Eigen::Index bee) {
           const bool is_stale = moved_by_[source_[bee]] >= proposed_from;
-          if (is_stale) fly(bee);
+          if (is_stale) fly(bees, bee, 1);
           return is_stale;
         });
   }
 
-  // Moves one joint j of the bee's source i along the difference to the source's neighbour.
-  void fly(Eigen::Index bee) {
-    const Eigen::Index i = source_[bee];
-    const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
-    const Eigen::Index k = options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
-    const double q = x_(j, i), phi = 2 * phi_[bee] - 1;
-    const double moved = q + phi * (k == i ? q : q - x_(j, k));
-    candidates_.col(bee) = x_.col(i);
-    candidates_(j, bee) =
-        options_.bounds == Bounds::clamp ? std::clamp(moved, problem_.lower[j], problem_.upper[j]) : moved;
+  // Each bee moves one joint j of its source i along the difference to the source's neighbour.
+  void fly(Bees bees, Eigen::Index first, Eigen::Index count) {
+    for (Eigen::Index j = 0; j < x_.rows(); ++j) {
+      if (bees == Bees::employed) {
+        std::copy_n(&x_(j, first), count, &candidates_(j, first));
+        continue;
+      }
+#pragma GCC unroll 8
+      for (Eigen::Index bee = first; bee < first + count; ++bee) candidates_(j, bee) = x_(j, source_[bee]);
+    }
+    for (Eigen::Index bee = first; bee < first + count; ++bee) {
+      const Eigen::Index i = source_[bee];
+      const auto j = static_cast<Eigen::Index>(joint_[bee] * static_cast<double>(x_.rows()));
+      const Eigen::Index k = options_.neighbour == Neighbour::best ? best_source_ : other_source(i, neighbour_[bee]);
+      const double q = x_(j, i), phi = 2 * phi_[bee] - 1;
+      const double moved = q + phi * (k == i ? q : q - x_(j, k));
+      candidates_(j, bee) =
+          options_.bounds == Bounds::clamp ? std::clamp(moved, problem_.lower[j], problem_.upper[j]) : moved;
+    }
   }
 
   void find_best_source() {
