@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -334,15 +333,6 @@ TEST_CASE("any label is kept as it is") {
   REQUIRE(of.groups.size() == 3);
   CHECK(of.groups[0].name == "a,\"b\"\n<c> $d$ \\e");
   CHECK(of.groups[2].name == "\xC3\xA9");
-}
-
-TEST_CASE("a million rows are read within seconds") {
-  std::string text = "solver;seed;v\n";
-  for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
-  const auto began = std::chrono::steady_clock::now();
-  const Observations of = observations(text, {.run = "seed"});
-  CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(10));
-  CHECK(of.groups.front().values.size() == 50'000);
 }
 
 TEST_CASE("an exported file of solves gives the observations of its report") {

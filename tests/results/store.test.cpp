@@ -3,7 +3,6 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -290,20 +289,4 @@ TEST_CASE("what is known of a session at its end is added to it, and to no other
   CHECK(sessions[0].id == first);
   CHECK(sessions[0].environment == std::map<std::string, std::string>{{"cpu", "x"}});
   CHECK(sessions[1].environment == std::map<std::string, std::string>{{"cpu", "y"}, {"stolen_seconds", "0.25"}});
-}
-
-TEST_CASE("2400 solves are appended one by one and read back in a moment", "[store][.speed]") {
-  const ScratchFolder folder;
-  Store store(folder.path / "a.ikb", Store::Mode::write);
-  SolveRecord record = sample_record();
-  record.trace_cm.assign(200, 0.1234567890123);
-  const auto start = std::chrono::steady_clock::now();
-  for (record.run = 1; record.run <= 20; ++record.run)
-    for (record.point = 1; record.point <= 120; ++record.point) store.append({record});
-  const auto written = std::chrono::steady_clock::now();
-  CHECK(series_of(store, record.series).size() == 2400);
-  const auto read = std::chrono::steady_clock::now();
-  const auto seconds = [](auto duration) { return std::chrono::duration<double>(duration).count(); };
-  WARN("append " << seconds(written - start) << " s, read " << seconds(read - written) << " s");
-  CHECK(seconds(written - start) < 2);
 }
