@@ -76,8 +76,8 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
 
 toml::table toml_of(const Json& object) {
   toml::table table;
-  for (const auto& [key, json] : object.items())
-    add_value(json, [&](auto value) { table.insert(key, std::move(value)); });
+  for (const auto& member : object.items())
+    add_value(member.value(), [&](auto value) { table.insert(member.key(), std::move(value)); });
   return table;
 }
 

@@ -297,13 +297,14 @@ class Tree {
   // Links and all behind them, each after the one before it.
   std::vector<Seen> behind(const std::vector<std::string>& links) const {
     std::vector<Seen> all, next;
-    for (const std::string& link : std::views::reverse(links)) next.push_back({link, 0, 0});
+    for (auto link = links.rbegin(); link != links.rend(); ++link) next.push_back({*link, 0, 0});
     while (!next.empty() && all.size() <= links_.size()) {
       const Seen at = all.emplace_back(next.back());
       next.pop_back();
       if (!after_.contains(at.link)) continue;
-      for (const std::string& child : std::views::reverse(after_.at(at.link)))
-        next.push_back({child, at.depth + 1, at.moving + (moves(before_.at(child)) ? 1 : 0)});
+      const std::vector<std::string>& children = after_.at(at.link);
+      for (auto child = children.rbegin(); child != children.rend(); ++child)
+        next.push_back({*child, at.depth + 1, at.moving + (moves(before_.at(*child)) ? 1 : 0)});
     }
     return all;
   }
@@ -311,10 +312,11 @@ class Tree {
   // The link before joints of which one mimics another, if no further joint moves behind them; empty if there are none.
   std::string before_gripper(const std::string& base, const std::string& tip) const {
     std::string hand;
-    for (const XMLElement* const joint : std::views::reverse(path(base, tip))) {
-      const bool is_of_gripper = mimicking_.contains(joint->Attribute("name"));
-      if (is_of_gripper) hand = end(*joint, "parent");
-      if (!is_of_gripper && moves(joint)) break;
+    const std::vector<const XMLElement*> way = path(base, tip);
+    for (auto joint = way.rbegin(); joint != way.rend(); ++joint) {
+      const bool is_of_gripper = mimicking_.contains((*joint)->Attribute("name"));
+      if (is_of_gripper) hand = end(**joint, "parent");
+      if (!is_of_gripper && moves(*joint)) break;
     }
     return hand;
   }

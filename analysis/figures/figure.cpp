@@ -183,8 +183,9 @@ void refuse_missing_font(const std::string& font) {
   std::istringstream lines(told({"fc-list", "--format=%{family[0]}\n", ":lang=en:slant=0"}));
   for (std::string line; std::getline(lines, line);) there.insert(line);
   constexpr std::ptrdiff_t most = 12;
-  throw std::invalid_argument(fmt::format("font \"{}\" is not on this machine; take one that is: {}", font,
-                                          fmt::join(there | std::views::take(most), ", ")));
+  throw std::invalid_argument(
+      fmt::format("font \"{}\" is not on this machine; take one that is: {}", font,
+                  fmt::join(there.begin(), std::next(there.begin(), std::min(most, std::ssize(there))), ", ")));
 }
 
 std::vector<std::string> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder,
