@@ -157,12 +157,14 @@ void SolveRunner::add_account(Timed& timed, const Account& account) const {
 std::vector<SolveRunner::Timed> SolveRunner::repeated(Solver& solver, const Posed& given) const {
   std::vector<Timed> all;
   all.reserve(static_cast<std::size_t>(repeats_));
-  // This clock is a call of the system, which may cost more than a solve, so it is read once for all repeats.
-  const double before = thread_seconds();
-  for (int i = 0; i < repeats_; ++i) all.push_back(timed(solver, given));
-  const double mean = (thread_seconds() - before) / repeats_;
-  for (Timed& each : all)
-    if (!each.account) each.cpu_seconds = mean;
+  // The thread's clock is a call of the system, which may cost more than a solve, so it is read once between two.
+  double before = thread_seconds();
+  for (int i = 0; i < repeats_; ++i) {
+    all.push_back(timed(solver, given));
+    const double after = thread_seconds();
+    if (!all.back().account) all.back().cpu_seconds = after - before;
+    before = after;
+  }
   return all;
 }
 

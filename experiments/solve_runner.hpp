@@ -33,7 +33,7 @@ class SolveRunner {
  private:
   struct Timed : Clocked {
     std::optional<Account> account = {};  // if a program solved
-    double cpu_seconds = 0;               // of the program, else of this thread: the mean of the repeats
+    double cpu_seconds = 0;               // of the program, else of this thread
   };
   struct Posed {  // a problem, and the random numbers to solve it with
     const robots::Pose& target;
