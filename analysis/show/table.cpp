@@ -211,13 +211,16 @@ std::string to_latex(const Table& whole) {
   std::string notes;
   for (const std::string& note : table.notes)
     notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
-  // Notes shrink with a table that is wider than the column.
+  // A table that is wider than a column takes both; notes shrink with one that is wider than that.
   return fmt::format(
-      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begin{{table}}\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip{}\n"
+      "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
-      "\\dimen0=\\ifdim\\wd0>\\columnwidth\\wd0\\else\\columnwidth\\fi\n"
-      "\\resizebox{{\\columnwidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}\n\\end{{table}}\n",
-      latex_text(table.caption), table.name, table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, notes);
+      "\\edef\\wide{{\\ifdim\\wd0>\\columnwidth*\\fi}}%\n"
+      "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
+      "\\dimen0=\\ifdim\\wd0>\\linewidth\\wd0\\else\\linewidth\\fi\n"
+      "\\resizebox{{\\linewidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}\n"
+      "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
+      table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, latex_text(table.caption), table.name, notes);
 }
 
 std::string to_html(const Table& whole) {
