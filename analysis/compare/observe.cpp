@@ -249,6 +249,23 @@ std::vector<Doubt> doubts_of_budgets(const StudyResults& study) {
            .what = fmt::format("{:.0f} and {:.0f} evaluations a solve", many, few)}};
 }
 
+// Solvers that the limit of iterations ends before half of the evaluations that each may make.
+std::vector<Doubt> doubts_of_iterations(const StudyResults& study) {
+  const auto limit = study.definition.stop.evaluations;
+  Doubt doubt{.kind = DoubtKind::budgets_differ,
+              .what = fmt::format("{} iterations ended solves before half of {} evaluations",
+                                  study.definition.stop.iterations, limit)};
+  for (const std::string& solver : study.solvers) {
+    const Solves all = study.of(solver);
+    const auto count = std::ranges::count_if(all, [&](const Solve& solve) {
+      return solve.stop_reason == StopReason::iterations && solve.counted_by == CountedBy::suite &&
+             2 * solve.evaluations < limit;
+    });
+    if (2 * count > std::ssize(all)) doubt.who.push_back(solver);
+  }
+  return doubt.who.empty() ? std::vector<Doubt>() : std::vector{std::move(doubt)};
+}
+
 // By the stored plan: a command may judge by another.
 std::vector<Doubt> doubts_of_plan(const StudyResults& study) {
   const Plan plan = definition_of(study.entry.definition).plan;
@@ -323,6 +340,7 @@ std::vector<Doubt> doubts_of(const StudyResults& study) {
   add(doubts, study, {.kind = DoubtKind::outside_limits}, &Solve::is_outside_limits);
   const auto append = [&](std::vector<Doubt> more) { std::ranges::move(more, std::back_inserter(doubts)); };
   append(doubts_of_budgets(study));
+  append(doubts_of_iterations(study));
   if (const int count = study.definition.out_of_reach; count > 0)
     doubts.push_back({.kind = DoubtKind::out_of_reach,
                       .count = static_cast<double>(count),

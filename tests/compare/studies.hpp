@@ -40,6 +40,7 @@ inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int r
           .position_error_cm = 0.5,
           .variation_deg = 30,
           .evaluations = 100,
+          .stop_reason = results::StopReason::finished,
           .seconds = 0.001,
           .cpu_seconds = 0.001,
           .session = 1};
