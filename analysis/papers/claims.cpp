@@ -21,11 +21,18 @@ namespace {
 constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part", "fails",
                                                    "not decided", "not compared",  "not tested"};
 
+// It holds here, but not by every reading.
+bool holds_by_default(const JudgedClaim& claim) {
+  const Shares shares = claim.shares ? claim.shares->all : Shares();
+  return claim.holds == Holds::holds && shares.part(shares.holds) < 1;
+}
+
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
   std::vector<JudgedClaim> group;
   std::ranges::copy_if(claims, std::back_inserter(group),
                        [=](const JudgedClaim& claim) { return claim.is_ours == are_ours; });
-  std::ranges::stable_sort(group, {}, &JudgedClaim::holds);
+  std::ranges::stable_sort(group, {},
+                           [](const JudgedClaim& claim) { return std::pair(claim.holds, holds_by_default(claim)); });
   return group;
 }
 
@@ -49,9 +56,8 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
     const Shares shares = claim.shares ? claim.shares->all : Shares();
-    const bool is_default = claim.holds == Holds::holds && shares.part(shares.holds) < 1;
-    table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), is_default ? " by default" : ""), claim.sentence,
-                          cell(claim.number), cell(words_of(claim.printed, "")),
+    table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), holds_by_default(claim) ? " by default" : ""),
+                          claim.sentence, cell(claim.number), cell(words_of(claim.printed, "")),
                           cell(words_of(claim.otherwise, claim.number_otherwise)),
                           shares.all() > 0 ? show::Cell(100 * shares.part(shares.holds)) : show::Cell(),
                           cell(claim.section), cell(claim.evidence)});
@@ -162,6 +168,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
   for (const JudgedClaim& claim : claims) width = std::max(width, show::character_count(claim.number));
   for (const bool are_ours : {false, true}) {
     std::vector<std::vector<std::string>> rows;
+    std::string last;                             // verdict
     std::map<Holds, std::string> without_number;  // sentences
     for (const JudgedClaim& claim : grouped(claims, are_ours)) {
       if (!is_judged(claim.holds)) {
@@ -170,10 +177,11 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
         continue;
       }
       const Shares shares = claim.shares ? claim.shares->all : Shares();
-      const std::string verdict(name_of(claim.holds)), share = percent(shares.part(shares.holds));
+      const std::string verdict(holds_by_default(claim) ? "by default" : name_of(claim.holds));
+      const std::string share = percent(shares.part(shares.holds));
       if (shares.all() > 0 && rows.empty())
         rows.push_back({"", "claim", fmt::format("here{:>{}}", "in readings", width + 3)});
-      const bool is_new = std::ranges::none_of(rows, [&](const auto& row) { return row[0] == verdict; });
+      const bool is_new = std::exchange(last, verdict) != verdict;
       rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46),
                       shares.all() > 0 ? fmt::format("{:{}}{:>7}", claim.number, width, share) : claim.number});
     }

@@ -73,7 +73,9 @@ std::vector<Blocks> sections_of(const Reported& of) {
   std::vector<Blocks> sections;
   const auto add = [&](std::string_view name, Blocks blocks) {
     if (!blocks.empty()) sections.push_back(std::move(blocks));
-    if (name == "pictures") std::ranges::copy(of.additions, std::back_inserter(sections));
+    const auto rest = of.additions.begin() + (of.additions.empty() ? 0 : 1);  // behind the claims
+    if (name == "first") sections.insert(sections.end(), of.additions.begin(), rest);
+    if (name == "pictures") sections.insert(sections.end(), rest, of.additions.end());
   };
 #define SECTION(name) add(#name, name(of));
 #include "analysis/show/sections.inc"

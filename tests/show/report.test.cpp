@@ -251,7 +251,7 @@ TEST_CASE("a paper has its own first screen and sections", "[show]") {
   const std::vector<Blocks> sections = sections_of(paper);
   std::vector<std::string> headings;
   for (const Blocks& blocks : sections) headings.push_back(std::get<Heading>(blocks.front()).text);
-  CHECK(headings == std::vector<std::string>{"The paper's claim holds.", "Pictures", "Claims", "Who is better?",
+  CHECK(headings == std::vector<std::string>{"The paper's claim holds.", "Claims", "Pictures", "Who is better?",
                                              "Warnings", "Set-up"});
 }
 
