@@ -102,13 +102,14 @@ bool have_one_session(const StudyResults& study) {
   return of_first == of_second;
 }
 
-// Of solves, whatever they are of.
-Judged judged_answers(const StudyResults& study) {
+// Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
+Judged judged_answers(const StudyResults& study, bool machine_decides) {
   Observations of{
       .metric = "answers", .quantity = "solves with an answer", .better = Better::larger, .scale = Scale::share};
   for (const std::string& solver : study.solvers) {
     Group& group = of.groups.emplace_back(Group{.name = solver});
-    for (const Solve& solve : study.of(solver)) group.values.push_back(gave_answer(solve));
+    for (const Solve& solve : study.of(solver))
+      group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
   }
   return judge(std::move(of), study.definition.plan);
 }
@@ -149,7 +150,7 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
   const bool are_ended_by_clock =
       std::ranges::any_of(study.solvers, [&](const auto& solver) { return is_ended_by_clock(study, solver); });
   Gate gate{.are_same = are_all_same(study)};
-  Judged answers = judged_answers(study);
+  Judged answers = judged_answers(study, are_times_apart && are_ended_by_clock);
   gate.judged = judge(std::move(study));
   gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
@@ -169,7 +170,8 @@ Gate gate(Side baseline, Side candidate, std::size_t labels) {
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
     const bool is_open = finding.verdict == Verdict::undecided || finding.verdict == Verdict::not_tested;
-    const bool is_equal = gate.are_same || (finding.are_all_equal && (of.is_paired || of.metric == "answers"));
+    const bool is_equal = gate.are_same || (finding.are_all_equal &&
+                                            (of.is_paired || of.scale != Scale::share || of.metric == "answers"));
     if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
       gate.worse.push_back(of.quantity);
     else if (finding.verdict == Verdict::better && !finding.is_within_margin)
