@@ -226,7 +226,7 @@ void write_and_announce(const Store& store, const std::string& study, const std:
   announce(show::reported(std::move(judged), std::move(pictures)), folder, arguments, style);
 }
 
-compare::StudyResults checked_study(const Store& store, const StudyEntry& entry, const compare::TakeSolve& also) {
+compare::StudyResults checked_study(const Store& store, const StudyEntry& entry, const TakeSolve& also) {
   return compare::read_study(store, entry, [&, check = recheck_of(entry)](const SolveRecord& solve) {
     check(solve);
     if (also) also(solve);
@@ -235,7 +235,7 @@ compare::StudyResults checked_study(const Store& store, const StudyEntry& entry,
 
 compare::StudyResults exported_study(const Store& store, const StudyEntry& entry, const std::filesystem::path& folder) {
   compare::StudyResults study;
-  write_csv(folder / "solves.csv", [&](const compare::TakeSolve& take) { study = checked_study(store, entry, take); });
+  write_csv(folder / "solves.csv", [&](const TakeSolve& take) { study = checked_study(store, entry, take); });
   return study;
 }
 

@@ -49,7 +49,7 @@ void write_and_announce(const results::Store& store, const std::string& study, c
 
 // Reads a study, computes the errors of all its solves again (experiments/recheck.hpp), and passes each on to `also`.
 compare::StudyResults checked_study(const results::Store& store, const results::StudyEntry& entry,
-                                    const compare::TakeSolve& also = {});
+                                    const results::TakeSolve& also = {});
 // The same, and writes the solves into the folder's solves.csv, which belongs to its report.
 compare::StudyResults exported_study(const results::Store& store, const results::StudyEntry& entry,
                                      const std::filesystem::path& folder);

@@ -72,7 +72,7 @@ void check(const Definition& study, const Robot& arm, const SolveRecord& solve) 
 
 }  // namespace
 
-SolveCheck recheck_of(const StudyEntry& study) {
+TakeSolve recheck_of(const StudyEntry& study) {
   const Definition definition = definition_of(study.definition);
   std::optional<Robot> stored = stored_arm(definition.arm);
   if (!stored)

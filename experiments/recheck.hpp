@@ -1,15 +1,12 @@
 // Computes errors, joint motion and status of stored solves again.
 #pragma once
 
-#include <functional>
-
 #include "results/store.hpp"
 
 namespace ikbench::experiments {
 
 // A check that computes these of a study's solves again, from arm, target, start and answer of each. It throws
 // std::invalid_argument, with the solve's place, where they differ; recheck_of throws it if there is no arm.
-using SolveCheck = std::function<void(const results::SolveRecord&)>;
-SolveCheck recheck_of(const results::StudyEntry& study);
+results::TakeSolve recheck_of(const results::StudyEntry& study);
 
 }  // namespace ikbench::experiments

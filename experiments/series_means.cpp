@@ -81,9 +81,11 @@ std::string line_of(const std::string& key, const RunMeans& means) {
 }
 
 // The key of the search alone: unless limits or wraps change where a solve starts, no search sees which way the wrist
-// bends and turns.
+// bends and turns. A program or library may be too late.
 std::string search_key(Study study) {
-  if (study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
+  const SolverEntry& entry = study.solvers.front();
+  const bool is_built_in = !entry.program && info_of(entry).library.empty();
+  if (is_built_in && study.search == Search::wrist && study.limits == Limits::recorded && study.wrap == Wrap::no) {
     study.wrist_branch = WristBranch::nearest;
     study.wrist_turns = WristTurns::principal;
   }

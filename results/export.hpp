@@ -26,7 +26,7 @@ std::vector<ColumnInfo> columns();
 bool is_uncounted(std::string_view column, const SolveRecord& record);
 
 // Passes solves on one by one, as often as it is called.
-using PassSolves = std::function<void(const std::function<void(const SolveRecord&)>& take)>;
+using PassSolves = std::function<void(const TakeSolve& take)>;
 
 // The exported solves and their study. The solves are in the order solver, run, point.
 struct Exported {

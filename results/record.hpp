@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -73,6 +74,8 @@ struct SolveRecord {
 #include "results/columns.inc"
 #undef COLUMN
 };
+
+using TakeSolve = std::function<void(const SolveRecord&)>;
 
 // Calls visit(name, member, meaning) for every column, in their order.
 template <class Visit>

@@ -253,7 +253,7 @@ std::string_view name_of(Verdict verdict) {
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
-bool is_apart_from_interval(const Finding& finding) {
+bool contradicts_interval(const Finding& finding) {
   const double none = finding.scale == Scale::ratio ? 1 : 0;
   if (!finding.interval || finding.why != Why::tested) return false;
   const auto [low, high] = *finding.interval;

@@ -51,7 +51,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan);
 bool is_difference(Verdict verdict);
 // p and the interval say otherwise: Holm corrects p in steps, intervals hold all together, and those of counts come
 // from another method than p. Then p decides.
-bool is_apart_from_interval(const Finding& finding);
+bool contradicts_interval(const Finding& finding);
 
 // The same pair, told with its better one first, or with the control second.
 Finding better_first(Finding finding, std::string_view control);

@@ -75,6 +75,9 @@ class Adder {
                                               study_.entry.name, record.solver, record.run, record.point));
     const int solver = place_of(study_, record.solver);
     const bool is_first = study_.solves.empty() || study_.solves.back().solver != solver;
+    if (!record.trace_cm.empty() && study_.drawn.size() >= most_traces)
+      throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
+                                              study_.entry.name, most_traces));
     if (is_first) first_run_ = record.run, drawn_ = 0;
     if (is_first || study_.solves.back().run != record.run) bend_.begin_run();
     if (!record.trace_cm.empty() || (record.run == first_run_ && drawn_++ < most_drawn)) study_.drawn.push_back(record);
@@ -82,6 +85,7 @@ class Adder {
                              .point = record.point,
                              .solver = solver,
                              .session = static_cast<int>(record.session),
+                             .restarts = record.restarts,
                              .status = record.status,
                              .stop_reason = record.stop_reason,
                              .timing = record.timing,

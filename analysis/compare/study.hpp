@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,7 +20,7 @@ namespace ikbench::compare {
 struct Solve {
   int run = 1, point = 1;
   int solver = 0;  // its place in StudyResults::solvers
-  int session = 0;
+  int session = 0, restarts = 0;
   results::Status status = results::Status::ok;
   results::StopReason stop_reason = results::StopReason::iterations;
   results::Timing timing = results::Timing::clean;
@@ -55,11 +54,12 @@ struct StudyResults {
 
 constexpr std::int64_t most_solves = 10'000'000;
 constexpr int most_drawn = 10'000;  // of a first run
+constexpr std::size_t most_traces = 2'000'000;
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
 // `most_solves`.
-using TakeSolve = std::function<void(const results::SolveRecord&)>;
-StudyResults read_study(const results::Store& store, const results::StudyEntry& entry, const TakeSolve& also = {});
+StudyResults read_study(const results::Store& store, const results::StudyEntry& entry,
+                        const results::TakeSolve& also = {});
 // The same from records in any order. Solvers that the entry lacks follow.
 StudyResults study_of(const results::StudyEntry& entry, std::vector<results::SolveRecord> records,
                       const std::vector<results::Session>& sessions = {});

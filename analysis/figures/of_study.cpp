@@ -333,15 +333,16 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   const std::string& best =
       judged.deciding < judged.metrics.size() ? judged.metrics[judged.deciding].headline.best : "";
   const std::string drawn = std::ranges::count(shown, best) > 0 ? best : shown.front();
+  const std::string part = study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
   if (study.points > 1)
-    add(path({.name = "path", .caption = fmt::format("Targets, and what {} reached in its first run.", drawn)},
+    add(path({.name = "path", .caption = fmt::format("Targets, and what {} reached in its first run.{}", drawn, part)},
              path_rows(study, drawn, 1, look)));
   if (is_path(study)) {
     const auto [rows, columns] = joint_rows(study, look);
     if (!columns.empty())
-      add(joints(
-          {.name = "joints", .caption = "Joint angles along the path, first run of each solver. Dashed: limits."}, rows,
-          columns));
+      add(joints({.name = "joints",
+                  .caption = "Joint angles along the path, first run of each solver. Dashed: limits." + part},
+                 rows, columns));
   }
   return all;
 }

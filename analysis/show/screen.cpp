@@ -45,7 +45,7 @@ Lines pairs_of(const Shown& shown) {
       row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", of.first, of.second));
       row.push_back(verdict_words(of, judged));
       row.push_back(amount_words(of, judged));
-      row.push_back(of.p ? p_sentence(*of.p) + (is_apart_from_interval(of) ? ", which decides" : "") : "");
+      row.push_back(of.p ? p_sentence(*of.p) + (contradicts_interval(of) ? ", which decides" : "") : "");
     }
   }
   return lines_of(aligned(rows));
@@ -68,7 +68,9 @@ Lines table_of(const Shown& shown) {
 
 Lines warnings_of(const Shown& shown) {
   std::vector<Doubt> doubts = shown.all_doubts();
-  std::erase_if(doubts, [](const Doubt& doubt) { return doubt.kind == DoubtKind::seconds_decide; });  // stands first
+  const auto is_told = [](const Doubt& doubt) { return doubt.kind == DoubtKind::seconds_decide; };
+  if (std::ranges::any_of(shown.decisive().observations.doubts, is_told))
+    std::erase_if(doubts, is_told);  // stands first
   const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   Lines lines;
   for (std::size_t i = 0; i < shown_doubts; ++i) {

@@ -139,7 +139,7 @@ Table pairs_table(const Shown& shown) {
   bool is_any_apart_from_p = false;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
-      is_any_apart_from_p |= is_apart_from_interval(finding);
+      is_any_apart_from_p |= contradicts_interval(finding);
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
                             cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),

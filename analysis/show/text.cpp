@@ -188,6 +188,7 @@ std::map<std::string, std::string> short_names(const std::vector<std::string>& n
       const bool is_long = character_count(name) > length && !own.empty();
       different.insert(short_of[name] = shortened(is_long ? own : name, length));
     }
+    if (length == longest && different.size() < names.size()) return {};  // they look the same, and stay as they are
   }
   return short_of;
 }
