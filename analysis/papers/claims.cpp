@@ -170,7 +170,9 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     std::vector<std::vector<std::string>> rows;
     std::string last;                             // verdict
     std::map<Holds, std::string> without_number;  // sentences
-    for (const JudgedClaim& claim : grouped(claims, are_ours)) {
+    const std::vector<JudgedClaim> group = grouped(claims, are_ours);
+    const bool has_shares = std::ranges::any_of(group, [](const auto& each) { return each.shares.has_value(); });
+    for (const JudgedClaim& claim : group) {
       if (!is_judged(claim.holds)) {
         std::string& all = without_number[claim.holds];
         all += (all.empty() ? "" : "; ") + claim.sentence;
@@ -179,7 +181,7 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
       const Shares shares = claim.shares ? claim.shares->all : Shares();
       const std::string verdict(holds_by_default(claim) ? "by default" : name_of(claim.holds));
       const std::string share = percent(shares.part(shares.holds));
-      if (shares.all() > 0 && rows.empty())
+      if (has_shares && rows.empty())
         rows.push_back({"", "claim", fmt::format("here{:>{}}", "in readings", width + 3)});
       const bool is_new = std::exchange(last, verdict) != verdict;
       rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46),
