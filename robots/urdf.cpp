@@ -494,7 +494,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
               .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
     if (!changed.empty()) {
-      changed.erase(std::ranges::unique(changed).begin(), changed.end());
+      changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
       notes.push_back(
           fmt::format("the digits of {} are read as the round angles or parallel axes that they mean, which "
