@@ -162,7 +162,8 @@ StudyResults complete(StudyResults study, const std::vector<Session>& sessions) 
 
 std::span<const Solve> StudyResults::of(std::string_view solver) const {
   const auto here = std::ranges::find(solvers, solver) - solvers.begin();
-  return std::ranges::equal_range(solves, here, {}, &Solve::solver);
+  return {std::ranges::lower_bound(solves, here, {}, &Solve::solver),
+          std::ranges::upper_bound(solves, here, {}, &Solve::solver)};
 }
 
 std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver) const {

@@ -10,7 +10,6 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <regex>
 #include <set>
 #include <sstream>

@@ -85,7 +85,7 @@ Rates read_rates(TomlReader reader) {
 std::vector<Paper> read_all() {
   std::vector<Paper> all;
   for (const EmbeddedFile& file : files) all.push_back(read_paper(file.stem(), file.text, file.name));
-  std::ranges::stable_partition(all, [](const Paper& paper) { return !paper.means.empty(); });
+  std::stable_partition(all.begin(), all.end(), [](const Paper& paper) { return !paper.means.empty(); });
   return all;
 }
 
