@@ -335,6 +335,12 @@ TEST_CASE("any label is kept as it is") {
   CHECK(of.groups[2].name == "\xC3\xA9");
 }
 
+TEST_CASE("of a million rows a run's are one value") {
+  std::string text = "solver;seed;v\n";
+  for (int i = 0; i < 1'000'000; ++i) text += fmt::format("{};{};{},5\n", i % 2 ? "A" : "B", i / 20, i % 1000);
+  CHECK(observations(text, {.run = "seed"}).groups.front().values.size() == 50'000);
+}
+
 TEST_CASE("an exported file of solves gives the observations of its report") {
   for (const std::string start : {"previous", "home", "previous, repeated"}) {
     const auto draw = [&](SolveRecord& solve) {
