@@ -12,7 +12,7 @@
 
 namespace ikbench::csv {
 
-constexpr std::ptrdiff_t most_lines = 2'000'000;  // of solves a study may have as many
+constexpr std::ptrdiff_t most_lines = 10'000'000;  // of solves a study may have as many
 
 using Words = std::initializer_list<std::string_view>;
 std::string lower_case(std::string_view text);              // ASCII letters

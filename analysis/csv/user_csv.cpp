@@ -123,6 +123,7 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
   const Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
+  items.values.reserve(columns.size() * sheet.rows().size());
   for (const std::size_t column : columns) {
     Index used = 0;  // a column that ends before others has fewer values
     for (const Index row : sheet.rows()) used = sheet.cell(row, column).empty() ? used : row;
