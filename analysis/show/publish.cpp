@@ -6,6 +6,7 @@
 
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
 #include "results/files.hpp"
@@ -96,10 +97,14 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
-      const auto* table = std::get_if<Table>(&block);
-      if (!table || table->name.empty()) continue;
-      write_table(*table, folder / "tables", program);
-      for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table->name, type));
+      if (!std::holds_alternative<Table>(block)) continue;
+      Table table = std::get<Table>(block);
+      if (table.name.empty()) continue;
+      if (table.name == "results") {  // in an article it stands without the report's warnings
+        for (const compare::Doubt& doubt : of.shown.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
+      }
+      write_table(table, folder / "tables", program);
+      for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
     }
   }
   std::ranges::move(files_of(figures, folder), std::back_inserter(files));

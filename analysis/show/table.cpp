@@ -211,14 +211,17 @@ std::string to_latex(const Table& whole) {
   std::string notes;
   for (const std::string& note : table.notes)
     notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
-  // A table that is wider than a column takes both; notes shrink with one that is wider than that.
+  // A table that is wider than a column takes both; notes shrink with one that is wider than that, or higher than a
+  // page.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
       "\\edef\\wide{{\\ifdim\\wd0>\\columnwidth*\\fi}}%\n"
       "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
       "\\dimen0=\\ifdim\\wd0>\\linewidth\\wd0\\else\\linewidth\\fi\n"
-      "\\resizebox{{\\linewidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}\n"
+      "\\sbox2{{\\resizebox{{\\linewidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}}}%\n"
+      "\\ifdim\\dimexpr\\ht2+\\dp2\\relax>.85\\textheight"
+      "\\resizebox{{!}}{{.85\\textheight}}{{\\usebox2}}\\else\\usebox2\\fi\n"
       "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
       table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, latex_text(table.caption), table.name, notes);
 }
