@@ -136,10 +136,10 @@ Table pairs_table(const Shown& shown) {
                           {"A12"},
                           {"test"},
                           {"verdict"}}};
-  bool is_any_apart_from_p = false;
+  bool is_any_contradicted = false;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
-      is_any_apart_from_p |= contradicts_interval(finding);
+      is_any_contradicted |= contradicts_interval(finding);
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
                             cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
@@ -149,7 +149,7 @@ Table pairs_table(const Shown& shown) {
   table.notes = {
       "Metrics but the headline's are exploratory. p by Holm over the pairs of a metric, whose intervals hold together; "
       "A12: share of comparisons in which the first is better."};
-  if (is_any_apart_from_p)
+  if (is_any_contradicted)
     table.notes.emplace_back(
         "Where an interval and p disagree, p decides: intervals hold together, and p is corrected in steps.");
   return table;

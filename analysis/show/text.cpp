@@ -36,6 +36,13 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
   return result;
 }
 
+// Whether a blank stands between a number and its unit, which stay on one line.
+bool is_before_unit(std::string_view text, std::size_t blank) {
+  constexpr std::array<std::string_view, 5> units{"%", "cm", "mm", "deg", "ms"};
+  return blank > 0 && blank < text.size() && text[blank - 1] >= '0' && text[blank - 1] <= '9' &&
+         std::ranges::any_of(units, [&](std::string_view unit) { return text.substr(blank + 1).starts_with(unit); });
+}
+
 // Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
 void narrow(std::vector<std::size_t>& widths, const Rows& rows, std::size_t gap, std::size_t width) {
   std::vector<std::size_t> least(widths.size(), 1);
@@ -61,10 +68,8 @@ std::string html_text(std::string_view text) {
   constexpr std::array<Substitute, 5> substitutes{
       {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string result = replaced(text, substitutes, "");
-  for (const std::string_view unit : {" %", " cm", " mm", " deg", " ms"}) {  // on one line with their number
-    for (std::size_t at = result.find(unit, 1); at != std::string::npos; at = result.find(unit, at + 1)) {
-      if (result[at - 1] >= '0' && result[at - 1] <= '9') result.replace(at, 1, "\u00a0");
-    }
+  for (std::size_t at = result.find(' '); at != std::string::npos; at = result.find(' ', at + 1)) {
+    if (is_before_unit(result, at)) result.replace(at, 1, "\u00a0");
   }
   return result;
 }
@@ -115,7 +120,9 @@ std::vector<std::string> broken(std::string_view text, std::size_t first, std::s
   std::vector<std::string> lines{""};
   std::size_t used = 0;
   for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
+    std::size_t end = text.find(' ', at);
+    while (is_before_unit(text, end)) end = text.find(' ', end + 1);
+    end = std::min(end, text.size());
     const std::string_view word = text.substr(at, end - at);
     const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;
     if (at > 0 && used + 1 + length > width && used > 0) {
