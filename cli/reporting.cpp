@@ -117,7 +117,7 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
 
 }  // namespace
 
-bool are_drawn(const std::vector<std::string>& names) { return names != std::vector<std::string>{"none"}; }
+bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
 void add_report_options(Command& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")

@@ -135,7 +135,7 @@ for signal in INT KILL; do
   sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal/" -e 's/patience_s = 1/patience_s = 20/' edited.toml >long.toml
   "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
   process=$!
-  for ((i = 0; i < 200; ++i)); do
+  for ((i = 0; i < 2000; ++i)); do
     [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && break # not the process that only says hello
     sleep 0.1
   done
