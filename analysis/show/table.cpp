@@ -221,7 +221,7 @@ std::string to_latex(const Table& whole) {
       "\\dimen0=\\ifdim\\wd0>\\linewidth\\wd0\\else\\linewidth\\fi\n"
       "\\sbox2{{\\resizebox{{\\linewidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}}}%\n"
       "\\ifdim\\dimexpr\\ht2+\\dp2\\relax>.85\\textheight"
-      "\\resizebox{{!}}{{.85\\textheight}}{{\\usebox2}}\\else\\usebox2\\fi\n"
+      "\\resizebox*{{!}}{{.85\\textheight}}{{\\usebox2}}\\else\\usebox2\\fi\n"
       "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
       table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, latex_text(table.caption), table.name, notes);
 }
