@@ -42,7 +42,8 @@ char separator_of(std::string_view text) {
     if (!is_quoted) header += c;
   }
   const auto count = [&](char separator) { return std::ranges::count(header, separator); };
-  return std::ranges::max(std::initializer_list<char>{'\t', ';', ','}, {}, count);
+  constexpr std::string_view separators = "\t;,";
+  return *std::ranges::max_element(separators, {}, count);
 }
 
 }  // namespace
