@@ -195,10 +195,9 @@ void add_check_solver(Command& app, Invocation& invocation) {
     const auto failed = std::ranges::count(lines, false, &CheckLine::passed);
     if (failed > 0) invocation.exit_code = 1;
     if (arguments->is_json) {
-      numerics::OrderedJson all = numerics::OrderedJson::array();
-      for (const CheckLine& line : lines) {
+      OrderedJson all = OrderedJson::array();
+      for (const CheckLine& line : lines)
         all.push_back({{"check", line.what}, {"passed", line.passed}, {"seen", line.seen}});
-      }
       return show_json(all);
     }
     fmt::print("{}\n\n", failed == 0 ? coloured(fmt::format("All {} checks passed.", lines.size()), Tone::good)
