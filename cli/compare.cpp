@@ -74,7 +74,7 @@ struct Source {
 std::vector<Compared> compare_all(const CompareArguments& arguments) {
   std::vector<Compared> all;
   const auto add = [&](const std::string& label, Side baseline, Side candidate, std::size_t labels) {
-    Compared& one = all.emplace_back(label, gate(std::move(baseline), std::move(candidate), labels));
+    Compared& one = all.emplace_back(Compared{label, gate(std::move(baseline), std::move(candidate), labels)});
     one.shown = show::shown(one.gate.judged);
   };
   if (!arguments.store.empty()) {
