@@ -326,18 +326,18 @@ TEST_CASE("a joint that turns without end has no limits, and is told where the f
   struct Placeholder {
     std::string limit, found;
   };
-  for (const auto& [placeholder, found] :
+  for (const Placeholder& each :
        {Placeholder{"effort='1'", "none and none"}, Placeholder{"lower='0' upper='0'", "0 and 0"},
         Placeholder{"upper='1'", "none and 1"}, Placeholder{"lower='-1' uper='1'", "-1 and none"},
         Placeholder{"lower='2' upper='-2'", "2 and -2"},
         Placeholder{"lower='-999999' upper='999999'", "-999999 and 999999"},
         Placeholder{"lower='-1e16' upper='1e16'", "-1e+16 and 1e+16"},
         Placeholder{"lower='-INF' upper='inf'", "-inf and inf"}}) {
-    const auto said = [&](const std::string& type) { return said_of(urdf({{type, "<limit " + placeholder + "/>"}})); };
-    CHECK(said("revolute") == "my_arm.urdf:2: joint \"j1\": its limits are " + found +
+    const auto said = [&](const std::string& type) { return said_of(urdf({{type, "<limit " + each.limit + "/>"}})); };
+    CHECK(said("revolute") == "my_arm.urdf:2: joint \"j1\": its limits are " + each.found +
                                   "; expected the lower and then the upper, within +-62.8319 rad; if it turns without "
                                   "end, its type is continuous");
-    CHECK(said("prismatic").find("are " + found) != std::string::npos);
+    CHECK(said("prismatic").find("are " + each.found) != std::string::npos);
     CHECK(said("prismatic").find("continuous") == std::string::npos);
   }
 }

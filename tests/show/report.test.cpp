@@ -114,7 +114,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
 
 TEST_CASE("a screen has at most 20 lines, whatever was compared", "[show]") {
   CHECK(lines_in(screen(report_of().shown, "out/mine/report.html")) <= screen_lines);
-  for (const std::size_t solvers : {1, 2, 3, 6, 7, 8, 24}) {
+  for (const std::size_t solvers : {1u, 2u, 3u, 6u, 7u, 8u, 24u}) {
     const std::string text = screen(of_many(solvers), "out/many/report.html");
     INFO(text);
     CHECK(lines_in(text) <= screen_lines);
