@@ -60,20 +60,20 @@ struct Source {
     return all;
   }
   // Reads this label alone.
-  Side side(const std::string& label, const CompareArguments& arguments) const {
+  StudyResults side(const std::string& label, const CompareArguments& arguments) const {
     if (std::ranges::count(labels(), label) == 0)
       throw std::invalid_argument(numerics::unknown_name("label", label, labels()));
     results::StudyEntry own = entry;
     std::erase_if(own.series, [&](const results::Series& series) { return series.label != label; });
-    Side side{.study = checked_study(store, own), .solver = label};
-    if (!arguments.margin.empty()) side.study.definition.plan.margin = margin_from(arguments.margin);
-    return side;
+    StudyResults study = checked_study(store, own);
+    if (!arguments.margin.empty()) study.definition.plan.margin = margin_from(arguments.margin);
+    return study;
   }
 };
 
 std::vector<Compared> compare_all(const CompareArguments& arguments) {
   std::vector<Compared> all;
-  const auto add = [&](const std::string& label, Side baseline, Side candidate, std::size_t labels) {
+  const auto add = [&](const std::string& label, StudyResults baseline, StudyResults candidate, std::size_t labels) {
     Compared& one = all.emplace_back(Compared{label, gate(std::move(baseline), std::move(candidate), labels)});
     one.shown = show::shown(one.gate.judged);
   };

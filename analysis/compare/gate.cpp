@@ -16,11 +16,10 @@ namespace ikbench::compare {
 namespace {
 
 using namespace results;
-using Solves = std::span<const Solve>;
 
-void refuse_other_task(const Side& one, const Side& other) {
-  const Definition &a = one.study.definition, &b = other.study.definition;
-  const Solves of_a = one.study.of(one.solver), of_b = other.study.of(other.solver);
+void refuse_other_task(const StudyResults& one, const StudyResults& other) {
+  const Definition &a = one.definition, &b = other.definition;
+  const auto &of_a = one.solves, &of_b = other.solves;
   const char* differ = of_a.empty() || of_b.empty()               ? "numbers of solves: one has none"
                        : a.robot != b.robot || a.arm != b.arm     ? "arms"
                        : a.path != b.path || a.points != b.points ? "targets"
@@ -34,22 +33,24 @@ void refuse_other_task(const Side& one, const Side& other) {
     const bool is_one_place = of_a[i].run == of_b[i].run && of_a[i].point == of_b[i].point;
     if (is_one_place && of_a[i].target != of_b[i].target) differ = "targets";
   }
-  if (differ) throw std::invalid_argument(fmt::format("{} and {} had different {}", one.solver, other.solver, differ));
+  if (differ)
+    throw std::invalid_argument(
+        fmt::format("{} and {} had different {}", one.solvers.front(), other.solvers.front(), differ));
 }
 
 // Of both sides, as solvers of one study. Takes their solves.
-StudyResults study_of_both(Side& baseline, Side& candidate) {
-  const bool are_named = baseline.solver != candidate.solver;
-  StudyEntry entry = candidate.study.entry;
+StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
+  const bool are_named = baseline.solvers != candidate.solvers;
+  StudyEntry entry = candidate.entry;
   entry.series.clear();
   std::vector<Solve> solves;
-  solves.reserve(candidate.study.solves.size() + baseline.study.solves.size());
+  solves.reserve(candidate.solves.size() + baseline.solves.size());
   std::vector<Session> sessions;
-  for (Side* side : {&candidate, &baseline}) {
-    const std::string name = are_named ? side->solver : side == &candidate ? "candidate" : "baseline";
+  for (StudyResults* side : {&candidate, &baseline}) {
+    const std::string name = are_named ? side->solvers.front() : side == &candidate ? "candidate" : "baseline";
     entry.series.push_back({.label = name});
     std::map<std::int64_t, int> numbers;
-    for (const Session& session : side->study.sessions) {
+    for (const Session& session : side->sessions) {
       const auto is_same = [&](const Session& each) {
         return each.began == session.began && each.environment == session.environment;
       };
@@ -59,15 +60,15 @@ StudyResults study_of_both(Side& baseline, Side& candidate) {
       sessions.push_back(session);
       sessions.back().id = numbers[session.id];
     }
-    for (Solve solve : side->study.of(side->solver)) {
+    for (Solve solve : side->solves) {
       solve.solver = side == &candidate ? 0 : 1;
       solve.session = numbers[solve.session];
       solves.push_back(solve);
     }
-    side->study.solves = {};
+    side->solves = {};
   }
   StudyResults study = study_of(entry, std::move(solves), sessions);
-  study.definition.plan = candidate.study.definition.plan;
+  study.definition.plan = candidate.definition.plan;
   study.definition.plan.control = study.solvers.back();  // shown second
   return study;
 }
@@ -81,8 +82,9 @@ bool are_all_same(const StudyResults& study) {
 }
 
 // Limits of a solve that the two had, one doubt each.
-std::vector<Doubt> doubts_of_limits(const Side& baseline, const Side& candidate, const StudyResults& both) {
-  const Definition::Stop &a = candidate.study.definition.stop, &b = baseline.study.definition.stop;
+std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& candidate,
+                                    const StudyResults& both) {
+  const Definition::Stop &a = candidate.definition.stop, &b = baseline.definition.stop;
   std::vector<Doubt> doubts;
   const auto add = [&](const char* unit, auto ours, auto theirs) {
     if (ours == theirs) return;
@@ -142,7 +144,7 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 }  // namespace
 
-Gate gate(Side baseline, Side candidate, std::size_t labels) {
+Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
   study.definition.plan.significance /= static_cast<double>(labels);

@@ -9,11 +9,6 @@
 
 namespace ikbench::compare {
 
-struct Side {
-  StudyResults study;
-  std::string solver;  // whose solves are compared
-};
-
 struct Gate {
   // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
   // answer.
@@ -23,9 +18,10 @@ struct Gate {
   std::optional<double> visible_loss;                   // smallest loss of the share solved that the test would show
 };
 
-// By the candidate's plan; `labels` that are compared share its significance. Throws std::invalid_argument if the two
-// had different tasks. Random targets of other seeds are no different task, and make groups unpaired.
-Gate gate(Side baseline, Side candidate, std::size_t labels = 1);
+// Of two studies of one solver each, by the candidate's plan; `labels` that are compared share its significance. Throws
+// std::invalid_argument if the two had different tasks. Random targets of other seeds are no different task, and make
+// groups unpaired.
+Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels = 1);
 
 // "It can see a loss of 9 points or more in 100 targets."
 std::string sight_of(const Gate& gate);

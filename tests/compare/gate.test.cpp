@@ -33,9 +33,7 @@ StudyResults version(
   return study(asked, draw, {"mine"}, {{.id = 1, .began = began, .environment = {{"cpu", "one"}, {"analysis", "{}"}}}});
 }
 
-Gate gate_of(const StudyResults& before, const StudyResults& after) {
-  return gate({.study = before, .solver = "mine"}, {.study = after, .solver = "mine"});
-}
+Gate gate_of(const StudyResults& before, const StudyResults& after) { return gate(before, after); }
 
 using Names = std::vector<std::string>;
 
@@ -118,10 +116,9 @@ TEST_CASE("labels that are compared share the significance") {
     if (solve.status == Status::ok && missed++ < 6) solve.status = Status::tolerance_missed;
   };
   const StudyResults before = version(1), after = version(1, of_100, miss_six);
-  const Side baseline{.study = before, .solver = "mine"}, candidate{.study = after, .solver = "mine"};
-  CHECK(gate(baseline, candidate).worse == Names{"solved"});  // p = 2 / 2^6
-  CHECK(gate(baseline, candidate, 6).worse.empty());
-  CHECK(gate(baseline, candidate, 6).not_decided == Names{"solved"});
+  CHECK(gate(before, after).worse == Names{"solved"});  // p = 2 / 2^6
+  CHECK(gate(before, after, 6).worse.empty());
+  CHECK(gate(before, after, 6).not_decided == Names{"solved"});
 }
 
 TEST_CASE("solves that are the same bit for bit leave nothing open, however few") {
@@ -155,8 +152,7 @@ TEST_CASE("two labels of one study are compared as two versions are") {
   const auto slower = [](SolveRecord& solve) {
     solve.evaluations = solve.solver == "B" ? 300 + solve.point : 100 + solve.point;
   };
-  const StudyResults both = study(of_100, slower);
-  const Gate gate = compare::gate({.study = both, .solver = "A"}, {.study = both, .solver = "B"});
+  const Gate gate = gate_of(study(of_100, slower, {"A"}), study(of_100, slower, {"B"}));
   CHECK(gate.judged.study.solvers == Names{"B", "A"});
   CHECK(gate.worse == Names{"evaluations"});
 }
