@@ -25,11 +25,8 @@ About numbered(int number, const std::string& caption) {
 About about_of(const StudyResults& study, const PaperMetric& of, int number, const std::string& caption) {
   const Metric& metric = metric_named(of.column);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  About about = numbered(number, caption);
-  about.quantity = of.name;
-  about.unit = unit;
-  about.floor = factor * metric.rounding;
-  return about;
+  const About head = numbered(number, caption);
+  return {head.name, head.caption, std::string(of.name), unit, factor * metric.rounding};
 }
 
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
@@ -101,16 +98,15 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
   for (std::size_t row = 0; row < printed.rows.size(); ++row)
     beside.rows.push_back({printed.number(row, "point"), printed.number(row, "error_cm")});
-  About about = about_of(study, paper_metrics[0], 17, "The position error at each point, beside Table 8's.");
-  about.floor = 0;  // all is rounding
-  all.push_back(curves(about, "point", errors));
-  const std::vector<Line> traced = by_iteration(study, look, Average::mean);
-  if (!traced.empty()) {
-    about = about_of(study, paper_metrics[0], 18,
-                     "Best position error after each iteration, mean of all solves. Dotted: the median.");
-    about.floor = 0;
-    all.push_back(curves(about, "iteration", traced));
-  }
+  const auto add = [&](int number, const std::string& caption, const std::string& axis,
+                       const std::vector<Line>& lines) {
+    About about = about_of(study, paper_metrics[0], number, caption);
+    about.floor = 0;  // all is rounding
+    if (!lines.empty()) all.push_back(curves(about, axis, lines));
+  };
+  add(17, "The position error at each point, beside Table 8's.", "point", errors);
+  add(18, "Best position error after each iteration, mean of all solves. Dotted: the median.", "iteration",
+      by_iteration(study, look, Average::mean));
   return all;
 }
 

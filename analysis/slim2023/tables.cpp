@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -22,9 +21,7 @@ namespace {
 
 // The rows of an ANOVA: between, within, total; sum of squares, degrees of freedom, mean square, F, p.
 std::array<std::array<double, 5>, 3> rows_of(const std::optional<TestOfAll>& anova) {
-  TestOfAll none{.statistic = unknown, .df = unknown, .df_within = unknown, .p = unknown};
-  none.ss_between = none.ss_within = unknown;
-  const TestOfAll of = anova.value_or(none);
+  const TestOfAll of = anova.value_or(TestOfAll{unknown, unknown, unknown, unknown, unknown, unknown});
   const double between = of.ss_between, within = of.ss_within;
   return {{{between, of.df, between / of.df, of.statistic, of.p},
            {within, of.df_within, within / of.df_within, unknown, unknown},
@@ -117,10 +114,9 @@ std::optional<Table> table_8(const Repeated& of) {
   for (std::size_t joint = 1; joint <= angles; ++joint)
     table.columns.push_back({fmt::format("theta {}", joint), "deg"});
   table.columns.push_back({"position error", "cm"});
-  std::size_t agreeing = 0, compared = 0;
+  std::size_t agreeing = 0;
   for (const SolveRecord& solve : study.first_run_of(study.solvers.front())) {
-    const auto same =
-        std::ranges::find(printed.rows, fmt::to_string(solve.point), [](const auto& row) { return row[0]; });
+    const std::vector<std::string>& in_print = printed.rows.at(static_cast<std::size_t>(solve.point - 1));
     auto& row = table.rows.emplace_back(std::vector<Cell>{std::int64_t{solve.point}});
     for (std::size_t c = 1; c <= angles + 1; ++c) {
       const bool is_angle = c <= angles;
@@ -128,16 +124,14 @@ std::optional<Table> table_8(const Repeated& of) {
       const double ours = !is_angle                         ? solve.position_error_cm
                           : joint < solve.answer_rad.size() ? solve.answer_rad[joint] / numerics::degree
                                                             : unknown;
-      row.push_back(same == printed.rows.end() ? Cell(ours) : Cell(show::Printed{ours, (*same)[c]}));
-      if (!is_angle || same == printed.rows.end()) continue;
-      ++compared;
-      agreeing += agrees(ours, (*same)[c]);
+      row.push_back(show::Printed{ours, in_print[c]});
+      agreeing += is_angle && agrees(ours, in_print[c]);
     }
   }
   table.notes = {
       fmt::format("{} of {} printed angles are ours to the printed digit; theta 4 is set as theta 1. The arm's lengths "
                   "are not printed: they were fitted to these angles.",
-                  agreeing, compared)};
+                  agreeing, table.rows.size() * angles)};
   return table;
 }
 
@@ -168,8 +162,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
 
 std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedClaim>& claims,
                                    const std::vector<figures::Figure>& figures_of_circle) {
-  std::vector<show::Blocks> sections;
-  if (show::Blocks blocks = claims_section(claims); !blocks.empty()) sections.push_back(std::move(blocks));
+  std::vector<show::Blocks> sections{claims_section(claims)};
   const auto add = [&](std::string heading, show::Blocks blocks) {
     if (blocks.empty()) return;
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});
