@@ -83,8 +83,7 @@ std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Sha
       other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = of.paper, .study = *other});
   std::vector<JudgedClaim> all;
   for (const Claim& claim : of.paper.claims) {
-    const Rule* const rule = rule_named(claim.rule);
-    Found found = rule ? rule->judge({claim, of}) : Found();
+    Found found = claim.rule ? claim.rule->judge(claim, of) : Found();
     const bool is_of_many = claim.sentence.find('{') != std::string::npos;
     if (found.empty() && !claim.is_ours && !is_of_many) {
       found.push_back(begun(claim));

@@ -337,7 +337,7 @@ double Multiverse::OfStudy::readings() const {
 }
 
 bool hangs_on_reading(const Claim& claim) {
-  return claim.rule == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
+  return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
          (claim.of == Of::means || claim.of == Of::spread) &&
          std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
 }

@@ -25,10 +25,6 @@ constexpr EmbeddedFile files[]{
 
 using Texts = std::map<std::string, std::string>;
 
-[[noreturn]] void refuse(const TomlReader& reader, const std::string& what) {
-  throw std::invalid_argument(reader.where(reader.table().source(), "") + what);
-}
-
 void read_texts(TomlReader& reader, std::string_view key, Texts& field) {
   const toml::table* const table = reader.subtable(key);
   if (table == nullptr) return;
@@ -44,12 +40,11 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
                                    {"sentence", &claim.sentence},
                                    {"decides", &claim.decides},
                                    {"section", &claim.section},
-                                   {"rule", &claim.rule},
                                    {"study", &claim.study},
-                                   {"that", &claim.that},
                                    {"table", &claim.table},
                                    {"note", &claim.note}})
     reader.text(key, *field, "");
+  reader.choice("rule", claim.rule, rules(), "");
   reader.choice("by", claim.is_ours, {{"paper", false}, {"us", true}}, "");
   reader.choice("of", claim.of, {{"means", Of::means}, {"spread", Of::spread}, {"each_study", Of::each_study}}, "");
   reader.choice("from", claim.from, {{"both", From::both}, {"solvers", From::solvers}, {"others", From::others}}, "");
@@ -59,14 +54,14 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
   reader.number("limit_ms", claim.limit_ms, 1, {0, 1e9}, "");
   reader.refuse_unknown_keys();
   if (claim.id.empty() || claim.sentence.empty() || claim.decides.empty())
-    refuse(reader, "a claim without id, sentence or decides");
-  if (!claim.rule.empty() && rule_named(claim.rule) == nullptr)
-    refuse(reader, unknown_name("rule of a claim", claim.rule, rule_names()));
+    throw reader.mistake("", "a claim without id, sentence or decides");
   for (const std::string& metric : metrics) claim.metrics.push_back(&metric_named(metric));
-  if (metrics.empty() && !claim.rule.empty() && claim.rule != "count") refuse(reader, "a claim without metrics");
+  if (metrics.empty() && claim.rule != nullptr && claim.rule->is_of_metrics)
+    throw reader.mistake("metrics", "a claim without metrics");
   const auto is_share = [](const Metric* metric) { return metric->kind == Kind::share; };
   if (claim.of == Of::each_study && !std::ranges::all_of(claim.metrics, is_share))
-    refuse(reader, "a claim of each_study about other metrics than 'solved', whose best rival has the largest");
+    throw reader.mistake("metrics",
+                         "a claim of each_study about other metrics than 'solved', whose best rival has the largest");
   return claim;
 }
 
@@ -142,14 +137,12 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
   reader.whole("near", paper.near, {0, 1000}, "");
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
-  const toml::node* const claims = reader.find("claims");
+  const std::vector<const toml::table*> claims = reader.tables("claims", 1000, "1 to 1000 tables [[claims]]");
   reader.refuse_unknown_keys();
-  if (claims == nullptr || !claims->is_array_of_tables())
-    throw std::invalid_argument(fmt::format("{}: no claims; expected tables [[claims]]", source));
-  for (const toml::node& each : *claims->as_array()) {
-    Claim claim = read_claim(reader.nested(*each.as_table(), "claims."), paper.solver);
+  for (const toml::table* const each : claims) {
+    Claim claim = read_claim(reader.nested(*each, "claims."), paper.solver);
     if (std::ranges::find(paper.claims, claim.id, &Claim::id) != paper.claims.end())
-      refuse(reader, fmt::format("the claim {} is there twice; expected it once", claim.id));
+      throw reader.mistake("claims", fmt::format("the claim {} is there twice; expected it once", claim.id));
     paper.claims.push_back(std::move(claim));
   }
   return paper;
@@ -199,11 +192,10 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   const results::CsvTable printed = printed_table(of.paper.name, plan.table);
   for (const JudgedStudy* each : of.all()) {
     const StudyResults& study = each->study;
-    const auto named = plan.rows.find(study.definition.robot);
-    const std::string& arm = named == plan.rows.end() ? study.definition.robot : named->second;
+    const auto arm = plan.rows.find(study.definition.robot);
     for (std::size_t row = 0; row < printed.rows.size() && !study.solves.empty(); ++row) {
-      if (printed.rows[row][printed.column("arm")] != arm) continue;
-      RatesOfArm& rates = arms.emplace_back(RatesOfArm{.arm = arm});
+      if (arm == plan.rows.end() || printed.rows[row][printed.column("arm")] != arm->second) continue;
+      RatesOfArm& rates = arms.emplace_back(RatesOfArm{.arm = arm->second});
       for (const auto& [solver, column] : plan.columns)
         rates.rates.push_back(rate_of(study, solver, printed.number(row, column) / 100, plan));
     }
@@ -253,9 +245,7 @@ show::Table means_table(const Repeated& of) {
 show::Table rates_table(const Repeated& of) {
   const Rates& plan = of.paper.rates;
   show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
-  for (const auto& [solver, column] : plan.columns) {
-    table.columns.push_back({solver, "%"});
-  }
+  for (const auto& [solver, column] : plan.columns) table.columns.push_back({solver, "%"});
   for (const RatesOfArm& arm : rates_of(of)) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
     for (const Rate& rate : arm.rates)

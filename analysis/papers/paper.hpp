@@ -18,10 +18,12 @@ enum class Of { means, spread, each_study };
 // Whose numbers come from the companion that a claim names; those of the rest come from the study.
 enum class From { both, solvers, others };
 
+struct Rule;  // rules.hpp
+
 struct Claim {
   std::string id, sentence, decides;  // decides: what would decide it
   std::string section = {};           // of the paper
-  std::string rule = {};              // rules.hpp; empty: nothing here can decide it
+  const Rule* rule = nullptr;         // null: nothing here can decide it
   bool is_ours = false;               // our question, no claim of the paper
   std::vector<std::string> solvers;   // it says something of; by default the paper's own
   std::vector<std::string> against;   // these; empty: all others
@@ -29,7 +31,6 @@ struct Claim {
   Of of = Of::means;
   std::string study = {};  // "limits": of the companion NAME-limits
   From from = From::both;
-  std::string that = {};   // what is counted
   std::string table = {};  // of printed times
   double limit_ms = 0;
   std::string note = {};  // added to the evidence

@@ -20,7 +20,6 @@ using show::number_text;
 namespace {
 
 using Names = std::vector<std::string>;
-using Solves = std::span<const Solve>;
 
 bool has(const Names& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
 
@@ -34,9 +33,9 @@ Holds always_or_on_average(bool always, bool on_average) {
 }
 
 // The study that the claim is about; with a part, only where numbers are taken from it.
-const JudgedStudy* study_of(const Asked& asked, bool is_of_part = true) {
-  const bool is_part = is_of_part && !asked.claim.study.empty();
-  return is_part ? asked.repeated.part(asked.claim.study) : &asked.repeated.study;
+const JudgedStudy* study_of(const Claim& claim, const Repeated& of, bool is_of_part = true) {
+  const bool is_part = is_of_part && !claim.study.empty();
+  return is_part ? of.part(claim.study) : &of.study;
 }
 
 // A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
@@ -62,10 +61,9 @@ std::optional<Judged> judged_if_complete(Observations of, Plan plan, const Claim
 }
 
 // The claim's solvers and others, each from its study.
-std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
-  const Claim& claim = asked.claim;
-  const JudgedStudy* const own = study_of(asked, claim.from != From::others);
-  const JudgedStudy* const others = study_of(asked, claim.from != From::solvers);
+std::optional<Judged> judged_here(const Claim& claim, const Repeated& of, const Metric& metric) {
+  const JudgedStudy* const own = study_of(claim, of, claim.from != From::others);
+  const JudgedStudy* const others = study_of(claim, of, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
   Observations all = observe(own->study, metric);
   std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
@@ -78,14 +76,13 @@ std::optional<Judged> judged_here(const Asked& asked, const Metric& metric) {
   for (Group& group : all.groups) {
     if (!all.is_paired) group.blocks.clear();
   }
-  return judged_if_complete(std::move(all), asked.repeated.study.study.definition.plan, claim);
+  return judged_if_complete(std::move(all), of.study.study.definition.plan, claim);
 }
 
 // The printed numbers of the same solvers, by means; none if they are not about this study.
-std::optional<Judged> judged_print(const Asked& asked, const Metric& metric) {
-  const Claim& claim = asked.claim;
-  const StudyResults& study = asked.repeated.study.study;
-  PrintedRows rows = printed_rows(asked.repeated.paper, metric);
+std::optional<Judged> judged_print(const Claim& claim, const Repeated& of, const Metric& metric) {
+  const StudyResults& study = of.study.study;
+  PrintedRows rows = printed_rows(of.paper, metric);
   std::erase_if(rows, [&](const PrintedRow& row) {
     return !has(study.solvers, row.solver) || !(has(claim.solvers, row.solver) || is_rival(row.solver, claim));
   });
@@ -148,53 +145,53 @@ std::string relations(const Judged& judged, const std::string& solver, const Nam
 }
 
 // Solvers of the companion that give the claim's solver's answers to the last bit.
-Names same_there(const Asked& asked) {
+Names same_there(const Claim& claim, const Repeated& of) {
   Names same;
-  if (asked.claim.from != From::others || study_of(asked) == nullptr) return same;
-  const Solves ours = study_of(asked, false)->study.of(asked.claim.solvers.front());
-  const StudyResults& there = study_of(asked)->study;
+  if (claim.from != From::others || study_of(claim, of) == nullptr) return same;
+  const std::span<const Solve> ours = study_of(claim, of, false)->study.of(claim.solvers.front());
+  const StudyResults& there = study_of(claim, of)->study;
   for (const std::string& rival : there.solvers) {
     const bool is_same = std::ranges::equal(ours, there.of(rival), [](const Solve& a, const Solve& b) {
       return a.run == b.run && a.point == b.point && a.answer == b.answer;
     });
-    if (is_rival(rival, asked.claim) && is_same) same.push_back(name_of_rival(rival, asked.claim));
+    if (is_rival(rival, claim) && is_same) same.push_back(name_of_rival(rival, claim));
   }
   return same;
 }
 
 // A larger share in each study, which are arms, than the best of the rivals.
-Found better_in_each_study(const Asked& asked) {
-  const std::string& own = asked.claim.solvers.front();
-  JudgedClaim claim = begun(asked.claim);
+Found better_in_each_study(const Claim& claim, const Repeated& of) {
+  const std::string& own = claim.solvers.front();
+  JudgedClaim result = begun(claim);
   Tally tally;
   Names arms;
-  for (const JudgedStudy* each : asked.repeated.all()) {
-    const Judged judged = judge(each->study, *asked.claim.metrics.front());
+  for (const JudgedStudy* each : of.all()) {
+    const Judged judged = judge(each->study, *claim.metrics.front());
     Names rivals = rivals_of(judged, {own});
-    std::erase_if(rivals, [&](const std::string& name) { return !is_rival(name, asked.claim); });
+    std::erase_if(rivals, [&](const std::string& name) { return !is_rival(name, claim); });
     if (rivals.empty() || !has(each->study.solvers, own)) continue;
     const std::string& best = rivals.back();  // read_claim takes shares alone
     tally.add(verdict_between(judged, own, best));
     arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(judged, best),
                                100 * mean_of(judged, own)));
   }
-  claim.evidence = fmt::format("{} is not among the solvers.", own);
-  if (arms.empty()) return {claim};
-  claim.holds = holds_of(tally);
-  claim.number = fmt::format("on {} of {} arms", tally.better, tally.all());
-  claim.evidence = fmt::format("Shares solved: {}.", fmt::join(arms, ", "));
-  return {claim};
+  result.evidence = fmt::format("{} is not among the solvers.", own);
+  if (arms.empty()) return {result};
+  result.holds = holds_of(tally);
+  result.number = fmt::format("on {} of {} arms", tally.better, tally.all());
+  result.evidence = fmt::format("Shares solved: {}.", fmt::join(arms, ", "));
+  return {result};
 }
 
-Found better(const Asked& asked) {
-  if (asked.claim.of == Of::each_study) return better_in_each_study(asked);
-  const Names& own = asked.claim.solvers;
-  JudgedClaim claim = begun(asked.claim);
+Found better(const Claim& claim, const Repeated& of) {
+  if (claim.of == Of::each_study) return better_in_each_study(claim, of);
+  const Names& own = claim.solvers;
+  JudgedClaim result = begun(claim);
   std::vector<Holds> here, in_print;
   Names lists;
-  const Names same = same_there(asked);
-  for (const Metric* metric : asked.claim.metrics) {
-    const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+  const Names same = same_there(claim, of);
+  for (const Metric* metric : claim.metrics) {
+    const std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
     if (!found) return {};
     Names rivals = rivals_of(*found, own), means;
     std::erase_if(rivals, [&](const std::string& rival) { return has(same, rival); });
@@ -206,18 +203,19 @@ Found better(const Asked& asked) {
       if (const std::string words = relations(*found, solver, rivals); !words.empty())
         lists.push_back(fmt::format("{} of {}", metric->name, words));
     }
-    if (!claim.number.empty()) continue;
-    claim.number = (asked.claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *found);
+    if (!result.number.empty()) continue;
+    result.number = (claim.of == Of::spread ? "sd " : "") + with_unit(show::listed(means), *found);
     if (rivals.empty()) continue;
-    claim.rival = fmt::format("{} {}", rivals[0], mean_words(*found, rivals[0]));
-    claim.number += ", " + claim.rival;
+    result.rival = fmt::format("{} {}", rivals[0], mean_words(*found, rivals[0]));
+    result.number += ", " + result.rival;
   }
-  claim.holds = holds_of(here);
-  if (!in_print.empty()) claim.printed = holds_of(in_print);
+  result.holds = holds_of(here);
+  if (!in_print.empty()) result.printed = holds_of(in_print);
   if (!same.empty())
-    claim.evidence = fmt::format("All answers of {} are the same to the last bit.", show::listed(same));
-  if (!lists.empty()) claim.evidence += (same.empty() ? "" : " ") + sentence(fmt::format("{}", fmt::join(lists, "; ")));
-  return {claim};
+    result.evidence = fmt::format("All answers of {} are the same to the last bit.", show::listed(same));
+  if (!lists.empty())
+    result.evidence += (same.empty() ? "" : " ") + sentence(fmt::format("{}", fmt::join(lists, "; ")));
+  return {result};
 }
 
 // Of each pair in this order.
@@ -235,19 +233,19 @@ Holds holds_mostly(const Tally& pairs) {
   return pairs.worse > pairs.better ? Holds::fails : Holds::undecided;
 }
 
-Found order(const Asked& asked) {
-  const Metric& metric = *asked.claim.metrics.front();
-  const std::optional<Judged> here = judged_here(asked, metric), printed = judged_print(asked, metric);
+Found order(const Claim& claim, const Repeated& of) {
+  const Metric& metric = *claim.metrics.front();
+  const std::optional<Judged> here = judged_here(claim, of, metric), printed = judged_print(claim, of, metric);
   if (!here || !printed) return {};
   const Names in_print = rivals_of(*printed, {}), ours = rivals_of(*here, {});
   const Tally pairs = ordered(*here, in_print);
-  JudgedClaim claim = begun(asked.claim);
-  claim.holds = holds_mostly(pairs);
-  claim.printed = holds_mostly(ordered(*printed, in_print));
-  claim.number = fmt::format("{} of {} pairs", pairs.better, pairs.all());
-  claim.evidence =
+  JudgedClaim result = begun(claim);
+  result.holds = holds_mostly(pairs);
+  result.printed = holds_mostly(ordered(*printed, in_print));
+  result.number = fmt::format("{} of {} pairs", pairs.better, pairs.all());
+  result.evidence =
       fmt::format("By our means: {}; shown in the reverse order: {}.", fmt::join(ours, " < "), pairs.worse);
-  return {claim};
+  return {result};
 }
 
 // Against each other solver: better in some metric and worse in none, or the other way round.
@@ -263,12 +261,12 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
   return tally;
 }
 
-Found ahead(const Asked& asked) {
-  const std::string& solver = asked.claim.solvers.front();
+Found ahead(const Claim& claim, const Repeated& of) {
+  const std::string& solver = claim.solvers.front();
   std::vector<Judged> here, in_print;
   Names left_out;
-  for (const Metric* metric : asked.claim.metrics) {
-    std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+  for (const Metric* metric : claim.metrics) {
+    std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
     if (!found || !printed) return {};
     if (std::ranges::all_of(found->findings, [](const Finding& each) { return each.why == Why::apart; }))
       left_out.emplace_back(metric->name);
@@ -276,23 +274,23 @@ Found ahead(const Asked& asked) {
     in_print.push_back(std::move(*printed));
   }
   const Tally ours = dominance(here, solver), theirs = dominance(in_print, solver);
-  JudgedClaim claim = begun(asked.claim);
-  claim.holds = holds_of(ours);
-  if (!left_out.empty() && claim.holds == Holds::holds) claim.holds = Holds::in_part;
-  claim.printed = holds_of(theirs);
-  claim.number = fmt::format("ahead of {} of {}", ours.better, ours.all());
-  claim.evidence = fmt::format("In print it is ahead of {}.", theirs.better);
-  if (!left_out.empty()) claim.evidence += fmt::format(" Here {} is not compared.", show::listed(left_out));
-  return {claim};
+  JudgedClaim result = begun(claim);
+  result.holds = holds_of(ours);
+  if (!left_out.empty() && result.holds == Holds::holds) result.holds = Holds::in_part;
+  result.printed = holds_of(theirs);
+  result.number = fmt::format("ahead of {} of {}", ours.better, ours.all());
+  result.evidence = fmt::format("In print it is ahead of {}.", theirs.better);
+  if (!left_out.empty()) result.evidence += fmt::format(" Here {} is not compared.", show::listed(left_out));
+  return {result};
 }
 
-Found differ(const Asked& asked) {
+Found differ(const Claim& claim, const Repeated& of) {
   std::vector<Holds> here, in_print;
   Names not_tested;
-  for (const Metric* metric : asked.claim.metrics) {
-    const std::optional<Judged> found = judged_here(asked, *metric), printed = judged_print(asked, *metric);
+  for (const Metric* metric : claim.metrics) {
+    const std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
     if (!found) return {};
-    const double significance = asked.repeated.study.study.definition.plan.significance;
+    const double significance = of.study.study.definition.plan.significance;
     const auto verdict = [&](const std::optional<TestOfAll>& anova) {
       return anova ? always_or_on_average(anova->p < significance, false) : Holds::undecided;
     };
@@ -300,110 +298,112 @@ Found differ(const Asked& asked) {
     if (printed) in_print.push_back(verdict(printed->anova));
     if (!found->anova) not_tested.emplace_back(metric->name);
   }
-  JudgedClaim claim = begun(asked.claim);
-  claim.holds = holds_of(here);
-  if (!in_print.empty()) claim.printed = holds_of(in_print);
-  claim.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
-  if (!not_tested.empty()) claim.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
-  return {claim};
+  JudgedClaim result = begun(claim);
+  result.holds = holds_of(here);
+  if (!in_print.empty()) result.printed = holds_of(in_print);
+  result.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
+  if (!not_tested.empty()) result.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
+  return {result};
 }
 
 // Counts of solves.
 
-JudgedClaim count_inside(JudgedClaim claim, Solves solves) {
+JudgedClaim inside_limits(const Claim& claim, const Repeated&, const StudyResults& study) {
+  JudgedClaim result = begun(claim);
+  const std::span<const Solve> solves = study.of(claim.solvers.front());
   std::size_t outside = 0;
   double worst = 0;
   for (const Solve& solve : solves) {
     outside += solve.is_outside_limits;
     worst = std::max(worst, solve.limit_violation_deg);
   }
-  claim.holds = always_or_on_average(outside == 0, false);
-  claim.number = fmt::format("{} of {} outside", outside, solves.size());
-  claim.evidence = fmt::format("The worst joint is outside by {} deg.", number_text(worst));
-  return claim;
+  result.holds = always_or_on_average(outside == 0, false);
+  result.number = fmt::format("{} of {} outside", outside, solves.size());
+  result.evidence = fmt::format("The worst joint is outside by {} deg.", number_text(worst));
+  return result;
 }
 
 // At most ten times the spacing of doubles at the farthest target.
-JudgedClaim count_rounding(JudgedClaim claim, Solves solves, std::span<const results::SolveRecord> first_run) {
+JudgedClaim at_rounding(const Claim& claim, const Repeated&, const StudyResults& study) {
+  JudgedClaim result = begun(claim);
+  const std::string& solver = claim.solvers.front();
   double farthest_cm = 0;
-  for (const results::SolveRecord& solve : first_run) {
+  for (const results::SolveRecord& solve : study.first_run_of(solver)) {
     double square = 0;
     for (const double at : solve.target_position_m) square += 1e4 * at * at;
     farthest_cm = std::max(farthest_cm, std::sqrt(square));
   }
   std::vector<double> errors;
-  for (const Solve& solve : solves) errors.push_back(solve.position_error_cm);
+  for (const Solve& solve : study.of(solver)) errors.push_back(solve.position_error_cm);
   const double most = 10 * std::numeric_limits<double>::epsilon() * farthest_cm;
   const double largest = *std::ranges::max_element(errors), mean = summarise(errors).mean;
-  claim.holds = always_or_on_average(largest <= most, mean <= most);
-  claim.number = fmt::format("mean {} cm", number_text(mean));
-  claim.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
-                               number_text(largest), number_text(most));
-  return claim;
+  result.holds = always_or_on_average(largest <= most, mean <= most);
+  result.number = fmt::format("mean {} cm", number_text(mean));
+  result.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
+                                number_text(largest), number_text(most));
+  return result;
 }
 
 // Not compared if the study's times are not clean.
-JudgedClaim count_in_time(JudgedClaim claim, const Asked& asked, const StudyResults& study) {
-  const double limit = asked.claim.limit_ms;
-  const std::string& solver = asked.claim.solvers.front();
-  const auto [ms, reached, in_time, both] = timed(study, solver, limit);
-  const auto n = std::ssize(ms.values);
-  const PrintedRows rows = printed_times(asked.repeated.paper.name, asked.claim.table);
+JudgedClaim in_time(const Claim& claim, const Repeated& of, const StudyResults& study) {
+  JudgedClaim result = begun(claim);
+  const double limit = claim.limit_ms;
+  const std::string& solver = claim.solvers.front();
+  const Timed own = timed(study, solver, limit);
+  const auto n = std::ssize(own.ms.values);
+  const PrintedRows rows = printed_times(of.paper.name, claim.table);
   if (const PrintedRow* printed = row_of(rows, solver))
-    claim.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
-  claim.number = fmt::format("{} of {} to {:g} cm", reached, n, study.definition.stop.tolerance_cm);
-  claim.holds = Holds::not_compared;
-  if (!observe(study, metric_named("seconds")).doubts.empty()) return claim;
-  claim.holds = always_or_on_average(both == n, describe(ms).median < limit);
-  claim.number += fmt::format(", {} in time", in_time == n ? "all" : fmt::to_string(in_time));
-  return claim;
+    result.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
+  result.number = fmt::format("{} of {} to {:g} cm", own.reached, n, study.definition.stop.tolerance_cm);
+  result.holds = Holds::not_compared;
+  if (!observe(study, metric_named("seconds")).doubts.empty()) return result;
+  result.holds = always_or_on_average(own.both == n, describe(own.ms).median < limit);
+  result.number += fmt::format(", {} in time", own.in_time == n ? "all" : fmt::to_string(own.in_time));
+  return result;
+}
+
+// Judges them if there are any.
+template <JudgedClaim (*judge)(const Claim&, const Repeated&, const StudyResults&)>
+Found of_solves(const Claim& claim, const Repeated& of) {
+  const JudgedStudy* const judged = study_of(claim, of);
+  if (judged == nullptr || judged->study.of(claim.solvers.front()).empty()) return {};
+  return {judge(claim, of, judged->study)};
 }
 
 // All rates of an arm belong to one number of iterations, which is not printed. So one depends on that number only if
 // it can be the other's, too.
-JudgedClaim count_as_printed(const Asked& asked, const RatesOfArm& arm, const Rate& rate) {
+JudgedClaim rate_as_printed(const Claim& claim, const RatesOfArm& arm, const Rate& rate) {
   const auto other =
       std::ranges::find_if(arm.rates, [&](const Rate& each) { return each.share && each.solver != rate.solver; });
   const bool can_depend = rate.first > 0;
   const bool depends = can_depend && (other == arm.rates.end() || other->first == 0 ||
                                       (rate.first <= other->last && other->first <= rate.last));
-  JudgedClaim claim = begun(asked.claim);
-  claim.id = fmt::format("{}-{}-{}", asked.claim.id, rate.solver, arm.arm);
-  claim.sentence =
-      fmt::format(fmt::runtime(asked.claim.sentence), fmt::arg("solver", rate.solver), fmt::arg("arm", arm.arm),
-                  fmt::arg("share", fmt::format("{:.2f} %", 100 * rate.printed)));
-  claim.holds = always_or_on_average(rate.is_as_printed(), depends);
-  claim.number = fmt::format("{:.1f} against {:.2f} %", 100 * *rate.share, 100 * rate.printed);
-  if (can_depend) claim.evidence = fmt::format("As printed within {} to {} iterations.", rate.first, rate.last);
+  JudgedClaim result = begun(claim);
+  result.id = fmt::format("{}-{}-{}", claim.id, rate.solver, arm.arm);
+  result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", rate.solver), fmt::arg("arm", arm.arm),
+                                fmt::arg("share", fmt::format("{:.2f} %", 100 * rate.printed)));
+  result.holds = always_or_on_average(rate.is_as_printed(), depends);
+  result.number = fmt::format("{:.1f} against {:.2f} %", 100 * *rate.share, 100 * rate.printed);
+  if (can_depend) result.evidence = fmt::format("As printed within {} to {} iterations.", rate.first, rate.last);
   if (can_depend && !depends)
-    claim.evidence += fmt::format(" The other rate takes {} to {}.", other->first, other->last);
-  return claim;
+    result.evidence += fmt::format(" The other rate takes {} to {}.", other->first, other->last);
+  return result;
 }
 
-Found count(const Asked& asked) {
+Found as_printed(const Claim& claim, const Repeated& of) {
   Found found;
-  for (const RatesOfArm& arm :
-       asked.claim.that == "as_printed" ? rates_of(asked.repeated) : std::vector<RatesOfArm>()) {
+  for (const RatesOfArm& arm : rates_of(of)) {
     for (const Rate& rate : arm.rates) {
-      if (rate.share) found.push_back(count_as_printed(asked, arm, rate));
+      if (rate.share) found.push_back(rate_as_printed(claim, arm, rate));
     }
   }
-  const JudgedStudy* const judged = study_of(asked);
-  if (!found.empty() || judged == nullptr) return found;
-  const std::string& solver = asked.claim.solvers.front();
-  const Solves solves = judged->study.of(solver);
-  if (solves.empty()) return {};
-  const JudgedClaim claim = begun(asked.claim);
-  return {asked.claim.that == "at_rounding" ? count_rounding(claim, solves, judged->study.first_run_of(solver))
-          : asked.claim.that == "in_time"   ? count_in_time(claim, asked, judged->study)
-                                            : count_inside(claim, solves)};
+  return found;
 }
 
-Found ratios(const Asked& asked) {
-  const JudgedStudy* const judged = study_of(asked);
+Found ratios(const Claim& claim, const Repeated& of) {
+  const JudgedStudy* const judged = study_of(claim, of);
   if (judged == nullptr) return {};
-  const Claim& claim = asked.claim;
-  const Paper& paper = asked.repeated.paper;
+  const Paper& paper = of.paper;
   const std::string& base = claim.solvers.front();
   const Metric& metric = *claim.metrics.front();
   const PrintedRows printed =
@@ -427,20 +427,22 @@ Found ratios(const Asked& asked) {
   return {result};
 }
 
-constexpr Rule rules[]{{"better", better}, {"order", order}, {"ahead", ahead},
-                       {"differ", differ}, {"count", count}, {"ratios", ratios}};
+constexpr Rule all_rules[]{{"better", better},
+                           {"order", order},
+                           {"ahead", ahead},
+                           {"differ", differ},
+                           {"ratios", ratios},
+                           {"inside_limits", of_solves<inside_limits>, false},
+                           {"in_time", of_solves<in_time>, false},
+                           {"at_rounding", of_solves<at_rounding>, false},
+                           {"as_printed", as_printed, false}};
 
 }  // namespace
 
-const Rule* rule_named(std::string_view name) {
-  const auto* found = std::ranges::find(rules, name, &Rule::name);
-  return found == std::end(rules) ? nullptr : found;
-}
-
-std::vector<std::string> rule_names() {
-  Names names;
-  for (const Rule& rule : rules) names.emplace_back(rule.name);
-  return names;
+numerics::Choices<const Rule*> rules() {
+  numerics::Choices<const Rule*> choices;
+  for (const Rule& rule : all_rules) choices.emplace_back(rule.name, &rule);
+  return choices;
 }
 
 JudgedClaim begun(const Claim& claim) {

@@ -1,18 +1,13 @@
 // The rules that judge claims.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/papers/claims.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::papers {
-
-struct Asked {
-  const Claim& claim;
-  const Repeated& repeated;
-};
 
 // What a rule finds; none if the report has nothing to judge; several if the sentence is about each solver and arm:
 // "{solver} on the {arm}".
@@ -20,13 +15,14 @@ using Found = std::vector<JudgedClaim>;
 
 struct Rule {
   std::string_view name;
-  Found (*judge)(const Asked& asked);
+  Found (*judge)(const Claim& claim, const Repeated& of);
+  bool is_of_metrics = true;
 };
 // better: its solvers are better than the others in each metric. order: each pair is in the printed order. ahead: its
-// solver is better than each other in some metric, and worse in none. differ: all differ, by one-way ANOVA. count: all
-// of its solver's solves are as the claim says. ratios: of times, which are not compared.
-const Rule* rule_named(std::string_view name);  // null if there is none
-std::vector<std::string> rule_names();
+// solver is better than each other in some metric, and worse in none. differ: all differ, by one-way ANOVA. ratios: of
+// times, which are not compared. inside_limits, in_time, at_rounding: all of its solver's solves are. as_printed: each
+// printed share of solved targets is ours.
+numerics::Choices<const Rule*> rules();
 
 JudgedClaim begun(const Claim& claim);  // without a verdict
 
