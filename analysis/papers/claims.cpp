@@ -23,8 +23,7 @@ constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part
 
 // It holds here, but not by every reading.
 bool holds_by_default(const JudgedClaim& claim) {
-  const Shares shares = claim.shares ? claim.shares->all : Shares();
-  return claim.holds == Holds::holds && shares.part(shares.holds) < 1;
+  return claim.holds == Holds::holds && claim.shares.all.part(claim.shares.all.holds) < 1;
 }
 
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
@@ -55,7 +54,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
                                 {"why"}}};
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
-    const Shares shares = claim.shares ? claim.shares->all : Shares();
+    const Shares& shares = claim.shares.all;
     table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), holds_by_default(claim) ? " by default" : ""),
                           claim.sentence, cell(claim.number), cell(words_of(claim.printed, "")),
                           cell(words_of(claim.otherwise, claim.number_otherwise)),
@@ -71,10 +70,10 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 
 std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
 
-void Shares::operator+=(const Shares& more) {
-  holds += more.holds;
-  fails += more.fails;
-  undecided += more.undecided;
+void Shares::add(const Shares& more, double weight) {
+  holds += weight * more.holds;
+  fails += weight * more.fails;
+  undecided += weight * more.undecided;
 }
 
 std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<SharesOfClaim>& shares) {
@@ -116,8 +115,8 @@ std::string percent(double share) {
 }
 
 std::string shares_words(const JudgedClaim& claim) {
-  if (!claim.shares || claim.shares->all.all() == 0) return "";
-  const auto [id, all, near] = *claim.shares;
+  const auto& [id, all, near] = claim.shares;
+  if (all.all() == 0) return "";
   std::string words =
       fmt::format("holds in {} and fails in {}", percent(all.part(all.holds)), percent(all.part(all.fails)));
   if (near.all() > 0)
@@ -170,14 +169,14 @@ std::string screen(const std::vector<std::string>& sentences, const show::Table&
     std::string last;                             // verdict
     std::map<Holds, std::string> without_number;  // sentences
     const std::vector<JudgedClaim> group = grouped(claims, are_ours);
-    const bool has_shares = std::ranges::any_of(group, [](const auto& each) { return each.shares.has_value(); });
+    const bool has_shares = std::ranges::any_of(group, [](const auto& each) { return each.shares.all.all() > 0; });
     for (const JudgedClaim& claim : group) {
       if (!is_judged(claim.holds)) {
         std::string& all = without_number[claim.holds];
         all += (all.empty() ? "" : "; ") + claim.sentence;
         continue;
       }
-      const Shares shares = claim.shares ? claim.shares->all : Shares();
+      const Shares& shares = claim.shares.all;
       const std::string verdict(holds_by_default(claim) ? "by default" : name_of(claim.holds));
       const std::string share = percent(shares.part(shares.holds));
       if (has_shares && rows.empty())

@@ -22,7 +22,7 @@ struct Shares {
 
   double all() const { return holds + fails + undecided; }
   double part(double share) const { return all() > 0 ? share / all() : compare::unknown; }
-  void operator+=(const Shares& more);
+  void add(const Shares& more, double weight = 1);
 };
 struct SharesOfClaim {
   std::string id;
@@ -33,11 +33,11 @@ struct JudgedClaim {
   std::string id, sentence, section;
   bool is_ours = false;
   Holds holds = Holds::not_tested;
-  std::optional<Holds> printed = {};  // by the printed numbers alone, if they can tell
-  std::string number = {};            // the most telling one: "0.0017 cm, K-ABC 0.21"
-  std::string rival = {};             // its part of the best rival: "K-ABC 0.21"
-  std::string evidence = {};          // what tables do not say, in at most two sentences
-  std::optional<SharesOfClaim> shares = {};
+  std::optional<Holds> printed = {};    // by the printed numbers alone, if they can tell
+  std::string number = {};              // the most telling one: "0.0017 cm, K-ABC 0.21"
+  std::string rival = {};               // its part of the best rival: "K-ABC 0.21"
+  std::string evidence = {};            // what tables do not say, in at most two sentences
+  SharesOfClaim shares = {};            // of no reading if they are not known
   std::optional<Holds> otherwise = {};  // by the paper's other reading
   std::string number_otherwise = {};
 };

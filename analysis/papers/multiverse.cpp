@@ -8,7 +8,6 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <random>
 #include <utility>
 
@@ -36,7 +35,19 @@ std::size_t place_of(const Names& all, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
 }
 
+double readings_of(const OfStudy& study) {
+  double product = 1;
+  for (const std::vector<ChosenSolver>& of_solver : study.solvers) product *= static_cast<double>(of_solver.size());
+  return product;
+}
+
 // The shares of a claim.
+
+// If it is that a solver is better in error, variation or their spread.
+bool hangs_on_reading(const Claim& claim) {
+  return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
+         std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
+}
 
 struct Counted {
   SharesOfClaim shares;
@@ -44,7 +55,12 @@ struct Counted {
   std::vector<std::vector<Shares>> alternatives;  // by dimension; of the readings that make the choice
 };
 
-// By Welch's t of this pair alone.
+// Of each pair alone, by Welch's t.
+Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
+  const auto k = static_cast<double>(solvers);
+  return {.test = Plan::Test::means, .significance = plan.significance / (k * (k - 1) / 2), .margin = plan.margin};
+}
+
 Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, const Plan& plan) {
   const Metric& metric = *claim.metrics.front();
   Observations of{.metric = std::string(metric.slug),
@@ -59,7 +75,7 @@ Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, co
 // A choice of a solver: how the claim's solvers do against it.
 struct Option {
   const Chosen& chosen;
-  Verdict verdict;
+  Holds holds;
   std::size_t explained;
 };
 using Options = std::vector<std::vector<Option>>;  // by solver
@@ -72,10 +88,10 @@ std::vector<Shares> counted(const Options& options, bool by_explained) {
     for (const Option& each : of_solver) {
       for (std::size_t i = 0; i < counts.size(); ++i) {
         const auto& [holds, fails, undecided] = counts[i];
-        next[i + (by_explained ? each.explained : 0)] += each.verdict == Verdict::better ? counts[i]
-                                                         : each.verdict == Verdict::worse
-                                                             ? Shares{.fails = counts[i].all()}
-                                                             : Shares{.fails = fails, .undecided = holds + undecided};
+        next[i + (by_explained ? each.explained : 0)].add(each.holds == Holds::holds ? counts[i]
+                                                          : each.holds == Holds::fails
+                                                              ? Shares{.fails = counts[i].all()}
+                                                              : Shares{.fails = fails, .undecided = holds + undecided});
       }
     }
     counts = std::move(next);
@@ -83,16 +99,14 @@ std::vector<Shares> counted(const Options& options, bool by_explained) {
   return counts;
 }
 
-Shares times(const Shares& of, double weight) { return {of.holds * weight, of.fails * weight, of.undecided * weight}; }
-
 // Adds the readings of one choice of the study and of each of the claim's solvers.
 void add(Counted& into, const Options& options, const Chosen& of_study, double weight, int near) {
-  const Shares all = times(counted(options, false).front(), weight);
-  into.shares.all += all;
+  const Shares all = counted(options, false).front();
+  into.shares.all.add(all, weight);
   const std::vector<Shares> by_explained = near > 0 ? counted(options, true) : std::vector<Shares>();
   for (auto i = static_cast<std::size_t>(near); i < by_explained.size(); ++i)
-    into.shares.near += times(by_explained[i], weight);
-  for (const auto& [dimension, alternative] : of_study) into.alternatives[dimension][alternative] += all;
+    into.shares.near.add(by_explained[i], weight);
+  for (const auto& [dimension, alternative] : of_study) into.alternatives[dimension][alternative].add(all, weight);
   for (std::size_t s = 0; s < options.size(); ++s) {
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Option>> by_choice;
     for (const Option& each : options[s]) {
@@ -101,7 +115,7 @@ void add(Counted& into, const Options& options, const Chosen& of_study, double w
     for (const auto& [choice, of_solver] : by_choice) {
       Options restricted;
       for (std::size_t i = 0; i < options.size(); ++i) restricted.push_back(i == s ? of_solver : options[i]);
-      into.alternatives[choice.first][choice.second] += times(counted(restricted, false).front(), weight);
+      into.alternatives[choice.first][choice.second].add(counted(restricted, false).front(), weight);
     }
   }
 }
@@ -130,10 +144,7 @@ std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& cl
   }
   const auto has = [](const auto& all, std::size_t s) { return std::ranges::find(all, s) != all.end(); };
   if (has(own, k) || has(rivals, k)) return {};
-  const auto compared = static_cast<double>(own.size() + rivals.size());
-  const Plan of_pair{.test = Plan::Test::means,
-                     .significance = plan.significance / (compared * (compared - 1) / 2),
-                     .margin = plan.margin};
+  const Plan of_pair = plan_of_pairs(plan, own.size() + rivals.size());
   Counted result{.shares = {.id = claim.id, .all = {}}, .sentence = claim.sentence, .alternatives = {}};
   for (const Dimension& each : multiverse.dimensions) result.alternatives.emplace_back(each.alternatives.size());
   for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
@@ -156,14 +167,10 @@ std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& cl
             for (const auto& [solver, choice] : chosen) {
               if (has(rivals, s)) tally.add(verdict(study.solvers[solver][choice], theirs));
             }
-            options[s].push_back({theirs.chosen,
-                                  tally.worse > 0  ? Verdict::worse
-                                  : tally.open > 0 ? Verdict::undecided
-                                                   : Verdict::better,
-                                  explained.empty() ? 0 : explained[g][s][c].count()});
+            options[s].push_back({theirs.chosen, holds_of(tally), explained.empty() ? 0 : explained[g][s][c].count()});
           }
         }
-        add(result, options, study.chosen, study.weight / study.readings() / static_cast<double>(seeds), near);
+        add(result, options, study.chosen, study.weight / readings_of(study) / static_cast<double>(seeds), near);
       }
     }
   }
@@ -200,21 +207,17 @@ show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& c
   }
   table.columns.push_back({"decided most by"});
   double readings = 0;
-  for (const OfStudy& study : multiverse.studies) readings += study.readings();
+  for (const OfStudy& study : multiverse.studies) readings += readings_of(study);
   for (const auto& [shares, sentence, alternatives] : claims) {
     auto& row = table.rows.emplace_back(std::vector<show::Cell>{sentence});
     for (const Shares* of : {&shares.all, &shares.near}) {
       for (const double part : {of->holds, of->fails, of->undecided})
-        if (of->all() > 0)
-          row.emplace_back(100 * part / of->all());
-        else
-          row.emplace_back();
+        if (row.emplace_back(); of->all() > 0) row.back() = 100 * part / of->all();
     }
     const auto most = std::ranges::max_element(alternatives, {}, difference);
     const bool is_decided = most != alternatives.end() && difference(*most) > 0;
-    row.emplace_back();
-    if (is_decided)
-      row.back() = words_of(multiverse.dimensions[static_cast<std::size_t>(most - alternatives.begin())], *most);
+    const auto place = static_cast<std::size_t>(most - alternatives.begin());
+    if (row.emplace_back(); is_decided) row.back() = words_of(multiverse.dimensions[place], *most);
   }
   table.notes = {fmt::format(
       "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own. Each pair "
@@ -267,9 +270,7 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver, c
   const std::size_t own = place_of(multiverse.solvers, solver);
   figures::Specifications rows{
       .groups = {}, .all = {}, .below = solver + " is more accurate than all", .above = "a rival is more accurate"};
-  const auto k = static_cast<double>(multiverse.solvers.size());
-  const Plan of_pair{
-      .test = Plan::Test::means, .significance = plan.significance / (k * (k - 1) / 2), .margin = plan.margin};
+  const Plan of_pair = plan_of_pairs(plan, multiverse.solvers.size());
   const double z = boost::math::quantile(boost::math::complement(boost::math::normal(), of_pair.significance / 2));
   Claim claim;
   claim.metrics = {&metric_named(metrics_of_readings[0])};
@@ -323,24 +324,13 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver, c
            "Mean error of {} by that of its best rival in {} readings drawn by their weights, with "
            "intervals of {:.1f} %. Colours: whether it is more accurate than all, each pair judged at {:g} / "
            "{:g} as in the table. Below: the choices of each.",
-           solver, rows.all.size(), 100 * (1 - of_pair.significance), plan.significance, k * (k - 1) / 2),
+           solver, rows.all.size(), 100 * (1 - of_pair.significance), plan.significance,
+           plan.significance / of_pair.significance),
        .quantity = fmt::format("mean error of {} / of its best rival", solver)},
       rows);
 }
 
 }  // namespace
-
-double Multiverse::OfStudy::readings() const {
-  double product = 1;
-  for (const std::vector<ChosenSolver>& of_solver : solvers) product *= static_cast<double>(of_solver.size());
-  return product;
-}
-
-bool hangs_on_reading(const Claim& claim) {
-  return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
-         (claim.of == Of::means || claim.of == Of::spread) &&
-         std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
-}
 
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
   PrintedMetrics printed;
@@ -368,11 +358,10 @@ JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const 
     claims.push_back(std::move(*counts));
   }
   result.table = table_of(multiverse, claims);
-  if (can_compare && !claims.empty()) {
+  if (can_compare && !claims.empty())
     result.table.notes.push_back(
         fmt::format("near: readings that explain at least {} of the {} printed numbers, {} of all.", paper.near,
                     numbers, percent(result.claims.front().near.all())));
-  }
   if (numbers > 0 && !can_compare)
     result.table.notes.push_back(
         fmt::format("The paper has {} runs, this has {}: not compared with print.", printed_runs, runs));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,16 +28,11 @@ struct Multiverse {
     results::Chosen chosen;
     double weight = 1;
     std::vector<std::vector<ChosenSolver>> solvers;  // by solver; the default first
-
-    double readings() const;
   };
   std::vector<results::Dimension> dimensions;
   std::vector<std::string> solvers;
   std::vector<OfStudy> studies;  // the default first; all weights sum to 1
 };
-
-// A claim hangs on a reading if it is that a solver is better in error, variation or their spread.
-bool hangs_on_reading(const Claim& claim);
 
 struct JudgedMultiverse {
   std::vector<SharesOfClaim> claims;
