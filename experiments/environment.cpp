@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #include <thread>
 
@@ -82,14 +83,13 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-ProcessorSeconds processor_seconds() {
+double stolen_seconds() {
   std::ifstream stat("/proc/stat");
   std::string cpu;
   double user = 0, nice = 0, system = 0, idle = 0, waiting = 0, interrupts = 0, soft_interrupts = 0, stolen = 0;
   stat >> cpu >> user >> nice >> system >> idle >> waiting >> interrupts >> soft_interrupts >> stolen;
-  if (!stat || cpu != "cpu") return {};
-  const auto ticks = static_cast<double>(sysconf(_SC_CLK_TCK));
-  return {.idle = (idle + waiting) / ticks, .stolen = stolen / ticks};
+  if (!stat || cpu != "cpu") return std::numeric_limits<double>::quiet_NaN();
+  return stolen / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 bool is_debug_build() {

@@ -151,7 +151,6 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
     of_study.weight = weight;
     Overrides all = request.overrides;
     add_overrides(all, dimensions, chosen);
-    of_study.out_of_reach = static_cast<int>(unreachable(load_study(name, all)).size());
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
       std::vector<MultiversePlan::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
       for (const Branch& own : combinations.of(plan.solvers[s], chosen)) {

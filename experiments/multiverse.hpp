@@ -23,7 +23,6 @@ struct MultiversePlan {
   struct OfStudy {
     results::Chosen chosen;
     double weight = 1;                               // all weights sum to 1
-    int out_of_reach = 0;                            // targets that no configuration reaches
     std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
   };
   std::vector<results::Dimension> dimensions;

@@ -219,7 +219,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   session["study"] = plan.study.name;
   session["solvers"] = labels_of(plan.study);
   const std::int64_t session_id = store.begin_session(session);
-  const double stolen_before = processor_seconds().stolen;
+  const double stolen_before = stolen_seconds();
   const auto store_them = [&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) record.session = session_id;
     store.append(records);
@@ -231,7 +231,7 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
   RecordQueue record_queue(store_them, request.patience);
   solve_rest(plan, request.jobs, request.cancelled, record_queue);
   progress.notes = tell_of_programs(plan, store, session_id);
-  if (const double stolen = processor_seconds().stolen - stolen_before; stolen >= 0) {
+  if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
   }
 }

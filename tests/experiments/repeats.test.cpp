@@ -94,11 +94,11 @@ TEST_CASE("solves are repeated where their times can be compared, and nowhere el
 }
 
 TEST_CASE("a session says how much time the host kept from the machine meanwhile", "[repeats]") {
-  const double before = processor_seconds().stolen;
+  const double before = stolen_seconds();
   const ScratchFolder folder;
   Store store(folder.path / "store.sqlite", Store::Mode::write);
   run(small_study(), store, {});
-  const double all = processor_seconds().stolen - before;
+  const double all = stolen_seconds() - before;
   if (!(before >= 0)) return;  // no /proc/stat
   const double stolen = std::stod(store.sessions().front().environment.at("stolen_seconds"));
   CHECK(stolen >= 0);
