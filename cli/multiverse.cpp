@@ -112,9 +112,7 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
       rows.push_back({one.set, each.section, is_default ? "default" : is_varied ? "yes" : "no", one.where});
     }
   }
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  const MultiverseSize size = size_of(varied, labels);
+  const MultiverseSize size = size_of(varied, labels_of(study));
   return fmt::format("{} readings of {} questions: {} choices for the study, {} solver settings for a seed\n{}",
                      size.readings, varied.size(), size.studies, size.series, aligned(rows));
 }
