@@ -160,7 +160,7 @@ kill_disk() { # full while solves are stored, merged, exported and drawn: exit c
   has "$err" small/run/store.sqlite
   ends 2 merge small/run shards
   has "$err" small/run/
-  mount -o remount,size=8m small
+  mount -o remount,size=40m small
   succeeds "${study[@]}" --out small/run
   as_whole small/run/store.sqlite "a full disk"
   mount -o remount,size=200m small

@@ -136,7 +136,7 @@ for signal in INT KILL; do
   "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
   process=$!
   for ((i = 0; i < 2000; ++i)); do
-    [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && break # not the process that only says hello
+    [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && [ "$(left $signal)" -ge 1 ] && break # not only hello
     sleep 0.1
   done
   [ "$(left $signal)" -ge 1 ] || fail "the program did not start"
