@@ -90,7 +90,11 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
-    std::erase_if(labels, [&](const std::string& label) { return std::ranges::count(b.labels(), label) == 0; });
+    std::erase_if(labels, [&](const std::string& label) {
+      const bool is_missing = std::ranges::count(b.labels(), label) == 0;
+      if (is_missing) warn(fmt::format("the candidate lacks {}, so it is not compared", label));
+      return is_missing;
+    });
   }
   if (labels.empty()) throw std::invalid_argument("A and B have no label in common; expected at least one");
   for (const std::string& label : labels) add(label, a.side(label, arguments), b.side(label, arguments), labels.size());
