@@ -15,6 +15,7 @@ ended() {  # ended OUTCOME CODE
   [[ -z ${GITHUB_OUTPUT:-} ]] || printf '%s\n' "outcome=$1" "store=$out/store.sqlite" >>"$GITHUB_OUTPUT"
   exit "$2"
 }
+rm -f -- "$out/verdict.md"  # of an earlier call
 "$program" run "${STUDY:?the study}" --no-report --out "$out" || ended failed $?
 [[ -e $baseline ]] || { echo "No baseline: keep $out/store.sqlite as $baseline."; ended no-baseline 0; }
 options=(${MARGIN:+--margin "$MARGIN"})
