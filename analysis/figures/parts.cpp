@@ -210,7 +210,10 @@ void add_legend_of(Figure& figure, const std::vector<std::string>& labels) {
   for (const std::string& label : labels) longest = std::max(longest, character_count(label));
   if (labels.size() > 8) figure.width_cm = two_columns_cm;
   figure.legend = labels.size() > 1 ? labels.size() : 0;
-  figure.legend_cm = 0.92 + 0.2 * static_cast<double>(longest);  // what gnuplot 5.4 reserves for an entry in an SVG
+  const bool are_short = longest < 5;  // gnuplot takes PSO for narrower than it is
+  figure.legend_cm =
+      (are_short ? 1.16 : 0.92) + 0.2 * static_cast<double>(longest);  // as gnuplot 5.4 reserves for an entry in an SVG
+  if (are_short) figure.settings += "set key width 0.7\n";
   figure.settings += labels.size() > 1
                          ? "set key at screen 0.5, screen up(0.1) bottom center horizontal maxcols columns(legend_cm)\n"
                          : "unset key\n";
