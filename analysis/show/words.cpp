@@ -232,8 +232,8 @@ std::string unit_of(const Finding& finding, const Judged& judged) {
 
 std::string amount_words(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) return "";
-  const std::string unit = unit_of(finding, judged);
-  std::string text = number_text(*finding.estimate) + (unit.empty() ? "" : " " + unit);
+  const std::string unit = unit_of(finding, judged), number = number_text(*finding.estimate);
+  std::string text = number + (unit.empty() ? "" : number == "1" && unit == "points" ? " point" : " " + unit);
   if (const auto& of = finding.interval)
     text += fmt::format(" ({} to {})", number_text(of->low), number_text(of->high));
   return text;
