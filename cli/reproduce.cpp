@@ -107,15 +107,14 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
     sentences = slim2023::sentences(claims);
-    reported.additions = slim2023::sections(repeated, claims, of_circle);
+    reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
     std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const compare::Judged& each) { return each.observations.metric == "evaluations"; });
-  } else {
-    reported.additions = {papers::claims_section(claims)};
   }
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
+  reported.claims = papers::claims_section(claims);
   if (!readings.claims.empty()) {
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.figure, readings.table});
   }

@@ -16,8 +16,9 @@ struct Reported {
   compare::StudyResults study;  // a user's file: its name alone
   Shown shown;
   std::vector<figures::Figure> figures;
-  // Of a paper: instead of the sentence and the table of results; and sections of its own, each with its heading.
-  Blocks first = {};
+  // Of a paper: instead of the sentence and the table of results; its claims; and sections of its own, each with its
+  // heading.
+  Blocks first = {}, claims = {};
   std::vector<Blocks> additions = {};
   bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
   std::vector<std::string> warnings = {};  // beside the study's own

@@ -34,6 +34,8 @@ Blocks first(const Reported& of) {
   return blocks;
 }
 
+Blocks claims(const Reported& of) { return of.claims; }
+
 Blocks pictures(const Reported& of) { return with_heading("Pictures", {of.figures.begin(), of.figures.end()}); }
 
 Blocks table_if_any(std::string heading, Table table) {
@@ -73,9 +75,7 @@ std::vector<Blocks> sections_of(const Reported& of) {
   std::vector<Blocks> sections;
   const auto add = [&](std::string_view name, Blocks blocks) {
     if (!blocks.empty()) sections.push_back(std::move(blocks));
-    const auto rest = of.additions.begin() + (of.additions.empty() ? 0 : 1);  // behind the claims
-    if (name == "first") sections.insert(sections.end(), of.additions.begin(), rest);
-    if (name == "pictures") sections.insert(sections.end(), rest, of.additions.end());
+    if (name == "pictures") std::ranges::copy(of.additions, std::back_inserter(sections));
   };
 #define SECTION(name) add(#name, name(of));
 #include "analysis/show/sections.inc"

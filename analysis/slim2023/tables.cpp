@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "analysis/figures/of_study.hpp"
@@ -160,9 +161,8 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
   return all;
 }
 
-std::vector<show::Blocks> sections(const Repeated& of, const std::vector<JudgedClaim>& claims,
-                                   const std::vector<figures::Figure>& figures_of_circle) {
-  std::vector<show::Blocks> sections{claims_section(claims)};
+std::vector<show::Blocks> sections(const Repeated& of, const std::vector<figures::Figure>& figures_of_circle) {
+  std::vector<show::Blocks> sections;
   const auto add = [&](std::string heading, show::Blocks blocks) {
     if (blocks.empty()) return;
     blocks.insert(blocks.begin(), show::Heading{std::move(heading)});

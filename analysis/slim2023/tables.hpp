@@ -33,7 +33,7 @@ std::optional<show::Table> table_8(const papers::Repeated& of);
 std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims);
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
-std::vector<show::Blocks> sections(const papers::Repeated& of, const std::vector<papers::JudgedClaim>& claims,
+std::vector<show::Blocks> sections(const papers::Repeated& of,
                                    const std::vector<figures::Figure>& figures_of_circle = {});
 
 }  // namespace ikbench::slim2023

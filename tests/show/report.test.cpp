@@ -246,7 +246,7 @@ TEST_CASE("a paper has its own first screen and sections", "[show]") {
   Reported paper = report_of();
   paper.first = {Heading{"The paper's claim holds."},
                  Table{.name = "table-3", .caption = "Table 3", .columns = {{"solver"}}}};
-  paper.additions = {{Heading{"Claims"}, "It holds."}};
+  paper.claims = {Heading{"Claims"}, "It holds."};
   paper.has_own_numbers = true;
   const std::vector<Blocks> sections = sections_of(paper);
   std::vector<std::string> headings;
