@@ -54,11 +54,7 @@ struct Source {
   Source(const std::string& file, const std::string& name)
       : store(file, results::Store::Mode::read), entry(chosen_study(store, name)) {}
 
-  std::vector<std::string> labels() const {
-    std::vector<std::string> all;
-    for (const results::Series& series : entry.series) all.push_back(series.label);
-    return all;
-  }
+  std::vector<std::string> labels() const { return labels_of(entry); }
   // Reads this label alone.
   StudyResults side(const std::string& label, const CompareArguments& arguments) const {
     if (std::ranges::count(labels(), label) == 0)
