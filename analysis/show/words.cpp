@@ -178,6 +178,13 @@ std::string sentence(const Shown& shown) {
   return all_are(judged, Verdict::not_tested) ? not_tested(shown) : unbeaten(shown);
 }
 
+// "1 point", "2.5 cm".
+std::string with_unit(double number, const std::string& unit) {
+  const std::string text = number_text(number);
+  if (unit.empty()) return text;
+  return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
+}
+
 }  // namespace
 
 std::string headline(const Shown& whole) {
@@ -191,11 +198,9 @@ std::string headline(const Shown& whole) {
 
 std::string margin_words(const Judged& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
-  const std::string& unit = judged.observations.unit;
-  std::string words = fmt::format("{} {}", number_text(100 * relative), is_share(judged) ? "points" : "%");
+  const std::string words = with_unit(100 * relative, is_share(judged) ? "points" : "%");
   if (absolute == 0 || is_share(judged)) return words;
-  words = relative == 0 ? "" : words + " or ";
-  return words + number_text(absolute) + (unit.empty() ? "" : " " + unit);
+  return (relative == 0 ? "" : words + " or ") + with_unit(absolute, judged.observations.unit);
 }
 
 std::string verdict_words(const Finding& finding, const Judged& judged) {
@@ -232,8 +237,7 @@ std::string unit_of(const Finding& finding, const Judged& judged) {
 
 std::string amount_words(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) return "";
-  const std::string unit = unit_of(finding, judged), number = number_text(*finding.estimate);
-  std::string text = number + (unit.empty() ? "" : number == "1" && unit == "points" ? " point" : " " + unit);
+  std::string text = with_unit(*finding.estimate, unit_of(finding, judged));
   if (const auto& of = finding.interval)
     text += fmt::format(" ({} to {})", number_text(of->low), number_text(of->high));
   return text;
