@@ -57,7 +57,7 @@ constexpr int most_drawn = 10'000;  // of a first run
 constexpr std::size_t most_traces = 2'000'000;
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
-// `most_solves`.
+// `most_solves`, or more than `most_traces` with a trace.
 StudyResults read_study(const results::Store& store, const results::StudyEntry& entry,
                         const results::TakeSolve& also = {});
 // The same from records in any order. Solvers that the entry lacks follow.

@@ -193,8 +193,9 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   for (const JudgedStudy* each : of.all()) {
     const StudyResults& study = each->study;
     const auto arm = plan.rows.find(study.definition.robot);
-    for (std::size_t row = 0; row < printed.rows.size() && !study.solves.empty(); ++row) {
-      if (arm == plan.rows.end() || printed.rows[row][printed.column("arm")] != arm->second) continue;
+    if (arm == plan.rows.end() || study.solves.empty()) continue;
+    for (std::size_t row = 0; row < printed.rows.size(); ++row) {
+      if (printed.rows[row][printed.column("arm")] != arm->second) continue;
       RatesOfArm& rates = arms.emplace_back(RatesOfArm{.arm = arm->second});
       for (const auto& [solver, column] : plan.columns)
         rates.rates.push_back(rate_of(study, solver, printed.number(row, column) / 100, plan));
