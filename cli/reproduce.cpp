@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -29,6 +30,9 @@ using namespace experiments;
 using papers::Paper;
 
 namespace {
+
+constexpr const char* stopped =
+    "Stopped before the report. The solves are kept; run the same command again to continue.";
 
 struct Arguments {
   std::string paper;
@@ -72,26 +76,24 @@ std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& argumen
   return papers::judged(paper, *solved, load_study(paper.name).analysis);
 }
 
-// A paper's studies that the store has, judged; the first is its own.
-std::vector<compare::JudgedStudy> judged_studies(const Store& store, const Paper& paper,
-                                                 const std::filesystem::path& folder) {
-  std::vector<compare::JudgedStudy> all;
-  for (const std::string& name : paper.studies) {
-    const StudyEntry entry = store.study(name);
-    all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
-  }
-  return all;
+// The printed table beside ours is what the user waits for, so it comes as soon as its studies are solved.
+void show_table(const show::Table& table, const Arguments& arguments) {
+  if (table.rows.empty() || arguments.report.is_json) return;
+  fmt::print("{}\n", printable(show::to_text(table)));
+  std::fflush(stdout);
 }
 
 void report(const Store& store, const Paper& paper, const Arguments& arguments, const std::filesystem::path& folder,
-            const papers::JudgedMultiverse& readings) {
+            const std::vector<compare::JudgedStudy>& all, const papers::JudgedMultiverse& readings) {
   const FigureStyle style = styled(store.study(paper.studies.front()), arguments.report);
-  std::vector<compare::JudgedStudy> all = judged_studies(store, paper, folder);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
   const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.claims);
   show::Table means = papers::means_table(repeated);
-  if (means.rows.empty()) means = papers::rates_table(repeated);
+  if (means.rows.empty()) {
+    means = papers::rates_table(repeated);
+    show_table(means, arguments);
+  }
 
   const figures::Look look = figures::look_of(all.front().study.entry.series, style);
   const bool is_slim2023 = paper.name == "slim2023";
@@ -119,7 +121,7 @@ void report(const Store& store, const Paper& paper, const Arguments& arguments, 
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.figure, readings.table});
   }
   announce(reported, folder, arguments.report, style,
-           fmt::format("{}{}\n", papers::screen(sentences, means, claims), fingerprints_of(store, paper.studies)));
+           fmt::format("{}{}\n", papers::screen(sentences, claims), fingerprints_of(store, paper.studies)));
 }
 
 }  // namespace
@@ -159,6 +161,7 @@ void add_reproduce(Command& app, Invocation& invocation) {
       if (*words != '\0') say(words);
       invocation.exit_code = cancelled_exit_code();
     };
+    std::vector<compare::JudgedStudy> all;  // the first is the paper's own
     for (const std::string& name : paper.studies) {
       Overrides overrides{fmt::format("seed={}", arguments->seed)};
       if (std::ranges::count(paper.runs, name) > 0)
@@ -167,14 +170,18 @@ void add_reproduce(Command& app, Invocation& invocation) {
       Solved solved;
       const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};
       if (run_study(study, folder, request, solved) == Ended::stopped) return stop("");
-      check_is_stored(study, Store(store_in(folder), Store::Mode::read));
+      const EndOnSignal signals(stopped);
+      const Store store(store_in(folder), Store::Mode::read);
+      check_is_stored(study, store);
+      const StudyEntry entry = store.study(name);
+      all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
+      if (all.size() == 1) show_table(papers::means_table({paper, all.front()}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);
-    if (!readings)
-      return stop("Stopped before the report. The solves are kept; run the same command again to continue.");
+    if (!readings) return stop(stopped);
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    report(Store(store_in(folder), Store::Mode::read), paper, *arguments, folder, *readings);
+    report(Store(store_in(folder), Store::Mode::read), paper, *arguments, folder, all, *readings);
   });
 }
 

@@ -153,15 +153,13 @@ show::Blocks claims_section(const std::vector<JudgedClaim>& claims) {
   return blocks;
 }
 
-std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
-                   const std::vector<JudgedClaim>& claims) {
+std::string screen(const std::vector<std::string>& sentences, const std::vector<JudgedClaim>& claims) {
   std::string text;
   const auto add = [&](const std::string& words, const std::string& first = "") {
     const std::string indent(std::max<std::size_t>(2, first.size()), ' ');
     text += fmt::format("{}\n", fmt::join(show::wrapped(words, indent, first), "\n"));
   };
   for (const std::string& sentence : sentences) add(sentence);
-  if (!table.rows.empty()) text += '\n' + show::to_text(table);
   std::size_t width = 0;  // of numbers
   for (const JudgedClaim& claim : claims) width = std::max(width, show::character_count(claim.number));
   for (const bool are_ours : {false, true}) {

@@ -55,8 +55,7 @@ std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: 
 show::Blocks beginning(const Paper& paper, const std::vector<std::string>& sentences, const show::Table& table);
 // Grouped by verdict: the claims, then our own questions.
 show::Blocks claims_section(const std::vector<JudgedClaim>& claims);
-// What `reproduce` ends with: some sentences, the means beside the printed ones, a line a claim.
-std::string screen(const std::vector<std::string>& sentences, const show::Table& table,
-                   const std::vector<JudgedClaim>& claims);
+// What `reproduce` ends with: some sentences, a line a claim.
+std::string screen(const std::vector<std::string>& sentences, const std::vector<JudgedClaim>& claims);
 
 }  // namespace ikbench::papers

@@ -204,8 +204,8 @@ TEST_CASE("claims are told by verdict, with their shares of readings", "[papers]
   REQUIRE(by_default != table.rows.end());
   CHECK(std::get<std::string>(table.rows.back()[0]) == "not tested");
   CHECK(std::get<double>((*by_default)[5]) == Approx(20));
-  const std::string text = screen({"A sentence."}, means_table(repeated(study)), claims);
-  CHECK(contains(text, "0.00194 cm   0.0019 "));
+  CHECK(contains(show::to_text(means_table(repeated(study))), "0.00194 cm   0.0019 "));
+  const std::string text = screen({"A sentence."}, claims);
   CHECK(text.find("\nholds  ") < text.find("\nnot tested  "));
   CHECK(tally_words({{.holds = Holds::holds}, {.holds = Holds::fails}, {.holds = Holds::holds}}) ==
         "3 claims: holds 2, fails 1.");
