@@ -1,8 +1,9 @@
 // Writes a report as a page of HTML that loads nothing.
 #include <fmt/core.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <functional>
 #include <map>
 #include <span>
@@ -41,10 +42,10 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 }
 
 std::string base64(std::string_view bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // plus a terminating zero
-  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
-                  static_cast<int>(bytes.size()));
-  text.pop_back();
+  using namespace boost::archive::iterators;
+  using Encoded = base64_from_binary<transform_width<std::string_view::iterator, 6, 8>>;
+  std::string text(Encoded(bytes.begin()), Encoded(bytes.end()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
   return text;
 }
 

@@ -19,6 +19,9 @@ for table in results pairs descriptives anova; do
 done
 if command -v gnuplot >/dev/null; then
   for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" 6; done
+  for figure in mine/figures/*.svg; do
+    grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
+  done
   succeeds report mine/store.sqlite --figures error,differences --out few
   equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-boxes.svg"
 fi
