@@ -64,7 +64,7 @@ void remove_rounding(std::vector<double>& values, double rounding) {
   std::vector<std::pair<double, double*>> order;  // pairs stay in the cache, which places alone would not
   order.reserve(values.size());
   for (double& value : values) order.emplace_back(value, &value);
-  std::ranges::sort(order);
+  std::ranges::sort(order, {}, &std::pair<double, double*>::first);
   for (std::size_t first = 0, next = 0; first < order.size(); first = next) {
     const double least = order[first].first, most = least + std::max(rounding, rounding_of_doubles * std::abs(least));
     for (; next < order.size() && order[next].first <= most; ++next) *order[next].second = least;

@@ -220,7 +220,7 @@ Ranks midranks(Values values) {
   std::vector<std::pair<double, std::size_t>> order;  // pairs stay in the cache, which places alone would not
   order.reserve(values.size());
   for (const double value : values) order.emplace_back(value, order.size());
-  std::ranges::sort(order);
+  std::ranges::sort(order, {}, &std::pair<double, std::size_t>::first);
   Ranks result{.ranks = std::vector<double>(values.size())};
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     while (end < order.size() && order[end].first == order[first].first) ++end;
