@@ -1,6 +1,6 @@
-// Elementary functions for everything that decides a number: sine, cosine, arc tangent, exponential, logarithm and
-// power. Those of C libraries differ in their last bits between libraries and processors; these use only + - * / and
-// fused multiply-add.
+// Elementary functions for everything that decides a number: sine, cosine, arc tangent, exponential and whole power.
+// Those of C libraries differ in their last bits between libraries and processors; these use only + - * / and fused
+// multiply-add.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,12 +21,7 @@ void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::R
 double arc_tangent(double y, double x);
 // e to the power of x, within 1 ulp; infinity above 709.78, 0 below -708.39.
 double exponential(double x);
-// The natural logarithm of x, within 0.51 ulp; minus infinity for 0, NaN below 0.
-double logarithm(double x);
 // x to the power of n >= 0, by multiplication.
 double power(double x, int n);
-// x to the power of y, within 0.7 ulp, or within 1 ulp if the result is below the smallest normal number. Special
-// values as in std::pow; a negative x to a power that is no whole number is NaN.
-double power(double x, double y);
 
 }  // namespace ikbench::numerics
