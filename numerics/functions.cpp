@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "numerics/instruction_set.hpp"
 #include "numerics/kernels.hpp"
@@ -35,9 +34,6 @@ SinCos sin_cos(double angle) {
 
 void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
                        Eigen::Ref<Eigen::VectorXd> cosines) {
-  if (sines.size() != angles.size() || cosines.size() != angles.size()) {
-    throw std::invalid_argument("as many sines and cosines as angles, or none");
-  }
   kernels().sines_and_cosines(angles.data(), angles.size(), sines.data(), cosines.data());
 }
 

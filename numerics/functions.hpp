@@ -14,7 +14,7 @@ struct SinCos {
 // Within 1.5 ulp and 1.6e-33 per quarter turn; NaN if the angle is infinite, NaN or 2^51 quarter turns (3.5e15 rad) or
 // more.
 SinCos sin_cos(double angle);
-// The same for many angles; std::invalid_argument if the three sizes differ.
+// The same for many angles, with as many sines and cosines.
 void sines_and_cosines(const Eigen::Ref<const Eigen::VectorXd>& angles, Eigen::Ref<Eigen::VectorXd> sines,
                        Eigen::Ref<Eigen::VectorXd> cosines);
 // The angle of (x, y) in [-pi, pi], within 3 ulp; 0 for (0, 0).

@@ -216,7 +216,7 @@ KernelChain Chain::kernel_chain() const {
 
 std::vector<double> Chain::points_on_axes(Start start) const {
   std::vector<double> at(links_.size(), 0);
-  if (start == Start::frames && !at.empty() && links_.front().joint == Joint::turns) at.front() = links_.front().d;
+  if (start == Start::frames && links_.front().joint == Joint::turns) at.front() = links_.front().d;
   for (std::size_t j = 1; start == Start::nearest && j < at.size(); ++j)
     at[j] = twists_[j - 1].cosine * (at[j - 1] - links_[j - 1].d);
   if (!all_turn_) return at;
@@ -251,20 +251,20 @@ Chain::Seen Chain::after(std::size_t joint, double along_next) const {
 }
 
 Chain::Ball Chain::ball_through(const std::vector<double>& at) const {
-  Ball ball{Eigen::Vector3d::Zero(), all_turn_ && !links_.empty() ? 0 : tool_.position.norm()};
+  Ball ball{Eigen::Vector3d::Zero(), all_turn_ ? 0 : tool_.position.norm()};
   for (std::size_t j = 0; j < links_.size(); ++j) {
     if (links_[j].joint == Joint::slides) ball.radius = std::numeric_limits<double>::infinity();
     const Seen next = after(j, j + 1 < links_.size() ? at[j + 1] : 0);
     ball.radius += length(next.along - at[j], next.beside);
   }
-  if (!links_.empty()) ball.centre.z() = at.front();
+  ball.centre.z() = at.front();
   ball.centre = T_base_first_ * ball.centre;
   return ball;
 }
 
 Chain::Ball Chain::reach() const {
   const Ball ball = ball_through(points_on_axes(Start::frames));
-  if (!all_turn_ || links_.empty()) return ball;
+  if (!all_turn_) return ball;
   const Ball other = ball_through(points_on_axes(Start::nearest));
   return other.radius < 0.995 * ball.radius ? other : ball;  // else bits would change for nothing
 }

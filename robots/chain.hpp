@@ -43,8 +43,8 @@ struct Frame {
 
 class Chain {
  public:
-  // `base` is the frame of the first joint; `tool` is the tool's frame relative to the last link. Throws
-  // std::invalid_argument for more than 64 links.
+  // There is one link at least. `base` is the frame of the first joint; `tool` is the tool's frame relative to the last
+  // link. Throws std::invalid_argument for more than 64 links.
   Chain(std::vector<DhLink> links, Frame base, Frame tool);
   explicit Chain(std::vector<DhLink> links, const Eigen::Vector3d& tip = Eigen::Vector3d::Zero())
       : Chain(std::move(links), Frame(), Frame{.position = tip}) {}
