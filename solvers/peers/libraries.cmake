@@ -1,8 +1,4 @@
 # Each library that has peers, where it is found, as the target ikbench_peer_LIBRARY.
-if(IKBENCH_PEERS STREQUAL OFF)
-  return()
-endif()
-
 find_package(orocos_kdl QUIET)
 if(orocos_kdl_FOUND)
   add_library(ikbench_peer_orocos_kdl INTERFACE)
