@@ -156,12 +156,6 @@ FigureStyle styled(const StudyEntry& entry, const ReportArguments& arguments) {
   return styled(definition_of(entry.definition).style, labels_of(entry), arguments);
 }
 
-std::vector<std::string> labels_of(const Study& study) {
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  return labels;
-}
-
 std::vector<std::string> labels_of(const StudyEntry& stored) {
   std::vector<std::string> labels;
   for (const Series& series : stored.series) labels.push_back(series.label);

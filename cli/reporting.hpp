@@ -36,7 +36,6 @@ results::FigureStyle styled(results::FigureStyle style, const std::vector<std::s
                             const ReportArguments& arguments);
 // The same of a stored study.
 results::FigureStyle styled(const results::StudyEntry& entry, const ReportArguments& arguments);
-std::vector<std::string> labels_of(const experiments::Study& study);
 std::vector<std::string> labels_of(const results::StudyEntry& stored);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);

@@ -104,9 +104,7 @@ std::vector<Dimension> parse_dimensions(std::string_view text, std::string_view 
 std::vector<Dimension> dimensions(std::string_view study) {
   const EmbeddedFile* const file = find_embedded(multiverse_files, study);
   if (file == nullptr) return {};
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : load_study(std::string(study)).solvers) labels.push_back(entry.label);
-  return parse_dimensions(file->text, file->name, labels);
+  return parse_dimensions(file->text, file->name, labels_of(load_study(std::string(study))));
 }
 
 std::vector<Dimension> within(Scope scope, std::vector<Dimension> dimensions) {

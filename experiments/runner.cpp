@@ -198,13 +198,6 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
   return sentences;
 }
 
-// The labels as JSON, since the study may be saved with fewer later.
-std::string labels_of(const Study& study) {
-  nlohmann::json labels = nlohmann::json::array();
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  return numerics::text_of(labels);
-}
-
 void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
   for (const SolverEntry& entry : plan.study.solvers) {
@@ -212,12 +205,12 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
     if (const std::string library = library_of(entry); !library.empty()) session["library." + entry.solver] = library;
   }
   for (const LeftOut& left_out : plan.study.left_out) session["left_out." + left_out.label] = left_out.why;
-  session["analysis"] = to_json(plan.study.analysis);  // the study may be saved with another one later
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
   session["study"] = plan.study.name;
-  session["solvers"] = labels_of(plan.study);
+  session["analysis"] = to_json(plan.study.analysis);  // this and the solvers: the study may be saved with others later
+  session["solvers"] = numerics::text_of(numerics::Json(labels_of(plan.study)));
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   const auto store_them = [&](std::vector<SolveRecord>& records) {

@@ -20,6 +20,12 @@ Key key_of_targets(const Study& study, int run) {
 
 }  // namespace
 
+std::vector<std::string> labels_of(const Study& study) {
+  std::vector<std::string> labels;
+  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  return labels;
+}
+
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
 Configuration joint_units(const Chain& arm) {

@@ -113,6 +113,8 @@ struct Study {
   results::FigureStyle figures;  // the look of its figures, without the colours of its entries
 };
 
+std::vector<std::string> labels_of(const Study& study);  // of its solvers
+
 // The study's arm; std::invalid_argument if there is none of that name.
 robots::Robot arm_of(const Study& study);
 

@@ -592,8 +592,7 @@ Study read_study(const toml::table& table, std::string_view source) {
                                                     study.initial.size(), arm.joints(), arm.name));
   }
   read_solvers(reader, study, arm);
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
+  const std::vector<std::string> labels = labels_of(study);
   read_table("analysis", [&](const TomlReader& analysis) {
     read_part(analysis, study.analysis);
     if (!study.analysis.control.empty()) refuse_unknown(analysis, "control", "label", study.analysis.control, labels);

@@ -20,12 +20,6 @@ std::string said_of_study(const std::string& toml) {
   return complaint<std::invalid_argument>([&] { study_from(toml); });
 }
 
-std::vector<std::string> labels_of(const Study& study) {
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  return labels;
-}
-
 const std::string own_entry = "[[solvers]]\nsolver = \"ik_bat\"\n";
 
 }  // namespace

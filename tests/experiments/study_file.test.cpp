@@ -101,9 +101,7 @@ TEST_CASE("the study of the paper has its numbers: 50 bats, 200 iterations, 20 r
   CHECK(study.runs == 20);
   CHECK(study.path->points() == 20);
   CHECK(study.robot == "kuka_iiwa14");
-  std::vector<std::string> labels;
-  for (const SolverEntry& one : study.solvers) labels.push_back(one.label);
-  CHECK(labels == std::vector<std::string>{"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"});  // Table 3
+  CHECK(labels_of(study) == std::vector<std::string>{"IK-BA", "BA", "DE", "PSO", "K-ABC", "MO-PSO"});  // Table 3
 }
 
 TEST_CASE("a study in which nothing is as by default comes back the same", "[study]") {

@@ -16,12 +16,6 @@ Study swept(const std::string& toml, const Overrides& overrides = {}) {
   return parse_study(toml, "my.toml", overrides);
 }
 
-std::vector<std::string> labels_in(const Study& study) {
-  std::vector<std::string> labels;
-  for (const SolverEntry& entry : study.solvers) labels.push_back(entry.label);
-  return labels;
-}
-
 bool has_words(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 std::string complaint_about(const std::string& toml, const Overrides& overrides = {}) {
@@ -39,7 +33,7 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
   const Study study = swept(
       "[[solvers]]\nlabel = \"IK-BA\"\nsolver = \"ik_bat\"\npopulation = [20, 40]\n"
       "options = { alpha = [0.5, 0.97], bounds = \"clamp\" }\n[[solvers]]\nsolver = \"bat\"\n");
-  CHECK(labels_in(study) == SweptLabels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
+  CHECK(labels_of(study) == SweptLabels{"IK-BA alpha=0.5 population=20", "IK-BA alpha=0.5 population=40",
                                         "IK-BA alpha=0.97 population=20", "IK-BA alpha=0.97 population=40", "bat"});
   const SolverEntry& third = study.solvers[2];
   CHECK(third.family == "IK-BA");
@@ -51,26 +45,26 @@ TEST_CASE("an entry with lists becomes one entry per combination", "[sweep]") {
 
 TEST_CASE("a key of the table sweep is of every solver that has it, or of the one before the dot", "[sweep]") {
   const std::string study = two_bats + "[[solvers]]\nsolver = \"newton\"\n";
-  CHECK(labels_in(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
+  CHECK(labels_of(swept(study, {sweep_override("alpha=0.5,0.9")})) ==
         SweptLabels{"IK-BA alpha=0.5", "IK-BA alpha=0.9", "BA alpha=0.5", "BA alpha=0.9", "newton"});
   const SweptLabels of_one{"IK-BA", "BA alpha=0.5", "BA alpha=0.9", "newton"};
-  CHECK(labels_in(swept(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
-  CHECK(labels_in(swept(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
-  CHECK(labels_in(swept("[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n" + study)) == of_one);
-  CHECK(labels_in(swept("[sweep]\nBA.alpha = [0.5, 0.9]\n" + study)) == of_one);
-  CHECK(labels_in(swept("[sweep]\nBA.alpha = [0.1]\n" + study, {sweep_override("BA.alpha=0.5,0.9")})) == of_one);
+  CHECK(labels_of(swept(study, {sweep_override("BA.alpha=.5,0.90")})) == of_one);
+  CHECK(labels_of(swept(study, {sweep_override("bat.alpha=0.5,0.9")})) == of_one);
+  CHECK(labels_of(swept("[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n" + study)) == of_one);
+  CHECK(labels_of(swept("[sweep]\nBA.alpha = [0.5, 0.9]\n" + study)) == of_one);
+  CHECK(labels_of(swept("[sweep]\nBA.alpha = [0.1]\n" + study, {sweep_override("BA.alpha=0.5,0.9")})) == of_one);
   CHECK(swept(study, {sweep_override("population=10,20")}).solvers.size() == 6);
-  CHECK(labels_in(swept(two_bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
+  CHECK(labels_of(swept(two_bats, {sweep_override("IK-BA.bounds=clamp,initial")})) ==
         SweptLabels{"IK-BA bounds=clamp", "IK-BA bounds=initial", "BA"});
 }
 
 TEST_CASE("a key with an owner wins over one of every solver, and a label over a solver's name", "[sweep]") {
   // Keys are read in the order of the alphabet, in which BA.alpha stands before alpha and bat.alpha.
   const std::string by_owner = "[sweep]\nalpha = [0.1, 0.2]\n\"BA.alpha\" = [0.5, 0.9]\n";
-  CHECK(labels_in(swept(by_owner + two_bats)) ==
+  CHECK(labels_of(swept(by_owner + two_bats)) ==
         SweptLabels{"IK-BA alpha=0.1", "IK-BA alpha=0.2", "BA alpha=0.5", "BA alpha=0.9"});
   const std::string by_label = "[sweep]\n\"BA.alpha\" = [0.5, 0.9]\n\"bat.alpha\" = [0.1, 0.2]\n";
-  CHECK(labels_in(swept(by_label + two_bats)) == SweptLabels{"IK-BA", "BA alpha=0.5", "BA alpha=0.9"});
+  CHECK(labels_of(swept(by_label + two_bats)) == SweptLabels{"IK-BA", "BA alpha=0.5", "BA alpha=0.9"});
 }
 
 TEST_CASE("a swept entry and one written by hand with its label share their solves", "[sweep]") {
@@ -89,7 +83,7 @@ TEST_CASE("a swept study is written with its lists, and read again as it was", "
   const Study again = swept(text);
   CHECK(to_toml(again) == text);
   CHECK(to_json(again) == to_json(study));
-  CHECK(labels_in(again) == labels_in(study));
+  CHECK(labels_of(again) == labels_of(study));
 }
 
 TEST_CASE("mistakes in a sweep are told with their place and what was expected", "[sweep]") {
