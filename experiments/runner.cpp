@@ -75,10 +75,9 @@ struct Plan {
   std::map<std::size_t, Chained> begun;  // chains of which the store has a part
 };
 
-// Moves the arm to the answer, unless the answer is no configuration or every solve has its own start.
 void move_on(Chained& chain, const SolveRecord& record, Start start) {
   chain.stored[static_cast<std::size_t>(record.point - 1)] = true;
-  if (start != Start::previous || record.status == Status::not_finite) return;
+  if (!moves_arm(record, start)) return;
   chain.configuration =
       Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), static_cast<Eigen::Index>(record.answer_rad.size()));
 }
@@ -90,7 +89,7 @@ void check_stored(const SolveRecord& record, const Plan& plan, const Chained& ch
   const bool follows =
       has_place && (!is_chained || record.point == 1 || chain.stored[static_cast<std::size_t>(record.point - 2)]);
   const bool can_move = record.answer_rad.size() == static_cast<std::size_t>(plan.study.initial.size()) &&
-                        (!is_chained || record.status == Status::not_finite ||
+                        (!moves_arm(record, plan.study.start) ||
                          std::ranges::all_of(record.answer_rad, [](double angle) { return std::isfinite(angle); }));
   if (follows && can_move) return;
   throw std::invalid_argument(
@@ -273,6 +272,10 @@ void solve_study(const Study& study, int jobs, const std::function<void(SolveRec
     for (SolveRecord& record : records) take(std::move(record));
   });
   solve_rest(plan, jobs, cancelled, record_queue);
+}
+
+bool moves_arm(const SolveRecord& solve, Start start) {
+  return start == Start::previous && solve.status != Status::not_finite;
 }
 
 SolveRecord solve_once(const Study& study, const SolverEntry& entry, const Pose& target) {

@@ -51,6 +51,10 @@ void check_is_stored(const Study& study, const results::Store& store);
 void solve_study(const Study& study, int jobs, const std::function<void(results::SolveRecord)>& take,
                  const std::atomic<bool>* cancelled = nullptr);
 
+// True if the next solve of the run begins at this one's answer: not where the answer is no configuration, or where
+// every solve has its own start.
+bool moves_arm(const results::SolveRecord& solve, Start start);
+
 // Solves one target by one solver; the record has every number that a study would have.
 results::SolveRecord solve_once(const Study& study, const SolverEntry& entry, const robots::Pose& target);
 

@@ -113,7 +113,7 @@ std::vector<SolveRecord> with_wrist_of(const Study& study, std::vector<SolveReco
     const Verification verified = verify(arm, poses[place], start, answer);
     solve.position_error_cm = verified.position_error / centimetre;
     solve.variation_deg = verified.variation / degree;
-    if (study.start == Start::previous && solve.status != Status::not_finite) start = answer;
+    if (moves_arm(solve, study.start)) start = answer;
   }
   return solves;
 }
