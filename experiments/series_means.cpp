@@ -35,46 +35,32 @@ std::string texts_of_numbers(const std::vector<double>& values) {
   return text;
 }
 
-// A line of the file, and its place for messages.
-struct Line {
-  std::string where, text;
-
-  [[noreturn]] void refuse(std::string_view what) const {
-    throw std::invalid_argument(fmt::format(
-        "{}: {}; the file was edited: remove this line to have it solved again, or choose another --out", where, what));
+// One number for each run; none if one of them is not 0 or more.
+std::vector<double> numbers_in(std::string_view cell) {
+  std::vector<double> values;
+  for (std::size_t from = 0, end = 0; end < cell.size(); from = end + 1) {
+    end = std::min(cell.find(' ', from), cell.size());
+    const std::optional<double> value = number_from(cell.substr(from, end - from));
+    if (!value || !(*value >= 0)) return {};
+    values.push_back(*value);
   }
+  return values;
+}
 
-  std::vector<double> numbers(std::string_view column, std::string_view cell) const {
-    std::vector<double> values;
-    for (std::size_t from = 0, end = 0; end < cell.size() || values.empty(); from = end + 1) {
-      end = std::min(cell.find(' ', from), cell.size());
-      const std::string_view number = cell.substr(from, end - from);
-      const std::optional<double> value = number_from(number);
-      if (!value || !(*value >= 0)) {
-        constexpr std::size_t longest = 40;
-        refuse(fmt::format("column {}, run {}: '{}', expected a number from 0, or Inf", column, values.size() + 1,
-                           number.substr(0, longest)));
-      }
-      values.push_back(*value);
-    }
-    return values;
+// The series of a line, whose place is for the message.
+std::pair<std::string, RunMeans> series_in(std::string_view line, const std::string& place) {
+  const std::size_t first = line.find(','), second = line.rfind(',');
+  if (first > 0 && first < second) {
+    RunMeans means{.error_cm = numbers_in(line.substr(first + 1, second - first - 1)),
+                   .variation_deg = numbers_in(line.substr(second + 1))};
+    if (!means.error_cm.empty() && means.error_cm.size() == means.variation_deg.size())
+      return {std::string(line.substr(0, first)), std::move(means)};
   }
-
-  std::pair<std::string, RunMeans> series() const {
-    const std::size_t first = text.find(','), second = text.rfind(',');
-    if (first == std::string::npos || second == first || first == 0) {
-      refuse("expected a series, its errors and its variations, with commas between them");
-    }
-    const std::string_view cells = text;
-    RunMeans means{.error_cm = numbers("position_error_cm", cells.substr(first + 1, second - first - 1)),
-                   .variation_deg = numbers("variation_deg", cells.substr(second + 1))};
-    if (means.error_cm.size() != means.variation_deg.size()) {
-      refuse(fmt::format("{} errors and {} variations, expected one of each for every run", means.error_cm.size(),
-                         means.variation_deg.size()));
-    }
-    return {text.substr(0, first), std::move(means)};
-  }
-};
+  throw std::invalid_argument(fmt::format(
+      "{}: expected a series, its errors and as many variations, numbers from 0 or Inf; the file was edited: "
+      "remove this line to have it solved again, or choose another --out",
+      place));
+}
 
 std::string line_of(const std::string& key, const RunMeans& means) {
   return fmt::format("{},{},{}\n", key, texts_of_numbers(means.error_cm), texts_of_numbers(means.variation_deg));
@@ -133,10 +119,6 @@ void SeriesMeans::read() {
   if (!std::filesystem::is_regular_file(status)) {
     throw std::invalid_argument(fmt::format("{} is no regular file; choose another --out", file_.string()));
   }
-  constexpr std::uintmax_t largest = 2'000'000'000;
-  if (std::filesystem::file_size(file_, error) > largest) {
-    throw std::invalid_argument(fmt::format("{}: expected a file of at most 2 GB", file_.string()));
-  }
   std::ifstream in(file_, std::ios::binary);
   if (!in) throw std::invalid_argument(fmt::format("cannot read {}", file_.string()));
   std::string line;
@@ -148,7 +130,7 @@ void SeriesMeans::read() {
       throw std::invalid_argument(fmt::format("{}:1: expected the header '{}'; remove the file or choose another --out",
                                               file_.string(), head_of_means.substr(0, head_of_means.size() - 1)));
     }
-    auto [key, means] = Line{fmt::format("{}:{}", file_.string(), number), std::move(line)}.series();
+    auto [key, means] = series_in(line, fmt::format("{}:{}", file_.string(), number));
     if (!known_.empty() && key <= known_.rbegin()->first) is_sorted_ = false;
     RunMeans& known = known_[key];
     if (means.error_cm.size() > known.error_cm.size()) known = std::move(means);

@@ -213,7 +213,7 @@ TEST_CASE("a file that was cut anywhere is continued to the same bytes", "[multi
   }
 }
 
-TEST_CASE("a file of series that was edited is refused with line, column, value and what to do", "[multiverse]") {
+TEST_CASE("a file of series that was edited is refused with its line and what to do", "[multiverse]") {
   const std::string head = "series,position_error_cm,variation_deg\n";
   const auto refuses = [](const std::string& text, const std::string& words) {
     CAPTURE(text);
@@ -224,15 +224,12 @@ TEST_CASE("a file of series that was edited is refused with line, column, value 
                                                       Catch::Matchers::Contains("choose another --out"));
   };
   refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg'; remove the file");
-  refuses(head + ",1,1\n", ":2: expected a series, its errors and its variations");
-  refuses(head + "key,1\n", ":2: expected a series, its errors and its variations");
-  refuses(head + "key,1,1\nkey,1 2,3\n", ":3: 2 errors and 1 variations, expected one of each for every run");
+  for (const std::string line : {",1,1", "key,1", "key,1,1 2", "key,1 ,1 2", "key,,"})
+    refuses(head + line + "\n", ":2: ");
   for (const std::string number : {"nan", "NaN", "-1", "-Inf", "1e999", "x", ""}) {
-    refuses(head + "key,1 " + number + ",1 2\n",
-            ":2: column position_error_cm, run 2: '" + number + "', expected a number from 0, or Inf");
-    refuses(head + "key,1," + number + "\n", ":2: column variation_deg, run 1: '" + number + "', expected a number");
+    refuses(head + "key,1 1,1 1\nkey,1 " + number + ",1 2\n", ":3: expected a series");
+    refuses(head + "key,1," + number + "\n", ":2: expected a series");
   }
-  refuses(head + "key,1 ,1 2\n", ":2: column position_error_cm, run 2: ''");
   const MeansFolder folder;
   write_text(folder.file(), head + "key,0 Inf,1 2\nlast,1,1");  // the last line lacks its end
   CHECK(SeriesMeans(folder.file()).find("key", 2)->error_cm == std::vector<double>{0, HUGE_VAL});
