@@ -109,10 +109,6 @@ std::int64_t solves_of_series(const Study& study) { return std::int64_t{study.ru
 }  // namespace
 
 SeriesMeans::SeriesMeans(std::filesystem::path file) : file_(std::move(file)) {
-  if (!file_.empty()) read();
-}
-
-void SeriesMeans::read() {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::symlink_status(file_, error);
   if (!std::filesystem::exists(status)) return;
@@ -146,24 +142,22 @@ const RunMeans* SeriesMeans::find(const std::string& key, std::size_t runs) cons
 }
 
 void SeriesMeans::keep(const std::string& key, RunMeans means) {
-  if (!file_.empty()) {
-    std::error_code error;
-    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
-    errno = 0;
-    std::ofstream out(file_, std::ios::binary | std::ios::app);
-    out.seekp(0, std::ios::end);
-    out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
-    if (!out) {
-      throw std::runtime_error(fmt::format("cannot write {}: {}; make it writable, make room, or choose another --out",
-                                           file_.string(), std::generic_category().message(errno)));
-    }
+  std::error_code error;
+  if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+  errno = 0;
+  std::ofstream out(file_, std::ios::binary | std::ios::app);
+  out.seekp(0, std::ios::end);
+  out << (out.tellp() == 0 ? head_of_means : "") << line_of(key, means) << std::flush;
+  if (!out) {
+    throw std::runtime_error(fmt::format("cannot write {}: {}; make it writable, make room, or choose another --out",
+                                         file_.string(), std::generic_category().message(errno)));
   }
   known_[key] = std::move(means);
   is_sorted_ = false;
 }
 
 void SeriesMeans::sort() {
-  if (file_.empty() || is_sorted_) return;
+  if (is_sorted_) return;
   std::string text(head_of_means);
   for (const auto& [key, means] : known_) text += line_of(key, means);
   write_file(file_, text);

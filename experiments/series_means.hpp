@@ -22,7 +22,7 @@ struct RunMeans {
 // stopped, is cut off.
 class SeriesMeans {
  public:
-  // Keeps no file if its name is empty. Throws std::invalid_argument for a line that is none of ours.
+  // Reads the file, if there is one. Throws std::invalid_argument for a line that is none of ours.
   explicit SeriesMeans(std::filesystem::path file);
   // The means of the first `runs` runs of a series; null if fewer were solved.
   const RunMeans* find(const std::string& key, std::size_t runs) const;
@@ -31,8 +31,6 @@ class SeriesMeans {
   void sort();
 
  private:
-  void read();
-
   std::filesystem::path file_;
   std::map<std::string, RunMeans> known_;
   bool is_sorted_ = true;  // about the file's lines
