@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <set>
 
 #include "numerics/json.hpp"
@@ -56,12 +55,6 @@ std::string why_not_one(const StudyEntry& study, const StudyEntry& other) {
   if (configurations_of(study) != configurations_of(other)) return "its solvers or their options are others";
   if (keys_of(study) != keys_of(other))
     return "the version of the solvers or of shared code is another, so use one version of ikbench for all";
-  for (const Series& series : study.series) {
-    const auto other_label = std::ranges::find(other.series, series.key, &Series::key);
-    if (other_label != other.series.end() && other_label->label != series.label)
-      return fmt::format("one solver has the label '{}' in the first and '{}' in the second", series.label,
-                         other_label->label);
-  }
   return "";
 }
 

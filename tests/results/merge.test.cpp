@@ -88,19 +88,6 @@ TEST_CASE("merging again changes nothing", "[merge]") {
   CHECK(Store(folder.path / "out", Store::Mode::read).sessions().size() == 1);
 }
 
-TEST_CASE("a solver that two stores label differently is named, with both stores, and nothing is merged", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1, 2});
-  make_store(folder.path / "b", "two", {3});
-  edit(folder.path / "b", "UPDATE series SET label = 'other' WHERE key = 'key-a'; UPDATE solves SET solver = 'other'");
-  const auto merging = [&] { merge(folder.path / "out", {folder.path / "a", folder.path / "b"}); };
-  const std::string said = complaint<std::invalid_argument>(merging);
-  CHECK_THAT(said,
-             ContainsSubstring(quoted(folder.path / "a") + " and " + quoted(folder.path / "b") +
-                               ": one solver has the label 'IK-BA' in the first and 'other' in the second; nothing"));
-  CHECK_FALSE(fs::exists(folder.path / "out"));
-}
-
 TEST_CASE("a solve with other bits is named, with both stores, and nothing is merged", "[merge]") {
   const ScratchFolder folder;
   make_store(folder.path / "a", "one", {1, 2});
