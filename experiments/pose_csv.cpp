@@ -29,7 +29,7 @@ namespace {
 constexpr std::string_view expected_columns =
     "x, y and z with _m, _cm or _mm, such as x_cm; and qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad, or r11, "
     "r12, r13, r21 ... r33";
-constexpr std::size_t most_rows = 100'000, most_columns = 12;
+constexpr std::size_t most_rows = 100'000;
 
 constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, rpy_names{"roll", "pitch", "yaw"};
 constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
@@ -123,9 +123,6 @@ struct Columns {
 };
 
 Columns columns_in(const Table& table) {
-  if (table.columns() > most_columns) {
-    table.refuse(fmt::format("there are more than {} columns; expected {}", most_columns, expected_columns));
-  }
   std::vector<bool> used(table.columns(), false);
   Columns columns{.position = columns_of(position_names, length_units, table, used),
                   .quaternion = columns_of(quaternion_names, no_unit, table, used),
