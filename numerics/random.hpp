@@ -30,24 +30,21 @@ class Random {
   double uniform(double from, double to);  // [from, to)
   int index(int count);                    // 0 ... count - 1
 
-  // Fill a vector or Candidates (row by row). They take whole blocks of eight and leave the block of single draws
+  // Fill a vector or Candidates (row by row) with numbers in [0, 1), with standard normal ones (Box and Muller 1958),
+  // and with standard normal ones within [-1, 1]. They take whole blocks of eight and leave the block of single draws
   // alone.
   template <class Numbers>
   void uniforms(Eigen::PlainObjectBase<Numbers>& out) {
-    uniforms(out.data(), out.size());
+    kernels_.uniforms(state_, out.data(), out.size());
   }
   template <class Numbers>
   void normals(Eigen::PlainObjectBase<Numbers>& out) {
-    normals(out.data(), out.size());
+    kernels_.normals(state_, out.data(), out.size());
   }
   template <class Numbers>
   void truncated_normals(Eigen::PlainObjectBase<Numbers>& out) {
-    truncated_normals(out.data(), out.size());
+    kernels_.truncated_normals(state_, out.data(), out.size());
   }
-  // Fill with numbers in [0, 1); standard normal ones (Box and Muller 1958); standard normal ones within [-1, 1].
-  void uniforms(double* out, Eigen::Index count) { kernels_.uniforms(state_, out, count); }
-  void normals(double* out, Eigen::Index count) { kernels_.normals(state_, out, count); }
-  void truncated_normals(double* out, Eigen::Index count) { kernels_.truncated_normals(state_, out, count); }
 
  private:
   const Kernels& kernels_;
