@@ -213,15 +213,10 @@ std::shared_ptr<const Program> read_program(TomlReader& reader) {
   ProgramChoice choice;
   list_fields(reader, choice);
   if (choice.process.empty()) reader.fail(key, *reader.find(key), "a program, and its arguments");
-  const auto wrong = [&](const std::exception& error) {
-    return reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
-  };
   try {
     return meet(choice, folder_of(reader, key));
-  } catch (const std::runtime_error& error) {
-    throw wrong(error);
   } catch (const std::invalid_argument& error) {
-    throw wrong(error);
+    throw reader.mistake(key, fmt::format("{}: {}; see: ikbench check-solver", choice.process[0], error.what()));
   }
 }
 

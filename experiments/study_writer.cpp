@@ -135,7 +135,6 @@ OrderedJson json_of(const FieldsWritten& fields, OrderedJson json = {}) {
 
 // The study with its initial configuration in the units of files.
 Study as_in_files(Study study) {
-  if (study.initial.size() == 0) return study;
   const Configuration units = joint_units(arm_of(study).chain);
   for (Eigen::Index j = 0; j < study.initial.size(); ++j) study.initial[j] = in_unit(study.initial[j], units[j]);
   return study;

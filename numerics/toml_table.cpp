@@ -63,15 +63,13 @@ void refuse_deep_keys(std::string_view text, std::string_view source) {
 
 toml::table parse_toml(std::string_view text, std::string_view source) {
   refuse_deep_keys(text, source);
-  toml::table table;
   try {
-    table = toml::parse(text);
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
     const toml::source_position& begin = error.source().begin;
     throw std::invalid_argument(
         fmt::format("{}:{}:{}: not TOML: {}", source, begin.line, begin.column, error.description()));
   }
-  return table;
 }
 
 toml::table toml_of(const Json& object) {
