@@ -298,8 +298,6 @@ Store::Store(const fs::path& file, Mode mode)
     : database_(guarded(file.string(), [&] { return std::make_unique<Database>(file, mode); })) {}
 
 Store::~Store() = default;
-Store::Store(Store&&) noexcept = default;
-Store& Store::operator=(Store&&) noexcept = default;
 
 void Store::save_study(const StudyEntry& study) {
   guarded(database_->name, [&] {

@@ -60,8 +60,6 @@ class Store {
 
   Store(const std::filesystem::path& file, Mode mode);
   ~Store();
-  Store(Store&&) noexcept;
-  Store& operator=(Store&&) noexcept;
 
   // Writes the study and replaces one of the same name (its solves stay; only those of the new series are current).
   void save_study(const StudyEntry& study);
