@@ -25,12 +25,7 @@ std::string_view paper_of(const EmbeddedFile& file) { return file.name.substr(0,
 CsvTable table(std::string_view paper, std::string_view name) {
   if (const EmbeddedFile* const file = find_embedded(files, fmt::format("{}/{}", paper, name)))
     return parse_csv(file->text, std::string(file->name));
-  const auto names = tables(paper);
-  if (names.empty())
-    throw std::invalid_argument(
-        fmt::format("no published paper '{}'; expected one of: {}", paper, fmt::join(papers(), ", ")));
-  throw std::invalid_argument(
-      fmt::format("no table '{}' of {}; expected one of: {}", name, paper, fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format("there is no table {} of {}", name, paper));
 }
 
 std::vector<std::string_view> papers() {

@@ -35,12 +35,9 @@ TEST_CASE("Tables 3 to 8 of the paper are in the program", "[published]") {
     CHECK(published::table("slim2023", published::tables("slim2023")[i]).rows.size() == rows[i]);
 }
 
-TEST_CASE("a table that is not there is told which are", "[published]") {
+TEST_CASE("a table that is not there is named", "[published]") {
   CHECK(complaint<std::invalid_argument>([] { published::table("slim2023", "table-9"); }) ==
-        "no table 'table-9' of slim2023; expected one of: table-3, table-4, table-5, table-6, table-7, "
-        "table-8");
-  CHECK_THAT(complaint<std::invalid_argument>([] { published::table("nobody1999", "table-3"); }),
-             ContainsSubstring("no published paper 'nobody1999'; expected one of: "));
+        "there is no table table-9 of slim2023");
 }
 
 TEST_CASE("every table has its files' text, as printed", "[published]") {
