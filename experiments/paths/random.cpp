@@ -2,6 +2,7 @@
 // configurations, so the arm can reach them.
 #include <fmt/core.h>
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,7 +12,6 @@
 #include <stdexcept>
 
 #include "experiments/path.hpp"
-#include "experiments/singular_values.hpp"
 
 namespace ikbench::experiments {
 
@@ -73,12 +73,13 @@ class SampledScores {
   std::map<std::string, std::vector<double>> known_;
 };
 
-// Demands a smallest singular value below its first percentile.
+// Demands a smallest singular value of the Jacobian [m, rad] below its first percentile.
 Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
+    using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, most_joints>;
     Jacobian jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
-    return -singular_values(jacobian).minCoeff();
+    return -Eigen::JacobiSVD<Jacobian>(jacobian).singularValues().minCoeff();
   };
   const std::vector<double>& scores = samples.of(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};

@@ -1,10 +1,10 @@
 // Kinds of path besides the paper's, sets of random targets, and starts of solves: by hand, and by their promises.
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "experiments/path.hpp"
-#include "experiments/singular_values.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "tests/catch.hpp"
@@ -78,9 +78,9 @@ TEST_CASE("near singular, the smallest singular value is below that of 99 of 100
               anywhere = random_targets("franka_panda", "anywhere", 500);
   const Robot arm = arm_of(near);
   const auto smallest = [&](const Configuration& q) {
-    Jacobian jacobian(6, q.size());
+    Matrix6Xd jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
-    return singular_values(jacobian).minCoeff();
+    return Eigen::JacobiSVD<Matrix6Xd>(jacobian).singularValues().minCoeff();
   };
   double largest_near = 0;
   for (const Configuration& q : solutions_of(near)) largest_near = std::max(largest_near, smallest(q));
