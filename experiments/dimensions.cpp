@@ -32,16 +32,13 @@ std::vector<const toml::table*> tables_of(TomlReader& reader, std::string_view k
 
 Alternative read_alternative(TomlReader reader, bool is_default) {
   Alternative one;
-  reader.text("set", one.set, "");
-  reader.text("where", one.where, "");
-  for (const auto& [key, text] : {std::pair("set", &one.set), std::pair("where", &one.where)}) {
-    const bool is_set = key == std::string_view("set");
-    if (!text->empty() && (!is_set || text->find('=', 1) != std::string::npos)) continue;
-    throw reader.mistake(key, fmt::format("{}{} is missing or has no value; expected {}", reader.prefix(), key,
-                                          is_set ? "what --set takes" : "a clause"));
-  }
+  reader.text("set", one.set);
+  reader.text("where", one.where);
+  if (one.set.find('=', 1) == std::string::npos)
+    throw reader.mistake("set", "set is missing or has no value; expected what --set takes");
+  if (one.where.empty()) throw reader.mistake("where", "where is missing; expected a clause");
   if (!is_default) {
-    reader.choice("in", one.scope, {{"small", Scope::small}, {"default", Scope::usual}}, "");
+    reader.choice("in", one.scope, {{"small", Scope::small}, {"default", Scope::usual}});
     reader.texts("except", one.except);
   }
   reader.refuse_unknown_keys();
@@ -59,8 +56,8 @@ bool is_set_before(const std::vector<Dimension>& earlier, const std::string& own
 Dimension read_dimension(TomlReader reader, const std::vector<std::string>& labels,
                          const std::vector<Dimension>& earlier) {
   Dimension one;
-  reader.text("section", one.section, "");
-  reader.text("open", one.open, "");
+  reader.text("section", one.section);
+  reader.text("open", one.open);
   for (const toml::table* table : tables_of(reader, "alternatives", most_alternatives)) {
     one.alternatives.push_back(
         read_alternative(reader.nested(*table, "dimensions.alternatives."), one.alternatives.empty()));
