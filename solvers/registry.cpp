@@ -25,18 +25,15 @@ struct Registry {
   // The build defines IKBENCH_HAS_library as 1 or 0; a discarded branch needs no definition of the peer.
   Registry() {
 #define SOLVER(name) solvers.push_back(name());
-#define PEER(name, library, package)      \
-  if constexpr (IKBENCH_HAS_##library) {  \
-    solvers.push_back(name());            \
-  } else {                                \
-    missing.push_back({#name, #package}); \
+#define PEER(name, library, package)                                                                 \
+  if constexpr (IKBENCH_HAS_##library) {                                                             \
+    solvers.push_back(name());                                                                       \
+  } else {                                                                                           \
+    missing.push_back({#name, "not built: apt-get install " #package ", then build ikbench again"}); \
   }
 #include "solvers/registry.inc"
 #undef SOLVER
 #undef PEER
-    for (MissingPeer& peer : missing) {
-      peer.how = fmt::format("not built: apt-get install {}, then build ikbench again", peer.how);
-    }
   }
 };
 
