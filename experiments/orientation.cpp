@@ -1,5 +1,7 @@
 #include "experiments/orientation.hpp"
 
+#include <algorithm>
+
 #include "numerics/units.hpp"
 #include "robots/rotation.hpp"
 
@@ -35,6 +37,11 @@ void list_spacing(Fields& io, Spacing& spacing) {
   io.choice("spacing", spacing,
             Choices<Spacing>{{"k_over_n", Spacing::k_over_n}, {"k_over_n_minus_1", Spacing::k_over_n_minus_1}},
             "point k = 0 ... n - 1 lies at this fraction of the path");
+}
+
+double fraction_at(int k, int points, Spacing spacing) {
+  const int intervals = spacing == Spacing::k_over_n ? points : std::max(points - 1, 1);
+  return static_cast<double>(k) / intervals;
 }
 
 std::vector<double> by_rows(const Eigen::Matrix3d& R) {

@@ -27,6 +27,7 @@ struct HeldTool {
 enum class Spacing { k_over_n, k_over_n_minus_1 };
 
 void list_spacing(numerics::Fields& io, Spacing& spacing);
+double fraction_at(int k, int points, Spacing spacing);
 
 // The nine elements of a rotation, row by row.
 std::vector<double> by_rows(const Eigen::Matrix3d& R);

@@ -1,5 +1,4 @@
 // A level circle: Slim et al. 2023, Sec. 6. The tool may turn on the way, about the vertical.
-#include <algorithm>
 #include <numbers>
 
 #include "experiments/orientation.hpp"
@@ -36,10 +35,9 @@ class Circle final : public PathKind {
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot&, Random&) const override {
-    const int intervals = spacing_ == Spacing::k_over_n ? points_ : std::max(points_ - 1, 1);
     std::vector<Pose> poses;
     for (int k = 0; k < points_; ++k) {
-      const double fraction = static_cast<double>(k) / intervals;
+      const double fraction = fraction_at(k, points_, spacing_);
       const auto [sine, cosine] = sin_cos(2 * std::numbers::pi * fraction);
       Pose pose = Pose::Identity();
       pose.linear() = tool_.rotation();

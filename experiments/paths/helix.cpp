@@ -1,5 +1,4 @@
 // A helix that rises along z: Slim et al. 2023, Sec. 5.2.
-#include <algorithm>
 #include <numbers>
 
 #include "experiments/orientation.hpp"
@@ -41,10 +40,9 @@ class Helix final : public PathKind {
   int points() const override { return points_; }
 
   std::vector<Pose> poses(const Robot&, Random&) const override {
-    const int intervals = spacing_ == Spacing::k_over_n ? points_ : std::max(points_ - 1, 1);
     std::vector<Pose> poses;
     for (int k = 0; k < points_; ++k) {
-      const double fraction = static_cast<double>(k) / intervals;
+      const double fraction = fraction_at(k, points_, spacing_);
       const double t = start_ + 2 * std::numbers::pi * turns_ * fraction;
       const auto [sine, cosine] = sin_cos(t);
       const double first = phase_ == Phase::sin_cos ? sine : cosine;
