@@ -6,18 +6,15 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/solve_runner.hpp"
-#include "experiments/source_digest.hpp"
 #include "experiments/study_writer.hpp"
 #include "experiments/workers.hpp"
 #include "numerics/json.hpp"
-#include "results/same_solves.hpp"
 #include "solvers/registry.hpp"
 
 namespace ikbench::experiments {

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"

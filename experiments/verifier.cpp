@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "numerics/functions.hpp"
-#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 

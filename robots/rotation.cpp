@@ -1,7 +1,6 @@
 #include "robots/rotation.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "numerics/functions.hpp"
 

@@ -2,7 +2,6 @@
 // 1. docs/papers/slim2023-notes.md 2.9 argues for this reading.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "solvers/bounds.hpp"

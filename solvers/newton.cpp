@@ -2,7 +2,6 @@
 // with ChainIkSolverVel_pinv. With restarts = random and bounds = wrap it is KDL-RR, the variant of Beeson and Ames
 // 2015 (TRAC-IK).
 #include <algorithm>
-#include <cmath>
 
 #include "solvers/bounds.hpp"
 #include "solvers/pseudo_inverse.hpp"

@@ -2,10 +2,8 @@
 // solve.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "solvers/tolerance.hpp"
 

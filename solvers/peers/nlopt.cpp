@@ -5,7 +5,6 @@
 
 #include <limits>
 #include <memory>
-#include <vector>
 
 #include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
