@@ -33,14 +33,14 @@ struct Chained {
 
 // The work of a study. Runs are the outer loop, solvers the inner one, so that a drift of the machine touches all
 // solvers alike. A chain takes one bit, and more only if the store has some of its points.
-struct Plan {
-  Plan(const Study& of, int repeats, int jobs, Shard of_it = {})
+struct Work {
+  Work(const Study& of, int repeats, int jobs, Shard of_it = {})
       : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
     for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
   }
-  Plan(const Plan&) = delete;  // solve_runners refer to the arm
-  Plan& operator=(const Plan&) = delete;
+  Work(const Work&) = delete;  // solve_runners refer to the arm
+  Work& operator=(const Work&) = delete;
 
   std::size_t index(std::size_t solver, int run) const {
     return static_cast<std::size_t>(run - 1) * solve_runners.size() + solver;
@@ -80,13 +80,13 @@ void move_on(Chained& chain, const SolveRecord& record, Start start) {
 }
 
 // Throws if the study would not have made the stored solve next.
-void check_stored(const SolveRecord& record, const Plan& plan, const Chained& chain) {
-  const bool is_chained = plan.study.start == Start::previous;
-  const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= plan.points;
+void check_stored(const SolveRecord& record, const Work& work, const Chained& chain) {
+  const bool is_chained = work.study.start == Start::previous;
+  const bool has_place = record.run >= 1 && record.point >= 1 && record.point <= work.points;
   const bool follows =
       has_place && (!is_chained || record.point == 1 || chain.stored[static_cast<std::size_t>(record.point - 2)]);
-  const bool can_move = record.answer_rad.size() == static_cast<std::size_t>(plan.study.initial.size()) &&
-                        (!moves_arm(record, plan.study.start) ||
+  const bool can_move = record.answer_rad.size() == static_cast<std::size_t>(work.study.initial.size()) &&
+                        (!moves_arm(record, work.study.start) ||
                          std::ranges::all_of(record.answer_rad, [](double angle) { return std::isfinite(angle); }));
   if (follows && can_move) return;
   throw std::invalid_argument(
@@ -96,30 +96,30 @@ void check_stored(const SolveRecord& record, const Plan& plan, const Chained& ch
 }
 
 // Notes which solves of each chain the store has; returns how many of them are in the shard.
-std::int64_t move_past_stored(Plan& plan, const Store& store) {
+std::int64_t move_past_stored(Work& work, const Store& store) {
   std::int64_t stored = 0;
-  for (std::size_t s = 0; s < plan.solve_runners.size(); ++s) {
+  for (std::size_t s = 0; s < work.solve_runners.size(); ++s) {
     int run = 0;
     Chained chain;
     const auto note = [&] {
       if (run == 0) return;
-      const std::size_t index = plan.index(s, run);
-      if (plan.next_point(chain, run, 1) > plan.points)
-        plan.done[index] = true;
+      const std::size_t index = work.index(s, run);
+      if (work.next_point(chain, run, 1) > work.points)
+        work.done[index] = true;
       else
-        plan.begun.emplace(index, std::move(chain));
+        work.begun.emplace(index, std::move(chain));
     };
-    store.each_of_series(plan.solve_runners[s].series().key, [&](const SolveRecord& record) {
-      if (record.run > plan.study.runs) return;
+    store.each_of_series(work.solve_runners[s].series().key, [&](const SolveRecord& record) {
+      if (record.run > work.study.runs) return;
       if (record.run != run) {
         note();
         run = 0;
-        chain = plan.fresh_chain();
+        chain = work.fresh_chain();
       }
-      check_stored(record, plan, chain);
+      check_stored(record, work, chain);
       run = record.run;
-      move_on(chain, record, plan.study.start);
-      if (contains(plan.shard, plan.size, record.run, record.point)) ++stored;
+      move_on(chain, record, work.study.start);
+      if (contains(work.shard, work.size, record.run, record.point)) ++stored;
     });
     note();
   }
@@ -135,26 +135,26 @@ struct RunTask {
 };
 
 // Solves the rest of every chain, `jobs` chains at once. What is solved is passed on, whatever ends this.
-void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
+void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, RecordQueue& record_queue) {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> has_failed{false};
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_on = [&](std::size_t index, RunTask& task) {
-    const int run = plan.run(index);
-    if (plan.done[index] || !has_any(plan.shard, plan.size, run)) return;
-    Chained chain = plan.chain(index);
-    int point = plan.next_point(chain, run, 1);
-    const SolveRunner& solve_runner = plan.solve_runner(index);
+    const int run = work.run(index);
+    if (work.done[index] || !has_any(work.shard, work.size, run)) return;
+    Chained chain = work.chain(index);
+    int point = work.next_point(chain, run, 1);
+    const SolveRunner& solve_runner = work.solve_runner(index);
     const std::unique_ptr<Solver> solver = solve_runner.make_solver();
-    if (task.run != run) task = {run, targets(plan.study, plan.arm, run), starts(plan.study, plan.arm, run)};
+    if (task.run != run) task = {run, targets(work.study, work.arm, run), starts(work.study, work.arm, run)};
     const auto target = [&](int of) -> const Pose& { return task.targets[static_cast<std::size_t>(of - 1)]; };
     const auto start = [&](int of) -> const Configuration& {
       return task.starts.empty() ? chain.configuration : task.starts[static_cast<std::size_t>(of - 1)];
     };
     solve_runner.warm_up(*solver, target(point), start(point));
-    for (; point <= plan.points && !is_over(); point = plan.next_point(chain, run, point + 1)) {
+    for (; point <= work.points && !is_over(); point = work.next_point(chain, run, point + 1)) {
       SolveRecord record = solve_runner.solve(*solver, target(point), start(point), run, point);
-      move_on(chain, record, plan.study.start);
+      move_on(chain, record, work.study.start);
       record_queue.hand_in(std::move(record));
     }
   };
@@ -162,7 +162,7 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
     work_together(jobs, [&] {
       RunTask task;
       try {
-        for (std::size_t i = next++; i < plan.done.size() && !is_over(); i = next++) work_on(i, task);
+        for (std::size_t i = next++; i < work.done.size() && !is_over(); i = next++) work_on(i, task);
       } catch (...) {
         has_failed = true;  // the other workers stop after their present solve
         throw;
@@ -175,16 +175,16 @@ void solve_rest(const Plan& plan, int jobs, const std::atomic<bool>* cancelled, 
   record_queue.flush();
 }
 
-StudyEntry entry_of(const Plan& plan) {
-  StudyEntry entry{.name = plan.study.name, .definition = to_json(plan.study), .series = {}};
-  for (const SolveRunner& solve_runner : plan.solve_runners) entry.series.push_back(solve_runner.series());
+StudyEntry entry_of(const Work& work) {
+  StudyEntry entry{.name = work.study.name, .definition = to_json(work.study), .series = {}};
+  for (const SolveRunner& solve_runner : work.solve_runners) entry.series.push_back(solve_runner.series());
   return entry;
 }
 
 // Describes the programs' behaviour, in the session and as sentences.
-std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::int64_t session) {
+std::vector<std::string> tell_of_programs(const Work& work, Store& store, std::int64_t session) {
   std::vector<std::string> sentences;
-  for (const SolveRunner& solve_runner : plan.solve_runners) {
+  for (const SolveRunner& solve_runner : work.solve_runners) {
     const std::string failure = solve_runner.last_failure();
     if (failure.empty()) continue;
     const std::string& label = solve_runner.series().label;
@@ -194,19 +194,19 @@ std::vector<std::string> tell_of_programs(const Plan& plan, Store& store, std::i
   return sentences;
 }
 
-void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress& progress) {
+void solve_missing(Work& work, Store& store, const RunRequest& request, Progress& progress) {
   std::map<std::string, std::string> session = environment();
-  for (const SolverEntry& entry : plan.study.solvers) {
+  for (const SolverEntry& entry : work.study.solvers) {
     session["source." + entry.solver] = source_digest_of(entry);
     if (const std::string library = library_of(entry); !library.empty()) session["library." + entry.solver] = library;
   }
-  for (const LeftOut& left_out : plan.study.left_out) session["left_out." + left_out.label] = left_out.why;
+  for (const LeftOut& left_out : work.study.left_out) session["left_out." + left_out.label] = left_out.why;
   session["jobs"] = std::to_string(request.jobs);
   session["command"] = request.command;
   if (request.shard.count > 1) session["shard"] = request.shard.text();
-  session["study"] = plan.study.name;
-  session["analysis"] = to_json(plan.study.analysis);  // this and the solvers: the study may be saved with others later
-  session["solvers"] = numerics::text_of(numerics::Json(labels_of(plan.study)));
+  session["study"] = work.study.name;
+  session["analysis"] = to_json(work.study.analysis);  // this and the solvers: the study may be saved with others later
+  session["solvers"] = numerics::text_of(numerics::Json(labels_of(work.study)));
   const std::int64_t session_id = store.begin_session(session);
   const double stolen_before = stolen_seconds();
   const auto store_them = [&](std::vector<SolveRecord>& records) {
@@ -218,8 +218,8 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
     }
   };
   RecordQueue record_queue(store_them, request.patience);
-  solve_rest(plan, request.jobs, request.cancelled, record_queue);
-  progress.notes = tell_of_programs(plan, store, session_id);
+  solve_rest(work, request.jobs, request.cancelled, record_queue);
+  progress.notes = tell_of_programs(work, store, session_id);
   if (const double stolen = stolen_seconds() - stolen_before; stolen >= 0) {
     store.add_to_session(session_id, {{"stolen_seconds", fmt::format("{:.2f}", stolen)}});
   }
@@ -229,12 +229,12 @@ void solve_missing(Plan& plan, Store& store, const RunRequest& request, Progress
 
 Progress run(const Study& study, Store& store, const RunRequest& request) {
   const bool times_count = request.jobs == 1 && !is_debug_build();
-  Plan plan(study, times_count ? study.repeats : 1, request.jobs, request.shard);
-  store.save_study(entry_of(plan));
-  Progress progress{.total = solves_of(request.shard, plan.size)};
-  progress.done = progress.reused = move_past_stored(plan, store);
+  Work work(study, times_count ? study.repeats : 1, request.jobs, request.shard);
+  store.save_study(entry_of(work));
+  Progress progress{.total = solves_of(request.shard, work.size)};
+  progress.done = progress.reused = move_past_stored(work, store);
   if (request.progress) request.progress(progress);
-  if (progress.done < progress.total) solve_missing(plan, store, request, progress);
+  if (progress.done < progress.total) solve_missing(work, store, request, progress);
   if (progress.done == progress.total) check_is_stored(study, store);
   return progress;
 }
@@ -264,11 +264,11 @@ void check_is_stored(const Study& study, const Store& store) {
 
 void solve_study(const Study& study, int jobs, const std::function<void(SolveRecord)>& take,
                  const std::atomic<bool>* cancelled) {
-  const Plan plan(study, 1, jobs);
+  const Work work(study, 1, jobs);
   RecordQueue record_queue([&](std::vector<SolveRecord>& records) {
     for (SolveRecord& record : records) take(std::move(record));
   });
-  solve_rest(plan, jobs, cancelled, record_queue);
+  solve_rest(work, jobs, cancelled, record_queue);
 }
 
 bool moves_arm(const SolveRecord& solve, Start start) {
