@@ -46,7 +46,7 @@ struct ExportFormat {
 
 // The formats in the order of export_formats.inc.
 std::span<const ExportFormat> export_formats();
-// Throws std::invalid_argument if there is no format of that name.
+// The one of that name; there must be one.
 const ExportFormat& export_format(std::string_view name);
 
 // Writes the CSV of solves into a file.
