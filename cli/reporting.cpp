@@ -244,13 +244,8 @@ StudyEntry chosen_study(const Store& store, const std::string& name) {
   return std::move(studies.front());
 }
 
-std::string Solved::words(const std::filesystem::path& store) const {
-  return fmt::format("{}: {} in {}{}", study, counted(solves, "solves"), store.string(),
-                     reused == 0 ? "" : fmt::format(" ({} were already stored)", reused));
-}
-
-Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequest request, Solved& solved,
-                Store::Mode mode) {
+std::optional<std::string> run_study(const Study& study, const std::filesystem::path& folder, RunRequest request,
+                                     Store::Mode mode) {
   if (const auto& arm = study.robot_of_file; arm != nullptr && !arm->tip_link.empty()) {
     say(fmt::format("arm: {}", arm->summary));
     for (const std::string& note : arm->notes) say(note);
@@ -267,8 +262,8 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
   } else if (request.jobs > static_cast<int>(std::thread::hardware_concurrency())) {
     warn(fmt::format("{} jobs share {}", request.jobs, counted(std::thread::hardware_concurrency(), "processors")));
   }
-  constexpr std::chrono::milliseconds patience{20};  // a transaction for each solve would cost more than many a solve
-  request.patience = std::max(request.patience, patience);
+  // A transaction for each solve would cost more than many a solve; in a shared store each waits for the disk.
+  request.patience = std::chrono::milliseconds(mode == Store::Mode::write_shared ? 1000 : 20);
   Store store(store_in(folder), mode);
   for (const StudyEntry& earlier : store.studies()) {
     if (earlier.name != study.name || earlier.definition == to_json(study)) continue;
@@ -301,12 +296,12 @@ Ended run_study(const Study& study, const std::filesystem::path& folder, RunRequ
   if (is_cancelled) {
     say(fmt::format("Stopped: {} of {} solves are kept in {}; run the same command again to continue.", progress.done,
                     progress.total, store_in(folder).string()));
-    return Ended::stopped;
+    return std::nullopt;
   }
-  solved.study = study.name + (request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()));
-  solved.solves = progress.total;
-  solved.reused = progress.reused;
-  return Ended::complete;
+  return fmt::format("{}{}: {} in {}{}", study.name,
+                     request.shard.count == 1 ? "" : fmt::format(", shard {}", request.shard.text()),
+                     counted(progress.total, "solves"), store_in(folder).string(),
+                     progress.reused == 0 ? "" : fmt::format(" ({} were already stored)", progress.reused));
 }
 
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options) {

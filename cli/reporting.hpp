@@ -1,8 +1,8 @@
 // Shared by `reproduce`, `run` and `report`: options, writing and announcement of a report.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,20 +67,11 @@ struct RunArguments {
 
 void add_run_options(Command& command, RunArguments& arguments);
 
-enum class Ended { complete, stopped };
-
-// Counts what was solved into a store, to be told where no report follows.
-struct Solved {
-  std::string study;
-  std::int64_t solves = 0, reused = 0;
-
-  std::string words(const std::filesystem::path& store) const;  // "six: 288 solves in out/six/store.sqlite"
-};
-
-// Runs a study into the folder's store.sqlite, opened in this mode, with progress. Warns of targets out of reach, and
-// says after Ctrl-C how to continue.
-Ended run_study(const experiments::Study& study, const std::filesystem::path& folder, experiments::RunRequest request,
-                Solved& solved, results::Store::Mode mode = results::Store::Mode::write);
+// Runs a study into the folder's store.sqlite, opened in this mode, with progress, and warns of targets out of reach.
+// Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and returns nothing.
+std::optional<std::string> run_study(const experiments::Study& study, const std::filesystem::path& folder,
+                                     experiments::RunRequest request,
+                                     results::Store::Mode mode = results::Store::Mode::write);
 // Writes and draws a figure, and warns if it was not drawn.
 void draw(const figures::Figure& figure, const std::filesystem::path& folder, const figures::RenderOptions& options);
 std::filesystem::path store_in(const std::filesystem::path& folder);

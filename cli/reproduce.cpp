@@ -167,9 +167,7 @@ void add_reproduce(Command& app, Invocation& invocation) {
       if (std::ranges::count(paper.runs, name) > 0)
         std::ranges::copy(overridden_runs(*arguments), std::back_inserter(overrides));
       const Study study = load_study(name, overrides);
-      Solved solved;
-      const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command};
-      if (run_study(study, folder, request, solved) == Ended::stopped) return stop("");
+      if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop("");
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
       check_is_stored(study, store);

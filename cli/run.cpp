@@ -72,18 +72,14 @@ void add_run(Command& app, Invocation& invocation) {
     if (folder.empty()) folder = default_folder(study.name);
     if (arguments->run.out.empty() && is_part)
       folder = folder / "shards" / fmt::format("{}-of-{}", shard.index, shard.count);
-    RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
-    if (is_part) request.patience = std::chrono::seconds(1);  // without a log every transaction waits for the disk
-    const bool has_report = !arguments->without_report && !is_part;
-    Solved solved;
-    if (run_study(study, folder, request, solved, is_part ? Store::Mode::write_shared : Store::Mode::write) ==
-        Ended::stopped) {
+    const RunRequest request{.jobs = arguments->run.jobs, .command = invocation.command, .shard = shard};
+    const auto solved = run_study(study, folder, request, is_part ? Store::Mode::write_shared : Store::Mode::write);
+    if (!solved) {
       invocation.exit_code = cancelled_exit_code();
       return;
     }
-    const std::string words = solved.words(store_in(folder));
-    if (!has_report) {
-      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(words));
+    if (arguments->without_report || is_part) {
+      if (!arguments->report.is_json) fmt::print("{}\n", wrapped(*solved));
       return;
     }
     const Store store(store_in(folder), Store::Mode::read);
