@@ -46,8 +46,6 @@ CommandOption* CommandOption::excludes(const CommandOption* other) {
   return this;
 }
 
-std::size_t CommandOption::count() const { return option_->count(); }
-
 Command* Command::add_subcommand(const std::string& name, const std::string& meaning) {
   return &subcommands_.emplace_back(*app_->add_subcommand(name, meaning));
 }
@@ -55,12 +53,6 @@ Command* Command::add_subcommand(const std::string& name, const std::string& mea
 template <typename T>
 CommandOption* Command::add_option(const std::string& name, T& value, const std::string& meaning) {
   return &options_.emplace_back(*app_->add_option(name, value, meaning));
-}
-
-CommandOption* Command::add_option_function(const std::string& name,
-                                            const std::function<void(const std::vector<std::string>&)>& take,
-                                            const std::string& meaning) {
-  return &options_.emplace_back(*app_->add_option_function<std::vector<std::string>>(name, take, meaning));
 }
 
 CommandOption* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {

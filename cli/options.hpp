@@ -33,7 +33,6 @@ class CommandOption {
   CommandOption* allow_extra_args(bool value);  // false: one value each time it is given
   CommandOption* delimiter(char mark);
   CommandOption* excludes(const CommandOption* other);
-  std::size_t count() const;  // how often it was given
 
  private:
   CLI::Option* option_;
@@ -45,14 +44,11 @@ class Command {
   Command* add_subcommand(const std::string& name, const std::string& meaning);
   // T is one of the types at the end of options.cpp.
   template <typename T>
-  CommandOption* add_option(const std::string& name, T& value, const std::string& meaning = "");
-  CommandOption* add_option_function(const std::string& name,
-                                     const std::function<void(const std::vector<std::string>&)>& take,
-                                     const std::string& meaning);
+  CommandOption* add_option(const std::string& name, T& value, const std::string& meaning);
   CommandOption* add_flag(const std::string& name, bool& value, const std::string& meaning);
   void footer(const std::string& text);
   void callback(std::function<void()> run);
-  std::size_t count(const std::string& option) const;
+  std::size_t count(const std::string& option) const;  // how often it was given
 
  private:
   CLI::App* app_;

@@ -162,20 +162,6 @@ std::vector<std::string> labels_of(const StudyEntry& stored) {
   return labels;
 }
 
-void add_overrides(Command& command, Overrides& overrides) {
-  command.add_option("--set", overrides, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
-      ->allow_extra_args(false);
-  command
-      .add_option_function(
-          "--sweep",
-          [&overrides](const std::vector<std::string>& sweeps) {
-            for (const std::string& sweep : sweeps) overrides.push_back(sweep_override(sweep));
-          },
-          fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
-                      most_swept))
-      ->allow_extra_args(false);
-}
-
 void add_run_options(Command& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
   command.add_option("--jobs", arguments.jobs, "number of solves at once; only times need 1")

@@ -57,9 +57,6 @@ compare::StudyResults exported_study(const results::Store& store, const results:
 // The study of that name, or the store's first if the name is empty.
 results::StudyEntry chosen_study(const results::Store& store, const std::string& name);
 
-// Adds --set and --sweep, which change the study.
-void add_overrides(Command& command, std::vector<std::string>& overrides);
-
 struct RunArguments {
   std::string out;
   int jobs = 1;

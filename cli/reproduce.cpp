@@ -135,12 +135,11 @@ void add_reproduce(Command& app, Invocation& invocation) {
   command->add_option("--seed", arguments->seed, "seed of the studies")->check(whole_number())->capture_default_str();
   command->add_option("--runs", arguments->runs, "runs of each solver; default: as in the paper")
       ->check(whole_number({1, 1'000'000}));
-  const CommandOption* readings_option =
-      command
-          ->add_option("--readings", arguments->seeds,
-                       "number of seeds for the readings of what the paper leaves open; 0: skip them")
-          ->check(whole_number({0, 1000}))
-          ->capture_default_str();
+  command
+      ->add_option("--readings", arguments->seeds,
+                   "number of seeds for the readings of what the paper leaves open; 0: skip them")
+      ->check(whole_number({0, 1000}))
+      ->capture_default_str();
   add_report_options(*command, arguments->report);
   command->footer(
       "Examples:\n"
@@ -148,11 +147,11 @@ void add_reproduce(Command& app, Invocation& invocation) {
       "  ikbench reproduce beeson2015             TRAC-IK's table of solve rates\n"
       "  ikbench reproduce --seed 2 --out out/seed-2\n"
       "  ikbench reproduce --readings 0 --jobs 2  faster; but times of two solves at once are not comparable");
-  command->callback([arguments, &invocation, readings_option] {
+  command->callback([arguments, &invocation, command] {
     const Paper& paper = papers::paper_named(arguments->paper);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled({}, labels_of(load_study(paper.studies.front())), arguments->report));
-    if (readings_option->count() > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
+    if (command->count("--readings") > 0 && arguments->seeds > 0 && dimensions(paper.name).empty())
       throw std::invalid_argument(
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder =

@@ -1,6 +1,8 @@
 // ikbench run: runs a study, built-in or from a file.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -30,7 +32,7 @@ void refuse_empty_shard(const Study& study, Shard shard) {
 
 struct StudyToRun {
   std::string study;
-  Overrides overrides;
+  std::vector<std::string> set, sweep;
   RunArguments run;
   ReportArguments report;
   bool without_report = false;
@@ -45,7 +47,13 @@ void add_run(Command& app, Invocation& invocation) {
   command
       ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies), or path of a TOML file")
       ->required();
-  add_overrides(*command, arguments->overrides);
+  command->add_option("--set", arguments->set, "change a key of the study: runs=5, path.tool=eq27, ik_bat.bounds=clamp")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--sweep", arguments->sweep,
+                   fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
+                               most_swept))
+      ->allow_extra_args(false);
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
@@ -61,7 +69,9 @@ void add_run(Command& app, Invocation& invocation) {
       "A part is a run; where no solve starts from the answer before it (start is not previous) it is a target.\n"
       "A second run solves only what is missing. If the source of a solver changed, that solver runs again.");
   command->callback([arguments, &invocation] {
-    const Study study = load_study(arguments->study, arguments->overrides);
+    Overrides overrides = arguments->set;
+    std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
+    const Study study = load_study(arguments->study, overrides);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled(study.figures, labels_of(study), arguments->report));
     check_plan(study);
