@@ -57,17 +57,6 @@ RunMeans run_means(const Study& study, const std::vector<SolveRecord>& solves) {
   return means;
 }
 
-// Shows progress. After Ctrl-C returns the series before the first missing one.
-std::vector<RunMeans> solved(const std::vector<Study>& series, const SeriesArguments& arguments) {
-  SeriesMeans kept(arguments.folder / "series.csv");
-  ProgressBar bar(arguments.title);
-  return solve_series(series, kept,
-                      {.means_of = run_means,
-                       .jobs = arguments.jobs,
-                       .progress = [&](const Progress& progress) { bar.show(progress); },
-                       .cancelled = arguments.cancelled});
-}
-
 // The door of these numbers: a run with an answer that is not finite is lost.
 compare::Group group_of(const std::vector<double>& runs) {
   compare::Group group;
@@ -132,9 +121,9 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
   const std::filesystem::path folder =
       arguments.out.empty() ? default_folder(paper.name + "-multiverse") : std::filesystem::path(arguments.out);
   CancelOnSignal signals;
-  const auto multiverse =
-      solved_multiverse(paper.name, varied, {.seeds = arguments.seeds, .overrides = arguments.overrides},
-                        {"multiverse", folder, arguments.jobs, &signals.requested()});
+  const MultiverseRequest request{
+      .seeds = arguments.seeds, .overrides = arguments.overrides, .cancelled = &signals.requested()};
+  const auto multiverse = solved_multiverse(paper.name, varied, request, {"multiverse", folder, arguments.jobs});
   if (signals.end() || !multiverse) {
     say(fmt::format("Stopped. What is solved is in {}; to continue: {}", (folder / "series.csv").string(),
                     invocation.command));
@@ -147,11 +136,16 @@ void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& argum
 }  // namespace
 
 std::optional<Multiverse> solved_multiverse(const std::string& study, const std::vector<Dimension>& varied,
-                                            MultiverseRequest request, const SeriesArguments& arguments) {
-  request.cancelled = arguments.cancelled;
+                                            const MultiverseRequest& request, const SeriesArguments& arguments) {
   const MultiversePlan plan = plan_multiverse(study, varied, request);
-  if (*arguments.cancelled) return std::nullopt;
-  const std::vector<RunMeans> means = solved(plan.parts, arguments);
+  if (*request.cancelled) return std::nullopt;
+  SeriesMeans kept(arguments.folder / "series.csv");
+  ProgressBar bar(arguments.title);
+  const std::vector<RunMeans> means = solve_series(plan.parts, kept,
+                                                   {.means_of = run_means,
+                                                    .jobs = arguments.jobs,
+                                                    .progress = [&](const Progress& progress) { bar.show(progress); },
+                                                    .cancelled = request.cancelled});
   if (means.size() < plan.parts.size()) return std::nullopt;
   return with_values(plan, means);
 }

@@ -2,7 +2,6 @@
 // reproduce`.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,13 +17,12 @@ struct SeriesArguments {
   std::string title;             // title of the progress
   std::filesystem::path folder;  // folder of series.csv, which keeps finished series
   int jobs = 1;
-  const std::atomic<bool>* cancelled = nullptr;
 };
 
-// Shows progress. Returns nothing if it was cancelled: shares need all readings.
+// Shows progress. Returns nothing if the request was cancelled: shares need all readings.
 std::optional<papers::Multiverse> solved_multiverse(const std::string& study,
                                                     const std::vector<results::Dimension>& varied,
-                                                    experiments::MultiverseRequest request,
+                                                    const experiments::MultiverseRequest& request,
                                                     const SeriesArguments& arguments);
 
 }  // namespace ikbench::cli

@@ -62,17 +62,20 @@ Overrides overridden_runs(const Arguments& arguments) {
   return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
 }
 
-// It measures no time, so all processors may work. Nothing if it was stopped.
+// It measures no time, so all processors may work. Nothing if it was stopped, which it says.
 std::optional<papers::JudgedMultiverse> judged_readings(const Arguments& arguments, const Paper& paper,
                                                         const std::filesystem::path& folder) {
   const std::vector<Dimension> all = dimensions(paper.name);
   if (arguments.seeds == 0 || all.empty()) return papers::JudgedMultiverse{};
   const int jobs = std::max(arguments.run.jobs, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   CancelOnSignal signals;
-  const auto solved = solved_multiverse(paper.name, within(Scope::small, all),
-                                        {.seeds = arguments.seeds, .overrides = overridden_runs(arguments)},
-                                        {"readings", folder, jobs, &signals.requested()});
-  if (!solved || signals.end()) return std::nullopt;
+  const MultiverseRequest request{
+      .seeds = arguments.seeds, .overrides = overridden_runs(arguments), .cancelled = &signals.requested()};
+  const auto solved = solved_multiverse(paper.name, within(Scope::small, all), request, {"readings", folder, jobs});
+  if (!solved || signals.end()) {
+    say(stopped);
+    return std::nullopt;
+  }
   return papers::judged(paper, *solved, load_study(paper.name).analysis);
 }
 
@@ -156,17 +159,14 @@ void add_reproduce(Command& app, Invocation& invocation) {
           fmt::format("--readings: the program has no open questions of {}; leave it out", paper.name));
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
-    const auto stop = [&](const char* words) {
-      if (*words != '\0') say(words);
-      invocation.exit_code = cancelled_exit_code();
-    };
+    const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
     std::vector<compare::JudgedStudy> all;  // the first is the paper's own
     for (const std::string& name : paper.studies) {
       Overrides overrides{fmt::format("seed={}", arguments->seed)};
       if (std::ranges::count(paper.runs, name) > 0)
         std::ranges::copy(overridden_runs(*arguments), std::back_inserter(overrides));
       const Study study = load_study(name, overrides);
-      if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop("");
+      if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop();
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
       check_is_stored(study, store);
@@ -175,7 +175,7 @@ void add_reproduce(Command& app, Invocation& invocation) {
       if (all.size() == 1) show_table(papers::means_table({paper, all.front()}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);
-    if (!readings) return stop(stopped);
+    if (!readings) return stop();
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
     report(Store(store_in(folder), Store::Mode::read), paper, *arguments, folder, all, *readings);
