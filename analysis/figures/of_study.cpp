@@ -70,9 +70,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
   const bool are_means = motions->plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   const auto value = [](const Judged& of, const std::string& solver, bool is_mean) {
-    const auto group = std::ranges::find(of.observations.groups, solver, &Group::name);
-    if (group == of.observations.groups.end()) return nowhere;
-    const compare::Description all = describe(*group);
+    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
     return is_mean ? all.mean : all.median;
   };
   std::vector<Dot> dots;
@@ -113,7 +111,6 @@ std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
 }
 
 std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look) {
-  if (judged.deciding >= judged.metrics.size()) return std::nullopt;
   const Judged& metric = judged.metrics[judged.deciding];
   const Observations& of = metric.observations;
   const std::vector<std::string> shown = shown_solvers(judged.study, look);
@@ -195,7 +192,6 @@ std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, co
   std::vector<BoxRow> rows;
   for (const std::string& solver : shown_solvers(judged.study, look)) {
     const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
-    if (group == metric.observations.groups.end()) continue;
     const compare::Description all = describe(*group);
     BoxRow& row = rows.emplace_back(BoxRow{.label = solver, .style = style_of(look, solver), .values = group->values});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
@@ -330,8 +326,7 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   }
   add(solved_of(study, look));
   add(differences_of(judged, look));
-  const std::string& best =
-      judged.deciding < judged.metrics.size() ? judged.metrics[judged.deciding].headline.best : "";
+  const std::string& best = judged.metrics[judged.deciding].headline.best;
   const std::string drawn = std::ranges::count(shown, best) > 0 ? best : shown.front();
   const std::string part = study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
   if (study.points > 1)

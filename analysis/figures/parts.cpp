@@ -74,7 +74,7 @@ std::string ticks_between(char letter, double low, double high) {
 
 }  // namespace
 
-std::string label_of(std::string_view text) { return text.empty() ? "(empty)" : shortened(text, longest_label_of_all); }
+std::string label_of(std::string_view text) { return shortened(text, longest_label_of_all); }
 
 std::string gnuplot_text(std::string_view text) {
   constexpr std::string_view harmless = " -_.,:()+*/=<>[]&|?^~%";  // gnuplot 5.4 looks for macros in quotes, too
