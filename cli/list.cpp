@@ -130,10 +130,10 @@ Listed robot_details(const std::string& name) {
   return {robot_text(arm), robot_json(arm)};
 }
 
-show::Table study_list(const std::vector<Study>& studies) {
+show::Table study_list() {
   show::Table table{
       .name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
-  for (const Study& study : studies) {
+  for (const Study& study : studies()) {
     table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
                           std::int64_t{study.path->points()}, study.title});
   }
@@ -211,7 +211,7 @@ Listed listed(const std::string& kind, const std::string& name) {
   if (kind == "columns") return rows_or_one(column_list(), "column", name);
   if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
   if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
-  return name.empty() ? listed(study_list(studies())) : study_details(name);
+  return name.empty() ? listed(study_list()) : study_details(name);
 }
 
 }  // namespace

@@ -24,13 +24,12 @@ struct Marked {
   std::string mark;
   bool is_bound = false;
 };
-// Readers see "-" for an empty cell (std::monostate) and a number that is not finite.
+// Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;
 
 struct Column {
   std::string name;
   std::string unit = {};
-  int digits = 3;     // significant; CSV and JSON have all
   bool is_p = false;  // p-values: "0.0005", "< 0.0001"
 };
 

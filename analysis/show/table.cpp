@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "analysis/show/block.hpp"
@@ -20,11 +19,11 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
-using Number = std::function<std::string(double value, int digits)>;
+using Number = std::string (*)(double);
 
 // A cell for readers. `unit` stands after a number.
 struct Readable {
-  const Number& number;
+  Number number;
   const Column& column;
   std::string unit = {}, at_most = "≤ ";
 
@@ -32,11 +31,11 @@ struct Readable {
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const {
-    const std::string text = column.is_p ? p_text(value) : number(value, column.digits);
+    const std::string text = column.is_p ? p_text(value) : number(value);
     return text == "-" ? text : text + unit;
   }
   std::string operator()(const compare::Interval& of) const {
-    return fmt::format("{} to {}{}", number(of.low, column.digits), number(of.high, column.digits), unit);
+    return fmt::format("{} to {}{}", number(of.low), number(of.high), unit);
   }
   std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
   std::string operator()(const Marked& of) const {
@@ -49,6 +48,8 @@ bool has(const Table& table, std::size_t column) {
   return std::ranges::any_of(table.rows, [=](const auto& row) { return std::holds_alternative<Kind>(row[column]); });
 }
 bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
+
+std::string plain_number(double value) { return number_text(value); }
 
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
@@ -78,13 +79,12 @@ Table for_readers(Table table) {
 
 // The table as texts; the first row is the head.
 Rows readable(const Table& table, Escape escape) {
-  static const Number number = number_text;
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(escape(head(column)));
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{number, table.columns[c]}, cells[c])));
+      row.push_back(escape(std::visit(Readable{plain_number, table.columns[c]}, cells[c])));
   }
   return rows;
 }
@@ -118,8 +118,8 @@ std::string csv_text(const Json& value) {
 }
 
 // -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
-std::string latex_number(double value, int digits) {
-  const std::string text = number_text(value, digits);
+std::string latex_number(double value) {
+  const std::string text = number_text(value);
   const std::size_t e = text.find('e');
   if (e != std::string::npos)
     return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
@@ -127,8 +127,7 @@ std::string latex_number(double value, int digits) {
 }
 
 std::string latex_cell(const Cell& cell, const Column& column) {
-  static const Number number = latex_number;
-  const Readable read{number, column, "", "$\\le$ "};
+  const Readable read{latex_number, column, "", "$\\le$ "};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
@@ -252,14 +251,13 @@ std::string to_html(const Table& whole) {
 std::string to_text(const Table& whole) {
   const Table table = for_readers(whole);
   constexpr std::size_t longest = 60;
-  static const Number number = number_text;
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Column& column = table.columns[c];
-      const Readable read{number, column, column.unit.empty() ? "" : ' ' + column.unit};
+      const Readable read{plain_number, column, column.unit.empty() ? "" : ' ' + column.unit};
       row.push_back(shortened(std::visit(read, cells[c]), longest));
     }
   }
