@@ -155,11 +155,6 @@ Figure picture(const Robot& arm, const Configuration& q, const std::string& capt
   return path({.name = "robot", .caption = caption}, rows);
 }
 
-void draw_arm(const Figure& figure, const std::filesystem::path& folder, bool is_quiet) {
-  draw(figure, folder, {.jobs = 1});
-  if (!is_quiet) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
-}
-
 }  // namespace
 
 std::string robot_text(const Robot& arm) {
@@ -246,7 +241,9 @@ void add_robot(Command& app, Invocation&) {
     } else
       fmt::print("{}{}\n", robot_text(arm), wrapped(where_tool_is));
     if (arguments->out.empty()) return;
-    draw_arm(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), arguments->out, arguments->is_json);
+    const std::filesystem::path folder(arguments->out);
+    draw(picture(arm, q, fmt::format("{}: {}.", arm.name, where_tool_is)), folder, {});
+    if (!arguments->is_json) fmt::print("picture: {}\n", printable((folder / "robot.svg").string()));
   });
 }
 

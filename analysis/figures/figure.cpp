@@ -228,10 +228,9 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
       options.progress(++done, static_cast<std::int64_t>(figures.size()));
     }
   };
-  std::vector<std::jthread> others;
-  for (int job = 1; job < options.jobs; ++job) others.emplace_back(work);
+  std::jthread other(work);
   work();
-  others.clear();  // joins
+  other.join();
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }

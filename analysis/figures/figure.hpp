@@ -40,7 +40,6 @@ struct About {
 struct RenderOptions {
   bool render = true;                                                       // false: writes only scripts and data
   std::string gnuplot = "gnuplot";                                          // the program, sought on the PATH
-  int jobs = 2;                                                             // figures drawn at once
   std::function<void(std::int64_t drawn, std::int64_t all)> progress = {};  // called by one thread at a time
   results::FigureStyle style = {};
 };
