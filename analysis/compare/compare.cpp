@@ -82,14 +82,10 @@ struct Two {
       for (double& value : all) value = std::max(value, of.floor);
     }
     remove_rounding(all, of.rounding);
-    if (are_logs && std::ranges::any_of(all, [](double value) { return value <= 0; }))
-      throw std::invalid_argument("ratios of " + of.quantity + " need values above 0");
     if (are_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
     a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
     b.assign(all.begin() + std::ssize(pair.a.values), all.end());
     if (!is_by_difference(pair.method)) return;
-    if (pair.method != Method::sign && a.size() != b.size())
-      throw std::invalid_argument("paired groups differ in size");
     std::vector<double> sizes{0};
     double largest = are_logs ? 1 : 0;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {  // by block; or from the one value of a group

@@ -43,8 +43,8 @@ struct Finding {
   int needed = 0;  // if too few: how many, in each group, could decide
 };
 
-// Throws std::invalid_argument if the control is no group, paired groups differ in size, or a ratio is of values that
-// are not above 0.
+// Throws std::invalid_argument if the control is no group. Paired groups have one size without blocks, and ratios are
+// of values above 0, or have a floor above it.
 std::vector<Finding> compare(const Observations& of, const Plan& plan);
 
 // better or worse
