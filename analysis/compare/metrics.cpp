@@ -38,7 +38,7 @@ constexpr std::array rows{
          rounding,                                                                             \
          is_reported,                                                                          \
          nullptr,                                                                              \
-         [](Run run, const StudyResults&) -> double { return value; }},
+         [](Run run) -> double { return value; }},
 #include "analysis/compare/metrics.inc"
 #undef METRIC
 #undef RUN_METRIC

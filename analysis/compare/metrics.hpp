@@ -27,7 +27,7 @@ struct Metric {
   double rounding;   // values that differ by no more are equal
   bool is_reported;  // in every report; else only where a claim or a command names it
   double (*value)(const Solve& solve, const StudyResults& study);  // NaN: the solve has none
-  double (*of_run)(Run run, const StudyResults& study);            // in place of value
+  double (*of_run)(Run run);                                       // in place of value
 };
 
 std::span<const Metric> metrics();

@@ -89,7 +89,7 @@ std::vector<Value> values_of(const StudyResults& study, const Metric& metric, co
   for (const Run run : runs_of(study.of(solver))) {
     if (design.are_runs && !is_complete(study, run)) continue;
     if (metric.of_run != nullptr) {
-      values.push_back({run.front().run, metric.of_run(run, study)});
+      values.push_back({run.front().run, metric.of_run(run)});
       continue;
     }
     for (const Solve& solve : run) {
