@@ -10,7 +10,6 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "numerics/units.hpp"
@@ -31,13 +30,6 @@ std::uint64_t hash_of(std::initializer_list<std::span<const double>> lists) {
     }
   }
   return hash;
-}
-
-int place_of(StudyResults& study, std::string_view solver) {
-  const auto found = std::ranges::find(study.solvers, solver);
-  const auto place = static_cast<int>(found - study.solvers.begin());
-  if (found == study.solvers.end()) study.solvers.emplace_back(solver);
-  return place;
 }
 
 // The mean absolute second difference of all joint angles of a run, answer by answer.
@@ -73,7 +65,7 @@ class Adder {
     if (record.run < 1 || record.point < 1)
       throw std::invalid_argument(fmt::format("study '{}', solver '{}': run {}, point {}; expected them from 1",
                                               study_.entry.name, record.solver, record.run, record.point));
-    const int solver = place_of(study_, record.solver);
+    const auto solver = static_cast<int>(std::ranges::find(study_.solvers, record.solver) - study_.solvers.begin());
     const bool is_first = study_.solves.empty() || study_.solves.back().solver != solver;
     if (!record.trace_cm.empty() && study_.drawn.size() >= most_traces)
       throw std::invalid_argument(fmt::format("study '{}' has too many solves with a trace; expected at most {}",
@@ -173,13 +165,9 @@ std::span<const SolveRecord> StudyResults::first_run_of(std::string_view solver)
   return {first, end};
 }
 
-StudyResults study_of(const StudyEntry& entry, std::vector<SolveRecord> records, const std::vector<Session>& sessions) {
+StudyResults study_of(const StudyEntry& entry, const std::vector<SolveRecord>& records,
+                      const std::vector<Session>& sessions) {
   StudyResults study = begun(entry);
-  for (const SolveRecord& record : records) place_of(study, record.solver);
-  const auto place = [&](const SolveRecord& record) {
-    return std::tuple(place_of(study, record.solver), record.run, record.point);
-  };
-  std::ranges::stable_sort(records, {}, place);
   Adder adder(study);
   for (const SolveRecord& record : records) adder.add(record);
   return complete(std::move(study), sessions);

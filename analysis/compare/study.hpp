@@ -60,10 +60,10 @@ constexpr std::size_t most_traces = 2'000'000;
 // `most_solves`, or more than `most_traces` with a trace.
 StudyResults read_study(const results::Store& store, const results::StudyEntry& entry,
                         const results::TakeSolve& also = {});
-// The same from records in any order. Solvers that the entry lacks follow.
-StudyResults study_of(const results::StudyEntry& entry, std::vector<results::SolveRecord> records,
+// The same from records by solver, run and point, whose solvers are those of the entry.
+StudyResults study_of(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& records,
                       const std::vector<results::Session>& sessions = {});
-// The same from solves by solver, run and point, whose solvers are those of the entry. Nothing of it can be drawn.
+// The same from solves. Nothing of it can be drawn.
 StudyResults study_of(const results::StudyEntry& entry, std::vector<Solve> solves,
                       const std::vector<results::Session>& sessions);
 

@@ -8,12 +8,10 @@ using namespace ikbench;
 using namespace ikbench::compare;
 using namespace ikbench::results;
 
-TEST_CASE("Solves in any order are ordered by solver, run and point") {
+TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};
-  std::vector<SolveRecord> solves = solves_of(asked, {"B", "A", "C"}, [](SolveRecord&) {});
-  std::swap(solves.front(), solves.back());
+  const std::vector<SolveRecord> solves = solves_of(asked, {"A", "B"}, [](SolveRecord&) {});
   const StudyResults study = study_of(entry_of(asked, {"A", "B"}), solves, {{.id = 1}, {.id = 2}});
-  CHECK(study.solvers == std::vector<std::string>{"A", "B", "C"});
   REQUIRE(study.of("B").size() == 4);
   CHECK(study.of("B")[1].point == 2);
   CHECK(study.of("B")[2].run == 2);

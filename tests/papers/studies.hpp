@@ -69,7 +69,7 @@ inline compare::JudgedStudy study_of(const Made& made, const Change& change = {}
       }
     }
   }
-  return compare::judge(compare::study_of(entry, std::move(solves), {{.id = 1, .environment = {{"cpu", "one"}}}}));
+  return compare::judge(compare::study_of(entry, solves, {{.id = 1, .environment = {{"cpu", "one"}}}}));
 }
 
 inline Repeated repeated(const compare::JudgedStudy& study, std::vector<const compare::JudgedStudy*> companions = {}) {
