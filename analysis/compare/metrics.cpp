@@ -1,10 +1,10 @@
 #include "analysis/compare/metrics.hpp"
 
 #include <array>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "analysis/compare/describe.hpp"
 #include "analysis/compare/study.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
@@ -14,10 +14,11 @@ namespace ikbench::compare {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding_deg = 1e-9 / numerics::degree;
 
-double of_answer(const Solve& solve, double value) { return results::is_without_answer(solve.status) ? none : value; }
+double of_answer(const Solve& solve, double value) {
+  return results::is_without_answer(solve.status) ? unknown : value;
+}
 
 constexpr std::array rows{
 #define METRIC(column, slug, name, unit, kind, scale, floor, rounding, is_reported, value)              \

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/compare/describe.hpp"
 #include "numerics/units.hpp"
 
 namespace ikbench::compare {
@@ -42,16 +42,15 @@ class Bend {
   }
 
   double with(const std::vector<double>& after) {
-    if (!before_.empty() && (before_.size() != here_.size() || after.size() != here_.size())) sum_ = none;
+    if (!before_.empty() && (before_.size() != here_.size() || after.size() != here_.size())) sum_ = unknown;
     for (std::size_t joint = 0; joint < std::min(before_.size(), after.size()); ++joint, ++count_)
       sum_ += std::abs(before_[joint] - 2 * here_[joint] + after[joint]) / numerics::degree;
     before_.swap(here_);
     here_ = after;
-    return count_ > 0 ? sum_ / count_ : none;
+    return count_ > 0 ? sum_ / count_ : unknown;
   }
 
  private:
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> before_, here_;  // the last two answers
   double sum_ = 0, count_ = 0;
 };
