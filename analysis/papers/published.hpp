@@ -51,6 +51,6 @@ PrintedRows printed_times(std::string_view paper, std::string_view table);
 compare::Observations observations_of(const PrintedRows& rows, const compare::Observations& ours);
 
 // Ours beside the printed digits, if there are any.
-show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic = 0);
+show::Cell beside(double ours, const PrintedRow* row, std::size_t statistic);
 
 }  // namespace ikbench::papers

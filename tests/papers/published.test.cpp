@@ -43,9 +43,9 @@ TEST_CASE("printed means are compared as summaries, and give the printed ANOVA b
 
 TEST_CASE("ours stand beside what is printed, alone where nothing is", "[papers]") {
   const PrintedRow row{.solver = "A", .digits = {"0.2"}};
-  CHECK(std::get<show::Printed>(beside(0.1, &row)).printed == "0.2");
+  CHECK(std::get<show::Printed>(beside(0.1, &row, 0)).printed == "0.2");
   CHECK(std::get<double>(beside(0.1, &row, 1)) == 0.1);
-  CHECK(std::get<double>(beside(0.1, nullptr)) == 0.1);
+  CHECK(std::get<double>(beside(0.1, nullptr, 0)) == 0.1);
 }
 
 TEST_CASE("papers are read from their files, and a mistake says where it is", "[papers]") {
