@@ -86,8 +86,16 @@ void show_table(const show::Table& table, const Arguments& arguments) {
   std::fflush(stdout);
 }
 
-void report(const Store& store, const Paper& paper, const Arguments& arguments, const std::filesystem::path& folder,
-            const std::vector<compare::JudgedStudy>& all, const papers::JudgedMultiverse& readings) {
+// The first of the studies is the paper's own.
+void report(const std::vector<Study>& studies, const Paper& paper, const Arguments& arguments,
+            const std::filesystem::path& folder, const papers::JudgedMultiverse& readings) {
+  const Store store(store_in(folder), Store::Mode::read);
+  std::vector<compare::JudgedStudy> all;
+  for (const Study& study : studies) {
+    check_is_stored(study, store);
+    const StudyEntry entry = store.study(study.name);
+    all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
+  }
   const FigureStyle style = styled(store.study(paper.studies.front()), arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
@@ -160,25 +168,24 @@ void add_reproduce(Command& app, Invocation& invocation) {
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
     const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
-    std::vector<compare::JudgedStudy> all;  // the first is the paper's own
+    std::vector<Study> studies;
     for (const std::string& name : paper.studies) {
       Overrides overrides{fmt::format("seed={}", arguments->seed)};
       if (std::ranges::count(paper.runs, name) > 0)
         std::ranges::copy(overridden_runs(*arguments), std::back_inserter(overrides));
-      const Study study = load_study(name, overrides);
+      const Study& study = studies.emplace_back(load_study(name, overrides));
       if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop();
+      if (studies.size() > 1) continue;
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
-      check_is_stored(study, store);
-      const StudyEntry entry = store.study(name);
-      all.push_back(compare::judge(all.empty() ? exported_study(store, entry, folder) : checked_study(store, entry)));
-      if (all.size() == 1) show_table(papers::means_table({paper, all.front()}), *arguments);
+      const compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(name)));
+      show_table(papers::means_table({paper, judged}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);
     if (!readings) return stop();
     const EndOnSignal signals(
         "Stopped before the report was complete. All solves are kept; run the same command again to write it.");
-    report(Store(store_in(folder), Store::Mode::read), paper, *arguments, folder, all, *readings);
+    report(studies, paper, *arguments, folder, *readings);
   });
 }
 
