@@ -180,8 +180,8 @@ void add_compare(Command& app, Invocation& invocation) {
       "Examples:\n"
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
-      "Exit codes: 0 nothing is worse, 3 something is worse by more than the margin, 4 with --strict something is not\n"
-      "decided. Times are compared only between solves that one command made.");
+      "Exit codes: 0 nothing is worse, 3 something is worse, and not by less than the margin, 4 with --strict something\n"
+      "is not decided. Times are compared only between solves that one command made.");
   command->callback([arguments, &invocation] {
     const std::vector<Compared> all = compare_all(*arguments);
     std::vector<Gate> gates;
