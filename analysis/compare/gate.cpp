@@ -191,6 +191,7 @@ std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
     if (each.findings.front().why == Why::apart) return "";
+    if (each.described.back().mean == 0) return "The baseline solved none, so it can see no loss.";
     const std::string all =
         numerics::counted(each.described.back().n, gate.judged.study.definition.is_chained() ? "runs" : "targets");
     return gate.visible_loss
