@@ -10,8 +10,9 @@ namespace ikbench::results {
 
 namespace {
 
-// Parts of a definition that may differ: how it is judged and drawn, which targets are out of reach, and how often.
-const std::set<std::string> decide_no_solve{"analysis", "figures", "out_of_reach", "repeats", "runs"};
+// Parts of a definition that may differ: how it is judged and drawn, which targets are out of reach, how often; and
+// what follows from the rest.
+const std::set<std::string> decide_no_solve{"analysis", "departures", "figures", "out_of_reach", "repeats", "runs"};
 
 std::vector<std::string> keys_of(const StudyEntry& study) {
   std::vector<std::string> keys;
