@@ -143,6 +143,7 @@ TEST_CASE("the difference of two definitions names the field, and values that fi
   CHECK(difference_in_solves(with(alike + "a"), with(alike + "b")) == "urdf is another");
   CHECK(difference_in_solves(with("a"), with(alike + "b")) == R"(urdf is "a" and another)");
   CHECK(difference_in_solves(with(alike), with(alike)).empty());
+  CHECK(difference_in_solves(R"({"runs":3,"departures":["runs"]})", R"({"runs":20,"departures":[]})").empty());
 }
 
 TEST_CASE("of two numbers of runs the larger is taken, and how a study is judged may differ", "[merge]") {
