@@ -323,7 +323,8 @@ figures::Figure curve(const Multiverse& multiverse, const std::string& solver, c
        .caption = fmt::format(
            "Mean error of {} by that of its best rival in {} readings drawn by their weights, with "
            "intervals of {:.1f} %. Colours: whether it is more accurate than all, each pair judged at {:g} / "
-           "{:g} as in the table. Below: the choices of each.",
+           "{:g} as in the table, by the difference of means, which may be open where the ratio is far from "
+           "1. Below: the choices of each.",
            solver, rows.all.size(), 100 * (1 - of_pair.significance), plan.significance,
            plan.significance / of_pair.significance),
        .quantity = fmt::format("mean error of {} / of its best rival", solver)},
