@@ -302,8 +302,10 @@ Found differ(const Claim& claim, const Repeated& of) {
   result.holds = holds_of(here);
   if (!in_print.empty()) result.printed = holds_of(in_print);
   result.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
-  if (!not_tested.empty()) result.number += fmt::format(", {} untested", not_tested.size());
-  if (!not_tested.empty()) result.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
+  if (!not_tested.empty()) {
+    result.number += fmt::format(", {} untested", not_tested.size());
+    result.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
+  }
   return {result};
 }
 
