@@ -176,6 +176,7 @@ void add_reproduce(Command& app, Invocation& invocation) {
       const Study& study = studies.emplace_back(load_study(name, overrides));
       if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop();
       if (studies.size() > 1) continue;
+      // The report judges it again, for another command may have written into the store by then.
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
       const compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(name)));
