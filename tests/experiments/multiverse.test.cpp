@@ -225,7 +225,7 @@ TEST_CASE("a file of series that was edited is refused with its line and what to
   };
   refuses("not ours\n", ":1: expected the header 'series,position_error_cm,variation_deg'; remove the file");
   for (const std::string line : {",1,1", "key,1", "key,1,1 2", "key,1 ,1 2", "key,,"})
-    refuses(head + line + "\n", ":2: ");
+    refuses(head + line + "\n", ":2: expected a series");
   for (const std::string number : {"nan", "NaN", "-1", "-Inf", "1e999", "x", ""}) {
     refuses(head + "key,1 1,1 1\nkey,1 " + number + ",1 2\n", ":3: expected a series");
     refuses(head + "key,1," + number + "\n", ":2: expected a series");
