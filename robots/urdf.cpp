@@ -464,7 +464,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
 
   Description printed;
   std::vector<double> lower, upper;
-  std::vector<std::string> notes;
+  int unlimited = 0;  // joints whose limits do not count
   for (const XMLElement* const joint : tree.path(base, tip)) {
     printed.push_back(described(*joint, place));
     if (printed.back().motion == Motion::none) continue;
@@ -474,7 +474,7 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
     const XMLElement* const limit = joint->FirstChildElement("limit");
     if (limit == nullptr || limits.allFinite()) continue;
     if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) continue;
-    notes.push_back(fmt::format("joint \"{}\" is continuous: its limits are ignored", printed.back().name));
+    ++unlimited;
   }
   if (lower.empty()) {
     place.fail(1, fmt::format("no joint moves between links \"{}\" and \"{}\"; name others: --base LINK --tip LINK, "
@@ -492,15 +492,17 @@ Robot parse_urdf(std::string_view text, const std::filesystem::path& file, const
               .base_link = base,
               .tip_link = tip};
     arm.limits = {Configuration::Map(lower.data(), arm.joints()), Configuration::Map(upper.data(), arm.joints())};
+    if (unlimited > 0) {
+      arm.notes.push_back(fmt::format("the file's limits of {} without end are ignored", counted(unlimited, "joints")));
+    }
     if (!changed.empty()) {
       changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
       arm.snapped = moved_by_snapping(printed, snapped, arm.limits);
-      notes.push_back(
+      arm.notes.push_back(
           fmt::format("the digits of {} are read as the round angles or parallel axes that they mean, which "
                       "moves the tool by at most {:.2g} um",
-                      Tree::some(changed), 1e6 * arm.snapped));
+                      counted(static_cast<std::int64_t>(changed.size()), "joints"), 1e6 * arm.snapped));
     }
-    arm.notes = std::move(notes);
     return arm;
   } catch (const std::invalid_argument& error) {
     place.fail(robot, error.what());
