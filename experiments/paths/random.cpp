@@ -2,7 +2,6 @@
 // configurations, so the arm can reach them.
 #include <fmt/core.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -73,13 +72,41 @@ class SampledScores {
   std::map<std::string, std::vector<double>> known_;
 };
 
+// The smallest singular value, by one-sided Jacobi rotations (Golub and Van Loan, Matrix Computations, 8.6.3): columns
+// turn in pairs until all are orthogonal, and then have the singular values as lengths. Eigen's takes as long to
+// compile as a fifth of this folder.
+double smallest_singular_value(Eigen::MatrixXd matrix) {
+  constexpr double orthogonal = 1e-15;
+  constexpr int most_sweeps = 30;  // fewer than ten are needed
+  if (matrix.cols() > matrix.rows()) matrix.transposeInPlace();
+  bool has_turned = true;
+  for (int sweep = 0; has_turned && sweep < most_sweeps; ++sweep) {
+    has_turned = false;
+    for (Eigen::Index j = 1; j < matrix.cols(); ++j) {
+      for (Eigen::Index i = 0; i < j; ++i) {
+        const double a = matrix.col(i).squaredNorm(), b = matrix.col(j).squaredNorm();
+        const double product = matrix.col(i).dot(matrix.col(j));
+        if (std::abs(product) <= orthogonal * std::sqrt(a * b)) continue;
+        const double cotangent = (b - a) / (2 * product);  // of twice the angle
+        const double tangent =
+            std::copysign(1 / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent)), cotangent);
+        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+        const Eigen::VectorXd before = matrix.col(i);
+        matrix.col(i) = cosine * before - sine * matrix.col(j);
+        matrix.col(j) = sine * before + cosine * matrix.col(j);
+        has_turned = true;
+      }
+    }
+  }
+  return matrix.colwise().norm().minCoeff();
+}
+
 // Demands a smallest singular value of the Jacobian [m, rad] below its first percentile.
 Demand near_singular(const Robot& arm, SampledScores& samples) {
   const auto score = [&arm](const Configuration& q) {
-    using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, most_joints>;
-    Jacobian jacobian(6, q.size());
+    Eigen::MatrixXd jacobian(6, q.size());
     arm.chain.pose_jacobian(q, jacobian);
-    return -Eigen::JacobiSVD<Jacobian>(jacobian).singularValues().minCoeff();
+    return -smallest_singular_value(std::move(jacobian));
   };
   const std::vector<double>& scores = samples.of(arm, "singular", score);
   return {score, scores[scores.size() * 99 / 100]};
