@@ -76,10 +76,10 @@ std::string shade_of(const std::string& colour) {
     for (double& part : result) part = std::round(std::lerp(part, other, share));
     return result;
   };
-  const double black = 0, white = 255;
+  constexpr double dark = 0, light = 255;
   const bool is_dark = luminance(own) < 0.13;
-  Rgb shade = mixed_with(is_dark ? white : black);
-  if (1.05 / (luminance(shade) + 0.05) < least_contrast) shade = mixed_with(is_dark ? black : white);
+  Rgb shade = mixed_with(is_dark ? light : dark);
+  if (1.05 / (luminance(shade) + 0.05) < least_contrast) shade = mixed_with(is_dark ? dark : light);
   return fmt::format("#{:02X}{:02X}{:02X}", std::lround(shade[0]), std::lround(shade[1]), std::lround(shade[2]));
 }
 
