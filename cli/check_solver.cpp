@@ -173,13 +173,13 @@ class Checks {
 
 }  // namespace
 
-void add_check_solver(Command& app, Invocation& invocation) {
+void add_check_solver(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     ProgramChoice choice{.process = {}, .files = {}, .patience = 5};
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command = app.add_subcommand("check-solver", "Check a solver that is a program");
+  CLI::App* command = app.add_subcommand("check-solver", "Check a solver that is a program");
   command->add_option("COMMAND", arguments->choice.process, "the program and its arguments, after --")->required();
   command->add_option("--patience", arguments->choice.patience, "seconds after which a solve is given up")
       ->check(number_in({0.1, 3600}))

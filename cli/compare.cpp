@@ -158,12 +158,13 @@ std::string markdown_of(const std::vector<Compared>& all) {
 
 }  // namespace
 
-void add_compare(Command& app, Invocation& invocation) {
+void add_compare(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<CompareArguments>();
-  Command* command = app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
+  CLI::App* command =
+      app.add_subcommand("compare", "Decide whether a variant of a solver is better, the same or worse");
   command->add_option("A", arguments->a, "baseline: a store.sqlite, or with --store a label")->required();
   command->add_option("B", arguments->b, "candidate: a store.sqlite, or with --store a label")->required();
-  const CommandOption* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
+  CLI::Option* store = command->add_option("--store", arguments->store, "store in which A and B are labels");
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--label", arguments->labels,

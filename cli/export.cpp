@@ -31,12 +31,12 @@ constexpr std::string_view fingerprint_format = "fingerprint";
 
 }  // namespace
 
-void add_export(Command& app, Invocation&) {
+void add_export(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, format = "csv", file = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command = app.add_subcommand("export", "Write all solves as CSV or JSON, or for other programs");
+  CLI::App* command = app.add_subcommand("export", "Write all solves as CSV or JSON, or for other programs");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   std::vector<std::string> names, meanings;
@@ -47,7 +47,7 @@ void add_export(Command& app, Invocation&) {
   names.emplace_back(fingerprint_format);
   meanings.push_back(fmt::format("{}: a hash of every bit but of times", fingerprint_format));
   command->add_option("--format", arguments->format, fmt::format("{}", fmt::join(meanings, "; ")))
-      ->check(one_of(names))
+      ->check(CLI::IsMember(names))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->file, "file to write, or new folder; - for standard output")
       ->capture_default_str();

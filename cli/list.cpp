@@ -216,13 +216,13 @@ Listed listed(const std::string& kind, const std::string& name) {
 
 }  // namespace
 
-void add_list(Command& app, Invocation&) {
+void add_list(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string kind, name;
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command =
+  CLI::App* command =
       app.add_subcommand("list", "List solvers, arms, studies, paths, columns, metrics or instruction sets");
   const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
                                        "columns", "metrics", "instruction-sets"};

@@ -49,8 +49,7 @@ int main(int argc, char** argv) {
   const bool is_help = !words.empty() && words.front() == "help";
   if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-  cli::Command program(app);
-  cli::add_commands(program, invocation);
+  cli::add_commands(app, invocation);
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {

@@ -45,14 +45,14 @@ std::vector<fs::path> stores_in(const fs::path& place) {
 
 }  // namespace
 
-void add_merge(Command& app, Invocation& invocation) {
+void add_merge(CLI::App& app, Invocation& invocation) {
   struct Arguments {
     std::string out;
     std::vector<std::string> places;
     bool is_json = false;
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
+  CLI::App* command = app.add_subcommand("merge", "Put the stores of several shards or machines together into one");
   command->add_option("OUT", arguments->out, "folder of the store that gets all; it may have one already")
       ->required()
       ->check(not_empty());

@@ -150,13 +150,13 @@ std::optional<Multiverse> solved_multiverse(const std::string& study, const std:
   return with_values(plan, means);
 }
 
-void add_multiverse(Command& app, Invocation& invocation) {
+void add_multiverse(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<MultiverseArguments>();
-  Command* command =
+  CLI::App* command =
       app.add_subcommand("multiverse", "Judge the claims of a paper in every reading of what it leaves open");
   add_paper_option(*command, arguments->paper);
   command->add_flag("--list", arguments->list, "list the open questions and the size, without solving");
-  CommandOption* small =
+  CLI::Option* small =
       command->add_flag("--small", arguments->small, "fewer questions: what `ikbench reproduce` shows");
   command
       ->add_option("--dimensions", arguments->dimensions,
@@ -176,7 +176,7 @@ void add_multiverse(Command& app, Invocation& invocation) {
       ->add_option("--out", arguments->out,
                    "folder for tables and figure, which also keeps what is solved; default: out/PAPER-multiverse")
       ->check(not_empty());
-  command->add_option("--figures", arguments->figures, "none: do not draw the figure")->check(one_of({"none"}));
+  command->add_option("--figures", arguments->figures, "none: do not draw the figure")->check(CLI::IsMember({"none"}));
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"

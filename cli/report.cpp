@@ -12,13 +12,14 @@ namespace ikbench::cli {
 using namespace results;
 using namespace experiments;
 
-void add_report(Command& app, Invocation&) {
+void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
     std::string store, study, out;
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
-  Command* command = app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
+  CLI::App* command =
+      app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
   command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")

@@ -119,7 +119,7 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
 
-void add_report_options(Command& command, ReportArguments& arguments) {
+void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -162,14 +162,14 @@ std::vector<std::string> labels_of(const StudyEntry& stored) {
   return labels;
 }
 
-void add_run_options(Command& command, RunArguments& arguments) {
+void add_run_options(CLI::App& command, RunArguments& arguments) {
   command.add_option("--out", arguments.out, "folder for the results; default: out/<study>")->check(not_empty());
   command.add_option("--jobs", arguments.jobs, "number of solves at once; only times need 1")
       ->check(whole_number({1, 1024}))
       ->capture_default_str();
 }
 
-void add_paper_option(Command& command, std::string& paper) {
+void add_paper_option(CLI::App& command, std::string& paper) {
   std::vector<std::string> names;
   for (const papers::Paper& each : papers::papers()) names.push_back(fmt::format("{} ({})", each.name, each.in_short));
   paper = papers::papers().front().name;

@@ -20,7 +20,7 @@ struct Study;
 namespace ikbench::cli {
 
 // Adds PAPER, the name of a paper; the first by default.
-void add_paper_option(Command& command, std::string& paper);
+void add_paper_option(CLI::App& command, std::string& paper);
 
 struct ReportArguments {
   bool is_json = false;
@@ -29,7 +29,7 @@ struct ReportArguments {
 };
 
 bool are_drawn(const std::vector<std::string>& names);
-void add_report_options(Command& command, ReportArguments& arguments);
+void add_report_options(CLI::App& command, ReportArguments& arguments);
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.
 results::FigureStyle styled(results::FigureStyle style, const std::vector<std::string>& labels,
@@ -62,7 +62,7 @@ struct RunArguments {
   int jobs = 1;
 };
 
-void add_run_options(Command& command, RunArguments& arguments);
+void add_run_options(CLI::App& command, RunArguments& arguments);
 
 // Runs a study into the folder's store.sqlite, opened in this mode, with progress, and warns of targets out of reach.
 // Returns "six: 288 solves in out/six/store.sqlite"; after Ctrl-C it says how to continue, and returns nothing.

@@ -137,9 +137,9 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
 
 }  // namespace
 
-void add_reproduce(Command& app, Invocation& invocation) {
+void add_reproduce(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<Arguments>();
-  Command* command =
+  CLI::App* command =
       app.add_subcommand("reproduce", "Repeat the experiments of a paper and report beside the printed results");
   add_paper_option(*command, arguments->paper);
   add_run_options(*command, arguments->run);

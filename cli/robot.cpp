@@ -179,16 +179,16 @@ numerics::OrderedJson robot_json(const Robot& arm) {
   return json;
 }
 
-void add_robot(Command& app, Invocation&) {
+void add_robot(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
-  Command* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
+  CLI::App* command = app.add_subcommand("robot", "Show an arm: its joints, limits, reach, wrist and tool");
   command->add_option("ROBOT", arguments->robot, "a name from ikbench list robots, or a file: arm.toml, arm.urdf")
       ->required();
-  CommandOption* const at = command
-                                ->add_option("--at", arguments->at,
-                                             "values of all joints [deg], or [m] where one slides; default: zeros, or "
-                                             "the nearest inside the limits")
-                                ->delimiter(',');
+  CLI::Option* const at = command
+                              ->add_option("--at", arguments->at,
+                                           "values of all joints [deg], or [m] where one slides; default: zeros, or "
+                                           "the nearest inside the limits")
+                              ->delimiter(',');
   command->add_option("--at-rad", arguments->at_rad, "the same in radians; the tool is also told in radians")
       ->delimiter(',')
       ->excludes(at);
@@ -198,7 +198,7 @@ void add_robot(Command& app, Invocation&) {
                       "link of a URDF file to which the arm is read; default: the end after most joints");
   command->add_flag("--links", arguments->shows_links, "print the tree of links of a URDF file, and nothing else");
   command->add_option("--limits", arguments->limits, "limits of a URDF file: hard, or soft where they are tighter")
-      ->check(one_of({"hard", "soft"}))
+      ->check(CLI::IsMember({"hard", "soft"}))
       ->capture_default_str();
   command
       ->add_option("--snap-deg", arguments->snap_deg,

@@ -41,9 +41,9 @@ struct StudyToRun {
 
 }  // namespace
 
-void add_run(Command& app, Invocation& invocation) {
+void add_run(CLI::App& app, Invocation& invocation) {
   auto arguments = std::make_shared<StudyToRun>();
-  Command* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
+  CLI::App* command = app.add_subcommand("run", "Run the missing solves of a study and write its report");
   command
       ->add_option("STUDY", arguments->study, "name of a built-in study (ikbench list studies), or path of a TOML file")
       ->required();

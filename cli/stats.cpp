@@ -78,9 +78,9 @@ void stats(const StatsArguments& arguments) {
 
 }  // namespace
 
-void add_stats(Command& app, Invocation&) {
+void add_stats(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<StatsArguments>();
-  Command* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
+  CLI::App* command = app.add_subcommand("stats", "Compare groups in a CSV: which is better, by how much, how sure");
   const auto add = [&](const char* name, auto& value, const char* meaning) {
     return command->add_option(name, value, meaning);
   };
@@ -97,9 +97,10 @@ void add_stats(Command& app, Invocation&) {
   command->add_flag("--larger", csv.is_larger_better, "larger values are better");
   command->add_flag("--summaries", arguments->are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
-  add("--separator", arguments->separator, "between cells [found]")->check(one_of({",", ";", "tab"}));
-  add("--decimal", arguments->decimal, "mark in numbers [found; a point between commas]")->check(one_of({".", ","}));
-  add("--test", arguments->test, "of ranks or means [ranks]")->check(one_of({"ranks", "means"}));
+  add("--separator", arguments->separator, "between cells [found]")->check(CLI::IsMember({",", ";", "tab"}));
+  add("--decimal", arguments->decimal, "mark in numbers [found; a point between commas]")
+      ->check(CLI::IsMember({".", ","}));
+  add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
