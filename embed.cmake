@@ -1,26 +1,18 @@
-# ikbench_embed(OUTPUT FOLDER PATTERN): carries the files of FOLDER that match PATTERN in the program. The build writes
-# OUTPUT into the caller's binary folder, to be included by a C++ source: a line {"NAME", R"embedded(TEXT)embedded"}, a
-# file, by name, which is its path within FOLDER. A file that is added is found by the next build.
-if(CMAKE_SCRIPT_MODE_FILE)  # cmake -DFILES="name;..." -DFOLDER=... -DOUTPUT=... -P embed.cmake
-  set(lines "")
-  foreach(file IN LISTS FILES)
-    file(READ ${FOLDER}/${file} text)
-    string(APPEND lines "{\"${file}\", R\"embedded(${text})embedded\"},\n")
-  endforeach()
-  file(WRITE ${OUTPUT} "${lines}")
-  return()
-endif()
-
+# ikbench_embed(OUTPUT FOLDER PATTERN): carries the files of FOLDER that match PATTERN in the program. Writes OUTPUT into
+# the caller's binary folder, to be included by a C++ source: a line {"NAME", R"embedded(TEXT)embedded"}, a file, by
+# name, which is its path within FOLDER. A file that is added or edited is found by the next build.
 function(ikbench_embed output folder pattern)
-  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${folder})
-  set(output ${CMAKE_CURRENT_BINARY_DIR}/${output})
-  file(GLOB_RECURSE files RELATIVE ${folder} CONFIGURE_DEPENDS ${folder}/${pattern})
+  cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${folder}/${pattern})
   list(SORT files)
-  list(TRANSFORM files PREPEND ${folder}/ OUTPUT_VARIABLE sources)
-  add_custom_command(
-    OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DFOLDER=${folder} -DOUTPUT=${output}
-      -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
-    DEPENDS ${sources} ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
-    VERBATIM)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  set(lines "")
+  foreach(file IN LISTS files)
+    file(RELATIVE_PATH name ${folder} ${file})
+    file(READ ${file} text)
+    string(APPEND lines "{\"${name}\", R\"embedded(${text})embedded\"},\n")
+  endforeach()
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${output})
+  file(WRITE ${output}.new "${lines}")
+  file(COPY_FILE ${output}.new ${output} ONLY_IF_DIFFERENT)
 endfunction()
