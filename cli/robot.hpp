@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "numerics/json_fwd.hpp"
+#include "numerics/json.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::cli {

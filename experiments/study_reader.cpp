@@ -117,14 +117,15 @@ class PathReader final : public TomlReader {
 
  private:
   // This key is required: a study needs targets.
-  void on_poses(Name name, std::vector<Pose>& field) override {
+  void on_poses(Name name, std::any field) override {
     constexpr std::string_view expected =
         "a list of 1 to 100000 poses such as { position_cm = [60, 0, 35], rpy_deg = [180, 0, 180] }";
-    field.clear();
+    auto& poses = *std::any_cast<std::vector<Pose>*>(field);
+    poses.clear();
     for (const toml::table* const table : tables(name.key, point_counts.second, expected)) {
       if (table->contains("position_cm") == table->contains("position_m"))
         fail(name.key, *table, "a pose with either a position_cm or a position_m");
-      field.push_back(pose_in(nested(*table, fmt::format("{}{}.", prefix(), name.key))));
+      poses.push_back(pose_in(nested(*table, fmt::format("{}{}.", prefix(), name.key))));
     }
   }
 

@@ -102,8 +102,12 @@ class Written final : public Fields {
   void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     add(name, in_units(field, unit), exact(field));
   }
-  void on_poses(Name name, std::vector<Pose>& field) override {
-    fields.push_back({.key = std::string(name.key), .json = {}, .text = {}, .meaning = {}, .poses = &field});
+  void on_poses(Name name, std::any field) override {
+    fields.push_back({.key = std::string(name.key),
+                      .json = {},
+                      .text = {},
+                      .meaning = {},
+                      .poses = std::any_cast<std::vector<Pose>*>(field)});
   }
 
   void add(Name name, OrderedJson json, std::string text, const std::vector<std::string>& choices = {}) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <any>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,14 +14,7 @@
 
 #include "numerics/names.hpp"
 
-namespace Eigen {  // a pose by its name alone: most lists have none, and Eigen's headers take long to compile
-template <class, int, int, int>
-class Transform;
-}
-
 namespace ikbench::numerics {
-
-using Poses = std::vector<Eigen::Transform<double, 3, 1, 0>>;  // Eigen::Isometry3d
 
 constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
 
@@ -94,7 +88,11 @@ class Fields {
     std::ranges::copy(values, field.begin());
   }
 
-  void poses(std::string_view key, Poses& field) { on_poses({key, "", InKey::by_name}, field); }
+  // Eigen::Isometry3d, which lists without poses do not include.
+  template <class Pose>
+  void poses(std::string_view key, std::vector<Pose>& field) {
+    on_poses({key, "", InKey::by_name}, &field);
+  }
 
  private:
   template <class Enum>
@@ -111,7 +109,7 @@ class Fields {
   virtual void on_whole(Name name, std::int64_t& field, std::pair<std::int64_t, std::int64_t> range) = 0;
   virtual void on_number(Name name, double& field, double unit, std::pair<double, double> range) = 0;
   virtual void on_numbers(Name name, std::vector<double>& field, double unit, int size) = 0;
-  virtual void on_poses(Name, Poses&) {}
+  virtual void on_poses(Name, std::any) {}  // holds std::vector<Pose>*
 };
 
 }  // namespace ikbench::numerics

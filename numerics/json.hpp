@@ -5,9 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "numerics/json_fwd.hpp"
-
 namespace ikbench::numerics {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;  // members keep their order of insertion
 
 constexpr int deepest_json = 100;  // levels; copies of deeper values would overflow the stack
 // Returns a discarded value (is_discarded()) if the text is not JSON or is nested deeper.

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "analysis/compare/tests_of_two.hpp"
 #include "analysis/figures/figure.hpp"
-#include "numerics/json_fwd.hpp"
 
 namespace ikbench::show {
 
@@ -48,7 +48,7 @@ std::string to_latex(const Table& table);  // booktabs
 std::string to_html(const Table& table);
 std::string to_text(const Table& table);  // of a screen: units stand at the numbers
 // An object for each row; names of columns in lower case with _ for blanks.
-numerics::OrderedJson to_json(const Table& table);
+nlohmann::ordered_json to_json(const Table& table);
 
 struct Heading {
   std::string text;

@@ -47,7 +47,7 @@ Table descriptives_table(const Shown& shown);
 Table anova_table(const Shown& shown);
 
 // The answer as data: headline, groups, tests, findings and doubts.
-numerics::OrderedJson to_json(const Shown& shown);
+nlohmann::ordered_json to_json(const Shown& shown);
 
 // How it was made. They have no files.
 Table study_table(const compare::StudyResults& study);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/foreign/child_process.hpp"
-#include "numerics/json_fwd.hpp"
+#include "numerics/json.hpp"
 #include "robots/robot.hpp"
 #include "solvers/options.hpp"
 #include "solvers/solve.hpp"
