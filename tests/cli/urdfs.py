@@ -1,5 +1,5 @@
 """Eight arms, each with every feature that URDF files of the public have: the program must find the same chain as forty
-lines of other kinematics, or ask. Arguments: the program."""
+lines of other kinematics, or ask. Each is run, with a report, as are further files. Arguments: the program, files."""
 import json, math, random, re, subprocess, sys, xml.etree.ElementTree as ET
 
 # ---- the other kinematics: 4x4 matrices ------------------------------------------------------------------------------
@@ -191,6 +191,20 @@ def said(f, *options):
     return run.stdout, " ".join(run.stderr.split())
 
 
+with open("study.toml", "w") as out:
+    out.write("search = 'all_joints'\nrobot = 'ur5e'\nruns = 1\nrepeats = 1\n[path]\nkind = 'random'\npoints = 1\n"
+              "[stop]\niterations = 3\n[[solvers]]\nsolver = 'damped_least_squares'\n")
+
+
+def runs(file, **urdf):
+    settings = [f"--set=robot={file}", *(f"--set=urdf.{key}={link}" for key, link in urdf.items())]
+    run = subprocess.run([sys.argv[1], "run", "study.toml", *settings, "--figures=none", f"--out={file}.out"],
+                         capture_output=True, text=True, timeout=60)
+    assert run.returncode == 0, f"{file} does not run: {run.stderr}"
+
+
+for file in sys.argv[2:]:
+    runs(file)
 files = 0
 for arm, joints in arms.items():
     for feature in features:
@@ -223,5 +237,6 @@ for arm, joints in arms.items():
         if of["reach_m"] is not None:
             assert of["reach_m"] <= 1.005 * lengths + 1e-9, f"{f.name}: reach {of['reach_m']} of {lengths}"
         assert f.base in said(f, "--links")[0]
+        runs(f"{f.name}.{f.ending}", **({"base": f.base, "tip": f.tip} if f.asks else {}))
 assert files >= 100
 print(f"{files} files")

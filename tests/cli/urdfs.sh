@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
-# Files with the features of public URDF files, held against other kinematics.
+# Files with the features of public URDF files, held against other kinematics, and run.
 source "$(dirname "$0")/common.sh"
-python3 "$scripts/urdfs.py" "$program" || fail "see above"
+cp "$root"/tests/data/urdf/*.urdf "$scripts"/programs/snapped/*.urdf .
+python3 "$scripts/urdfs.py" "$program" *.urdf || fail "see above"
