@@ -53,8 +53,8 @@ class PointsSetter final : public Fields {
   }
   void on_number(Name, double&, double, std::pair<double, double>) override {}
   void on_numbers(Name, std::vector<double>&, double, int) override {}
-  void on_poses(Name, std::vector<Pose>& field) override {
-    field.assign(static_cast<std::size_t>(count_), Pose::Identity());
+  void on_poses(Name, std::any field) override {
+    std::any_cast<std::vector<Pose>*>(field)->assign(static_cast<std::size_t>(count_), Pose::Identity());
   }
 
   int count_;

@@ -57,8 +57,8 @@ class Changer final : public Fields {
   void on_numbers(Name name, std::vector<double>& field, double unit, int) override {
     if (is_at(name)) field[0] += unit;
   }
-  void on_poses(Name name, std::vector<Pose>& field) override {
-    if (is_at(name)) field.push_back(Pose::Identity());
+  void on_poses(Name name, std::any field) override {
+    if (is_at(name)) std::any_cast<std::vector<Pose>*>(field)->push_back(Pose::Identity());
   }
 
   bool is_at(Name name) {
