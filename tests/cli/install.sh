@@ -18,6 +18,14 @@ if [ -z "$sanitizers" ] && command -v strip >/dev/null; then
   ! grep -aoE "(^|[^.[:alnum:]])$tree/.{9}" stripped || fail "the program holds the path of its source"
 fi
 
+# The Debian package, as ./setup --with-package release package makes it.
+if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
+  "$(dirname "$cmake")/cpack" -G DEB --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
+  dpkg-deb -x package/ikbench_*.deb unpacked
+  has "$(dpkg-deb -f package/ikbench_*.deb Depends)" libsqlitecpp
+  equal "program of the package" "$(unpacked/usr/bin/ikbench --version)" "$("$program" --version)"
+fi
+
 # It runs where the source and the build are not to be seen.
 away=()
 if unshare --map-root-user --mount true 2>/dev/null; then
