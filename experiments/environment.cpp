@@ -13,7 +13,6 @@
 #include <string_view>
 #include <thread>
 
-#include "build_info.hpp"
 #include "experiments/source_digest.hpp"
 #include "numerics/instruction_set.hpp"
 
@@ -60,21 +59,17 @@ std::string host() {
 }  // namespace
 
 std::map<std::string, std::string> environment() {
-  return {{"boot", boot()},
-          {"build_type", build_info::build_type},
-          {"commit", build_info::commit},
-          {"compiler", compiler()},
-          {"cpu", cpu_model()},
-          {"cpus", std::to_string(std::thread::hardware_concurrency())},
-          {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
-          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"flags", build_info::flags},
-          {"host", host()},
-          {"instruction_set", std::string(name_of(instruction_set()))},
-          {"os", operating_system()},
-          {"sanitizers", build_info::sanitize},
-          {"source", shared_source_digest()},
-          {"version", build_info::version}};
+  std::map<std::string, std::string> facts = build_facts();
+  facts.insert({{"boot", boot()},
+                {"compiler", compiler()},
+                {"cpu", cpu_model()},
+                {"cpus", std::to_string(std::thread::hardware_concurrency())},
+                {"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()))},
+                {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+                {"host", host()},
+                {"instruction_set", std::string(name_of(instruction_set()))},
+                {"os", operating_system()}});
+  return facts;
 }
 
 double thread_seconds() {
@@ -94,14 +89,15 @@ double stolen_seconds() {
 
 bool is_debug_build() {
 #ifdef NDEBUG
-  return build_info::sanitize != std::string_view("none");
+  return build_facts().at("sanitizers") != "none";
 #else
   return true;
 #endif
 }
 
 std::string version() {
-  return fmt::format("{} ({}, source {})", build_info::version, build_info::commit, source_digest());
+  const std::map<std::string, std::string> facts = build_facts();
+  return fmt::format("{} ({}, source {})", facts.at("version"), facts.at("commit"), source_digest());
 }
 
 std::string program_name() { return "ikbench " + version(); }

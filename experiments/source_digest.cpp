@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "build_info.hpp"
+
 namespace ikbench::experiments {
 
 namespace {
@@ -11,6 +13,11 @@ namespace {
 #include "source_digests.inc"
 
 }  // namespace
+
+std::map<std::string, std::string> build_facts() {
+  return {{"build_type", build_info::build_type}, {"commit", build_info::commit},     {"flags", build_info::flags},
+          {"sanitizers", build_info::sanitize},   {"source", shared_source_digest()}, {"version", build_info::version}};
+}
 
 std::string source_digest() { return std::string(of_all); }
 

@@ -1,11 +1,15 @@
-// Digests of the source that decides numbers, made by the build, so that an edited solver differs from the one before.
-// Comments and white space do not count.
+// What was built. Digests of the source that decides numbers, so that an edited solver differs from the one before;
+// comments and white space do not count.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace ikbench::experiments {
+
+// build_type, commit, flags, sanitizers, source (the shared digest), version.
+std::map<std::string, std::string> build_facts();
 
 // Digest of all of it.
 std::string source_digest();

@@ -22,7 +22,7 @@ fi
 if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
   "$(dirname "$cmake")/cpack" -G DEB --config "$(dirname "$program")/CPackConfig.cmake" -B "$work/package" >.log 2>&1 || fail "no package: $(<.log)"
   dpkg-deb -x package/ikbench_*.deb unpacked
-  has "$(dpkg-deb -f package/ikbench_*.deb Depends)" libsqlitecpp
+  has "$(dpkg-deb -f package/ikbench_*.deb Depends)" libfmt
   equal "program of the package" "$(unpacked/usr/bin/ikbench --version)" "$("$program" --version)"
 fi
 
