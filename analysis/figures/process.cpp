@@ -80,14 +80,14 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
+  const int failure = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(pipe[1]);
 
   ProcessResult result;
-  if (error != 0) {
-    result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(error));
+  if (failure != 0) {
+    result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(failure));
   } else {
     std::optional<std::string> output = read_all(pipe[0]);
     if (!output) ::kill(process, SIGKILL);
