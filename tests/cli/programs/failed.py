@@ -1,5 +1,8 @@
-"""failed.py FAULT CHECKS JSON: exactly these checks of check-solver failed, in this order, by words of each."""
+"""failed.py <TABLE: exactly the checks of a line, by words of each, failed in FAULT.json, in this order; then FAULT.code is 1."""
 import json, sys
-fault, expected = sys.argv[1], [words for words in sys.argv[2].split("; ") if words]
-failed = [row["check"] for row in json.load(open(sys.argv[3])) if not row["passed"] and (fault in ("late", "hangs") or "50 ms" not in row["check"])]
-sys.exit(not (len(failed) == len(expected) and all(words in check for words, check in zip(expected, failed))))
+for fault, checks in (line.rstrip("\n").split("|") for line in sys.stdin):
+    expected = [words for words in checks.split("; ") if words]
+    code, rows = open(fault + ".code").read().strip(), json.load(open(fault + ".json"))
+    failed = [row["check"] for row in rows if not row["passed"] and (fault in ("late", "hangs") or "50 ms" not in row["check"])]
+    if len(failed) != len(expected) or not all(map(str.__contains__, failed, expected)) or (expected and code != "1"):
+        sys.exit(f"{fault}, exit code {code}: {rows}")

@@ -26,7 +26,7 @@ def answer(problem):
     if "of-process" == FAULT: best[0] += 1e-9 * os.getpid()
     error = math.dist(position(best), target)
     for i in range(min(problem["budget"]["iterations"], 5 if len(best) > 7 else 10**9)):
-        if 0 < problem["budget"]["seconds"] < time.monotonic() - began: break
+        if timed and time.monotonic() - began > problem["budget"]["seconds"] / 5: break  # a busy machine takes the rest
         q = [min(max(x + draw.gauss(0, 0.1), -3), 3) for x in best]
         if math.dist(position(q), target) < error: best, error = q, math.dist(position(q), target)
     if "outside" == FAULT: best = [4.0] + best[1:]
@@ -53,6 +53,6 @@ for line in sys.stdin:
         say(message="solved", **answer(told))
         if "again" == FAULT: time.sleep(0.02), say(message="solved", q=[0] * 7)
 if "twice" == FAULT: say(message="solved", q=[0] * 7)
-if "stays" == FAULT:
+if "stays" == FAULT and solves > 4:  # only the one whose end is looked at: each is waited for
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     time.sleep(1000)
