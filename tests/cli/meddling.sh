@@ -3,9 +3,11 @@
 source "$(dirname "$0")/common.sh"
 study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --figures none)
 
-# begin FOLDER: the study runs into it, in the background, as $process; its store has solves.
+# begin FOLDER [RUNS]: the study with so many runs that it does not end by itself, or with RUNS, runs into it, in the
+# background, as $process; its store has solves.
 begin() {
-  "$program" "${study[@]}" --out "$1" >.first-out 2>.first-err &
+  long=("${study[@]/runs=6/runs=${2:-5000}}")
+  "$program" "${long[@]}" --out "$1" >.first-out 2>.first-err &
   process=$!
   until [ -s "$1/store.sqlite-wal" ] && [ "$(solves "$1/store.sqlite" 2>.polled)" -ge 5 ]; do
     kill -0 $process 2>.polled || fail "it ended before anybody could meddle: $(<.first-err)"
@@ -37,16 +39,22 @@ mv replaced/copy replaced/store.sqlite
 ended 2 replaced/store.sqlite
 
 # Another study of the same name takes its place; the same study runs twice: the second is refused.
-begin shared
+begin shared 100 # it looks at its end
 succeeds run slim2023 "${small[@]}" --set seed=2 --no-report --out shared
 ended 1 slim2023
 succeeds "${study[@]}" --out shared
 equal solves "$(solves shared/store.sqlite)" 360
 begin twice
-run_it "${study[@]}" --out twice
-second=$code
+"$program" "${long[@]}" --out twice >.second-out 2>.second-err &
+wait -n -p refused_one $process $!
+code=$?
+equal "exit code of one of two: $(<.first-err) $(<.second-err)" $code 1
+has "$(cat .first-err .second-err)" "another ikbench is running the same study"
+[ "$refused_one" != $process ] || process=$!
+kill $process
 wait $process
-case "$? $second" in "0 1" | "1 0") ;; *) fail "one of two goes on, and the other is refused: $(<.first-err) $err" ;; esac
+equal "exit code of the other, which went on" $? 143
+succeeds "${study[@]}" --out twice
 same_fingerprint twice/store.sqlite elsewhere/store.sqlite
 
 # A reader that does not end keeps the log from being folded in: both files together are the store.
@@ -54,8 +62,10 @@ begin read
 mkfifo end-reading
 printf 'BEGIN;\nSELECT count(*) FROM solves;\n.shell touch is-reading; cat end-reading\n' | sqlite3 -readonly read/store.sqlite >.count &
 until [ -e is-reading ]; do sleep 0.02; done
-wait $process || fail "exit code $? with a reader: $(<.first-err)"
-has "$(<.first-err)" store.sqlite-wal
+kill -KILL $process # else it waits for the reader
+wait $process 2>.waited
+succeeds "${study[@]}" --out read
+has "$err" store.sqlite-wal
 mkdir copied
 cp read/store.sqlite read/store.sqlite-wal copied/
 echo >end-reading
