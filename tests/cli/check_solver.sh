@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# check-solver passes a good program, and finds each of the faults that are planted in it, one at a time: by its own check,
-# and by no other.
+# check-solver passes a good program, and finds each fault that is planted in it by its own check, and by no other.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 cp "$scripts/programs/planted.py" .

@@ -2,13 +2,10 @@
 # Programs as solvers: each fault is a row that says what it is, and changes nothing of the others'.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 examples=$root/docs/examples
-cp "$scripts"/programs/*.py .
+cp "$scripts"/programs/*.py "$scripts"/programs/snapped/* .
 
-# entry LABEL FAULT [FURTHER KEYS]: who answers is never given up, however busy the machine is.
-entry() {
-  [[ ${3:-} == *patience_s* ]] || set -- "$1" "$2" "patience_s = 60"$'\n'"${3:-}"
-  printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\n%s\n' "$@"
-}
+# entry LABEL FAULT [FURTHER KEYS [PATIENCE]]: who answers is not given up, however busy the machine is.
+entry() { printf '[[solvers]]\nlabel = "%s"\nprocess = ["python3", "faulty.py", "%s"]\npatience_s = %s\n%s\n' "$1" "$2" "${4:-60}" "${3:-}"; }
 # runs NAME ENTRY...: a study of damped least squares and these entries, run into a folder of its name.
 runs() {
   study "$@"
@@ -17,8 +14,7 @@ runs() {
 }
 # is STUDY LABEL STATUS...: the statuses of its 16 solves, with their counts.
 is() {
-  local found
-  found=$(column "$1/store.sqlite" status "$2" | counted | paste -sd' ')
+  local found=$(column "$1/store.sqlite" status "$2" | counted | paste -sd' ')
   [[ $found =~ ^${*:3}$ ]] || fail "$2 in $1: $found, expected ${*:3}"
 }
 any='([0-9]+ (ok|tolerance_missed|limit_violated) ?)+' # no fault
@@ -30,19 +26,17 @@ alone=$(column plain/store.sqlite position_error_cm DLS)
 # A user's mistakes. A program has 20 s to say hello: meanwhile the rest goes on.
 command_is() { printf '[[solvers]]\nprocess = [%s]\n%s' "$1" "${2:-}"; }
 study silent "$(command_is '"sleep", "1000"' 'patience_s = 0.5')"
-mkdir .silent
-(work=$work/.silent && refused patience_s run silent.toml) &
+(mkdir .silent && work=$work/.silent && refused patience_s run silent.toml) &
 silent=$!
 
 # Each fault is a status of its own solves, and changes nothing of the others'.
-runs faults "$(entry good fine)" "$(entry hangs hangs "patience_s = 2")" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
+runs faults "$(entry good fine)" "$(entry hangs hangs "" 2)" "$(entry dies dies)" "$(entry noise noise)" "$(entry lies lies)" \
   "$(entry nonsense nonsense)" "$(entry declines declines)" "$(entry deep deep)" "$(entry json "not JSON")" "$(entry twice twice)"
 has "$err" "no more"                          # the last words of what died
 has "$err" '"q", a list of 7 numbers'         # what was expected of what made no sense
 has "$err" "a number that is not finite is null"
 store=faults/store.sqlite
-is faults good "$any"
-is faults noise "$any"
+for label in good noise; do is faults $label "$any"; done
 is faults hangs ".*1 timed_out"
 is faults dies "1 crashed $any"
 is faults lies "16 claimed_but_wrong"
@@ -75,20 +69,17 @@ study many '[[solvers]]' 'label = "many"' 'process = ["python3", "many.py"]' \
   "$(entry once "asks once")" "$(entry first "asks at first")"
 succeeds run many.toml --set stop.evaluations=100 --no-report --out many
 equal evaluations "$(column many/store.sqlite evaluations many | counted)" "16 100"
-for label in many once first; do
-  [ $label = many ] && who=suite || who=nobody
-  [[ $(column many/store.sqlite counted_by $label | counted) =~ ^1[0-9]\ $who ]] || fail "$label: $(column many/store.sqlite counted_by $label | counted)"
+for who in "many suite" "once nobody" "first nobody"; do
+  [[ $(column many/store.sqlite counted_by ${who% *} | counted) =~ ^1[0-9]\ ${who#* } ]] || fail "not counted by: $who"
 done
 
-# Budgets: who overruns one has not solved, and its arm stays. Only who is late has one of time: others
-# would overrun it on a busy machine.
+# Budgets: who overruns one has not solved, and its arm stays. On a busy machine others than late would overrun one of time.
 study late "$(entry late late)"
-sed -i 's/^iterations = 8$/&\nseconds = 0.05\ntolerance_cm = 1000/' late.toml
-succeeds run late.toml --figures none --out late --json
+succeeds run late.toml --set stop.seconds=0.05 --set stop.tolerance_cm=1000 --figures none --out late --json
 json '[row["mean"] for row in of["groups"] if row["metric"] == "solved" and row["solver"] == "late"] == [0]'
 study budgets "$(entry boasts boasts)" "$(entry spends spends)" "$(entry on "asks on")"
-sed -i 's/^iterations = 8$/&\nevaluations = 100\ntolerance_cm = 1000/; s/^runs = 2/runs = 12/; s/^points = 8/points = 2/' budgets.toml
-succeeds run budgets.toml --figures none --out budgets --json
+more=(--set stop.evaluations=100 --set stop.tolerance_cm=1000 --set runs=12 --set path.points=2)
+succeeds run budgets.toml "${more[@]}" --figures none --out budgets --json
 json 'all(row["p"] is None for row in of["findings"] if row["metric"] == "evaluations" and {row["first"], row["second"]} & {"boasts", "spends"})'
 ! column budgets/store.sqlite status boasts | grep -q over_budget || fail "who claims one evaluation is over budget"
 for who in "late late" "budgets spends" "budgets on"; do
@@ -98,7 +89,6 @@ for who in "late late" "budgets spends" "budgets on"; do
 done
 
 # An honest program by the numbers of a file whose angles are snapped is not branded.
-cp "$scripts"/programs/snapped/* .
 succeeds run snapped.toml --no-report --out snapped
 equal "status by the file's own numbers" "$(column snapped/store.sqlite status honest | counted)" "10 tolerance_missed"
 
@@ -113,8 +103,7 @@ echo "package missing" >packages.txt
 needy=$(entry needy fine 'files = ["packages.txt"]' | sed 's/faulty.py/needy.py/')
 runs needy "$needy"
 is needy needy "16 crashed"
-touch package
-echo "package 1.0" >packages.txt
+touch package && echo "package 1.0" >packages.txt
 runs needy "$needy"
 is needy needy "$any"
 
@@ -129,10 +118,7 @@ succeeds run rights.toml --no-report --out rights
 is rights rights "1 crashed $any"
 
 wait $silent || exit 1
-mistake() {
-  study mistake "$2"
-  refused "$1" run mistake.toml
-}
+mistake() { study mistake "$2" && refused "$1" run mistake.toml; }
 mistake "option w" "$(entry mine fine 'options = { w = 2 }')"
 mistake missing.py "$(entry mine fine 'files = ["missing.py"]')"
 mistake no_such_program "$(command_is '"no_such_program"')"
@@ -149,17 +135,13 @@ for signal in INT KILL; do
   sed -e 's/runs = 2/runs = 2000/' -e "s/fine/until-$signal-$$/" edited.toml >long.toml
   "$program" run long.toml --no-report --out long-$signal >/dev/null 2>&1 &
   process=$!
-  for ((i = 0; i < 2000; ++i)); do
-    [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && [ "$(left $signal)" -ge 1 ] && break # not only hello
+  until [ "$(solves long-$signal/store.sqlite 2>/dev/null)" -ge 1 ] && [ "$(left $signal)" -ge 1 ]; do # not only hello
+    kill -0 $process || fail "it ended before its program worked"
     sleep 0.02
   done
-  [ "$(left $signal)" -ge 1 ] || fail "the program did not start"
   kill -$signal $process
   wait $process 2>/dev/null
-  for ((i = 0; i < 1000; ++i)); do
-    [ "$(left $signal)" = 0 ] && break
-    sleep 0.02
-  done
+  for _ in {1..1000}; do [ "$(left $signal)" != 0 ] || break; sleep 0.02; done
   equal "processes after SIG$signal" "$(left $signal)" 0
 done
 

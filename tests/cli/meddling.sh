@@ -3,8 +3,7 @@
 source "$(dirname "$0")/common.sh"
 study=(run slim2023 --set runs=6 --set path.points=10 --set stop.iterations=200 --set population=20 --figures none)
 
-# begin FOLDER [RUNS]: the study with so many runs that it does not end by itself, or with RUNS, runs into it, in the
-# background, as $process; its store has solves.
+# begin FOLDER [RUNS]: the study, with RUNS or for minutes, runs into it, in the background, as $process; its store has solves.
 begin() {
   long=("${study[@]/runs=6/runs=${2:-5000}}")
   "$program" "${long[@]}" --out "$1" >.first-out 2>.first-err &
@@ -17,8 +16,7 @@ begin() {
 
 # ended CODE WORD: checks how it ended, and that it reported no success.
 ended() {
-  wait $process 2>.waited
-  code=$?
+  wait $process 2>.waited; code=$?
   equal "exit code, with $(<.first-err)" $code "$1"
   has "$(<.first-err)" "$2"
   equal "standard output" "$(<.first-out)" ""
@@ -46,14 +44,12 @@ succeeds "${study[@]}" --out shared
 equal solves "$(solves shared/store.sqlite)" 360
 begin twice
 "$program" "${long[@]}" --out twice >.second-out 2>.second-err &
-wait -n -p refused_one $process $!
-code=$?
+wait -n -p refused_one $process $!; code=$?
 equal "exit code of one of two: $(<.first-err) $(<.second-err)" $code 1
 has "$(cat .first-err .second-err)" "another ikbench is running the same study"
 [ "$refused_one" != $process ] || process=$!
 kill $process
-wait $process
-equal "exit code of the other, which went on" $? 143
+ended 143 ""
 succeeds "${study[@]}" --out twice
 same_fingerprint twice/store.sqlite elsewhere/store.sqlite
 
@@ -63,7 +59,7 @@ mkfifo end-reading
 printf 'BEGIN;\nSELECT count(*) FROM solves;\n.shell touch is-reading; cat end-reading\n' | sqlite3 -readonly read/store.sqlite >.count &
 until [ -e is-reading ]; do sleep 0.02; done
 kill -KILL $process # else it waits for the reader
-wait $process 2>.waited
+ended 137 ""
 succeeds "${study[@]}" --out read
 has "$err" store.sqlite-wal
 mkdir copied

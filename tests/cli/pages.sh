@@ -6,11 +6,8 @@ source "$(dirname "$0")/common.sh"
 mkdir bin
 cat >bin/ikbench <<END
 #!/usr/bin/env bash
-case "\$*" in # fewer runs of the same commands
-  "run baselines"*) set -- "\$@" --set runs=1 --set path.points=2 ;; # they take minutes
-  *" --set runs="*) ;;
-  "run "*) set -- "\$@" --set runs=4 ;;
-esac
+[[ "\$*" != "run baselines"* ]] || set -- "\$@" --set runs=1 --set path.points=2 # they take minutes
+[[ "\$*" != "run "* || "\$*" == *" --set runs="* ]] || set -- "\$@" --set runs=4
 exec "$program" "\$@"
 END
 chmod +x bin/ikbench

@@ -64,7 +64,7 @@ PartitionName=test Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
 export SLURM_CONF=$run/slurm.conf
 slurmctld -f "$SLURM_CONF" && slurmd -f "$SLURM_CONF" || fail "no slurm: $(tail -n 5 "$run"/log/*.log)"
-for _ in $(seq 100); do [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ] || break; sleep 0.2; done
+for _ in $(seq 600); do [ "$(sinfo --noheader --format=%T 2>/dev/null)" != idle ] || break; sleep 0.2; done
 equal "state of the node" "$(sinfo --noheader --format=%T)" idle
 
 # The study: enough that a task can be met while it runs.
