@@ -55,7 +55,7 @@ struct Counted {
   std::vector<std::vector<Shares>> alternatives;  // by dimension; of the readings that make the choice
 };
 
-// Of each pair alone, by Welch's t.
+// Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
 Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
   const auto k = static_cast<double>(solvers);
   return {.test = Plan::Test::means, .significance = plan.significance / (k * (k - 1) / 2), .margin = plan.margin};
@@ -144,7 +144,7 @@ std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& cl
   }
   const auto has = [](const auto& all, std::size_t s) { return std::ranges::find(all, s) != all.end(); };
   if (has(own, k) || has(rivals, k)) return {};
-  const Plan of_pair = plan_of_pairs(plan, own.size() + rivals.size());
+  const Plan of_pair = plan_of_pairs(plan, k);
   Counted result{.shares = {.id = claim.id, .all = {}}, .sentence = claim.sentence, .alternatives = {}};
   for (const Dimension& each : multiverse.dimensions) result.alternatives.emplace_back(each.alternatives.size());
   for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {

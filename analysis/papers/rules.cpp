@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/shown.hpp"
 #include "analysis/show/text.hpp"
 
@@ -39,25 +40,40 @@ const JudgedStudy* study_of(const Claim& claim, const Repeated& of, bool is_of_p
 }
 
 // A rival has the name of one of the claim's solvers only where it is another study's, and asked for.
-bool is_rival(const std::string& name, const Claim& claim) {
-  return claim.against.empty() ? !has(claim.solvers, name) : has(claim.against, name);
-}
 std::string name_of_rival(const std::string& name, const Claim& claim) {
   return has(claim.solvers, name) ? fmt::format("{} of {}", name, claim.study) : name;
 }
+bool is_rival(const std::string& name, const Claim& claim) {
+  if (claim.against.empty()) return !has(claim.solvers, name);
+  return std::ranges::any_of(
+      claim.against, [&](const std::string& rival) { return name == rival || name == name_of_rival(rival, claim); });
+}
 
-// Judges them if all of the claim's solvers and some other one are there, and none is without observations.
-std::optional<Judged> judged_if_complete(Observations of, Plan plan, const Claim& claim) {
-  const auto is_there = [&](const std::string& name) {
-    return std::ranges::find(of.groups, name, &Group::name) != of.groups.end();
-  };
-  const bool has_own = std::ranges::all_of(claim.solvers, is_there) && of.groups.size() > claim.solvers.size();
-  if (!has_own || std::ranges::any_of(of.groups, [](const Group& each) { return describe(each).n == 0; })) return {};
-  if (!is_there(plan.control)) plan.control.clear();
-  Judged judged = judge(claim.of == Of::spread ? deviations(of) : of, plan);
-  for (std::size_t i = 0; i < of.groups.size() && claim.of == Of::spread; ++i)
-    judged.described[i].mean = describe(of.groups[i]).sd;
-  return judged;
+// As its report judged it, so that a claim and the report cannot disagree. What a report does not have is judged alike.
+Judged judged_in(const JudgedStudy& study, const Metric& metric) {
+  const Judged* const reported = figures::judged_of(study, metric.column);
+  return reported ? *reported : judge(study.study, metric);
+}
+
+Judged spread_of(const Judged& judged) {
+  Judged spread = judge(deviations(judged.observations), judged.plan);
+  for (std::size_t i = 0; i < spread.described.size(); ++i) spread.described[i].mean = judged.described[i].sd;
+  return spread;
+}
+
+// Leaves the claim's solvers and their rivals. None if one of the former or all of the latter are missing, or some are
+// without observations.
+std::optional<Judged> about(const Claim& claim, Judged judged) {
+  std::vector<Group>& groups = judged.observations.groups;
+  for (std::size_t i = groups.size(); i-- > 0;) {
+    if (has(claim.solvers, groups[i].name) || is_rival(groups[i].name, claim)) continue;
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(i));
+    judged.described.erase(judged.described.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  const auto is_there = [&](const std::string& name) { return std::ranges::count(groups, name, &Group::name) > 0; };
+  const bool has_own = std::ranges::all_of(claim.solvers, is_there) && groups.size() > claim.solvers.size();
+  const bool has_all = std::ranges::all_of(judged.described, [](const Description& its) { return its.n > 0; });
+  return has_own && has_all ? std::optional(std::move(judged)) : std::nullopt;
 }
 
 // The claim's solvers and others, each from its study.
@@ -65,32 +81,32 @@ std::optional<Judged> judged_here(const Claim& claim, const Repeated& of, const 
   const JudgedStudy* const own = study_of(claim, of, claim.from != From::others);
   const JudgedStudy* const others = study_of(claim, of, claim.from != From::solvers);
   if (own == nullptr || others == nullptr) return {};
-  Observations all = observe(own->study, metric);
-  std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
-  for (Group& group : observe(others->study, metric).groups) {
-    if (!is_rival(group.name, claim) || (own == others && has(claim.solvers, group.name))) continue;
-    group.name = name_of_rival(group.name, claim);
-    all.groups.push_back(std::move(group));
+  Judged judged = judged_in(*own, metric);
+  if (own != others) {  // no report has a finding of these pairs
+    Observations& all = judged.observations;
+    std::erase_if(all.groups, [&](const Group& group) { return !has(claim.solvers, group.name); });
+    Observations theirs = judged_in(*others, metric).observations;
+    for (Group& group : theirs.groups) {
+      if (!is_rival(group.name, claim)) continue;
+      group.name = name_of_rival(group.name, claim);
+      all.groups.push_back(std::move(group));
+    }
+    all.is_paired = false;
+    for (Group& group : all.groups) group.blocks.clear();
+    judged = judge(std::move(all), judged.plan);
   }
-  all.is_paired &= own == others;
-  for (Group& group : all.groups) {
-    if (!all.is_paired) group.blocks.clear();
-  }
-  return judged_if_complete(std::move(all), of.study.study.definition.plan, claim);
+  return about(claim, claim.of == Of::spread ? spread_of(judged) : judged);
 }
 
-// The printed numbers of the same solvers, by means; none if they are not about this study.
+// The printed numbers of the study's solvers, by means; none if the claim is not about this study.
 std::optional<Judged> judged_print(const Claim& claim, const Repeated& of, const Metric& metric) {
   const StudyResults& study = of.study.study;
   PrintedRows rows = printed_rows(of.paper, metric);
-  std::erase_if(rows, [&](const PrintedRow& row) {
-    return !has(study.solvers, row.solver) || !(has(claim.solvers, row.solver) || is_rival(row.solver, claim));
-  });
+  std::erase_if(rows, [&](const PrintedRow& row) { return !has(study.solvers, row.solver); });
   if (!claim.study.empty() || claim.of != Of::means || rows.empty()) return {};
   const Plan& plan = study.definition.plan;
-  return judged_if_complete(observations_of(rows, observe(study, metric)),
-                            {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin},
-                            claim);
+  return about(claim, judge(observations_of(rows, judged_in(of.study, metric).observations),
+                            {.test = Plan::Test::means, .significance = plan.significance, .margin = plan.margin}));
 }
 
 double mean_of(const Judged& judged, std::string_view solver) {
@@ -166,14 +182,12 @@ Found better_in_each_study(const Claim& claim, const Repeated& of) {
   Tally tally;
   Names arms;
   for (const JudgedStudy* each : of.all()) {
-    const Judged judged = judge(each->study, *claim.metrics.front());
-    Names rivals = rivals_of(judged, {own});
-    std::erase_if(rivals, [&](const std::string& name) { return !is_rival(name, claim); });
-    if (rivals.empty() || !has(each->study.solvers, own)) continue;
-    const std::string& best = rivals.back();  // read_claim takes shares alone
-    tally.add(verdict_between(judged, own, best));
-    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(judged, best),
-                               100 * mean_of(judged, own)));
+    const std::optional<Judged> judged = about(claim, judged_in(*each, *claim.metrics.front()));
+    if (!judged) continue;
+    const std::string best = rivals_of(*judged, {own}).back();  // read_claim takes shares alone
+    tally.add(verdict_between(*judged, own, best));
+    arms.push_back(fmt::format("{} {:.1f} to {:.1f} %", each->study.definition.robot, 100 * mean_of(*judged, best),
+                               100 * mean_of(*judged, own)));
   }
   result.evidence = fmt::format("{} is not among the solvers.", own);
   if (arms.empty()) return {result};
@@ -413,8 +427,10 @@ Found ratios(const Claim& claim, const Repeated& of) {
       claim.table.empty() ? printed_rows(paper, metric) : printed_times(paper.name, claim.table);
   if (printed.empty()) return {};
   std::map<std::string, double> ours;  // medians
-  for (const Group& group : observe(judged->study, metric).groups) {
-    if (!group.is_apart && group.lost == 0) ours[group.name] = describe(group).median;
+  const Judged times = judged_in(*judged, metric);
+  for (std::size_t i = 0; i < times.described.size(); ++i) {
+    const Group& group = times.observations.groups[i];
+    if (!group.is_apart && group.lost == 0) ours[group.name] = times.described[i].median;
   }
   JudgedClaim result = begun(claim);
   result.holds = Holds::not_compared;

@@ -1,7 +1,10 @@
 // The rules, by the claims of both papers on hand-made studies.
 #include "analysis/papers/claims.hpp"
 
+#include <algorithm>
+
 #include "analysis/papers/rules.hpp"
+#include "analysis/show/shown.hpp"
 #include "tests/papers/studies.hpp"
 
 using namespace ikbench;
@@ -58,6 +61,34 @@ TEST_CASE("a claim fails where one is worse, and is not decided where none is sh
     CHECK(holds(repeated(equal), id) == Holds::undecided);
   }
   CHECK(holds(repeated(equal), "solvers_differ") == Holds::fails);
+}
+
+TEST_CASE("a claim about solvers of one study has the verdicts of its report", "[papers]") {
+  for (const int runs : {3, 4, 5, 6, 8, 20}) {
+    const JudgedStudy study = study_of({.runs = runs}), limits = study_of({.name = "slim2023-limits", .runs = runs});
+    const Repeated of = repeated(study, {&limits});
+    for (const Claim& claim : of.paper.claims) {
+      const bool is_of_one = claim.study.empty() || claim.study == "limits";
+      if (!is_of_one || !claim.rule || claim.rule->name != "better" || claim.of != Of::means) continue;
+      const show::Table pairs = show::pairs_table(show::shown(claim.study.empty() ? study : limits));
+      std::vector<Holds> parts;
+      for (const Metric* metric : claim.metrics) {
+        Tally tally;
+        for (const auto& row : pairs.rows) {
+          const auto cell = [&](std::size_t column) { return std::get<std::string>(row[column]); };
+          const auto is_own = [&](std::size_t column) { return std::ranges::count(claim.solvers, cell(column)) > 0; };
+          const std::string& rival = is_own(1) ? cell(2) : cell(1);
+          const bool is_asked = claim.against.empty() || std::ranges::count(claim.against, rival) > 0;
+          if (cell(0) != metric->name || is_own(1) == is_own(2) || !is_asked) continue;
+          const bool is_found = cell(9).starts_with("better");  // the first
+          tally.add(!is_found ? Verdict::undecided : is_own(1) ? Verdict::better : Verdict::worse);
+        }
+        if (tally.all() > 0) parts.push_back(holds_of(tally));
+      }
+      INFO(runs << " runs: " << claim.id);
+      if (!parts.empty()) CHECK(holds(of, claim.id) == holds_of(parts));
+    }
+  }
 }
 
 TEST_CASE("an answer that is none decides nothing for its solver", "[papers]") {

@@ -57,7 +57,7 @@ Multiverse small(int runs) {
 Shares by_hand(const Multiverse& multiverse, const Claim& claim) {
   Shares shares;
   const std::size_t metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
-  const double pairs = claim.against.empty() ? 6 : 1;
+  const double pairs = 6;
   for (const auto& study : multiverse.studies) {
     for (std::size_t reading = 0; reading < 16; ++reading) {
       Observations of{.metric = "x", .quantity = "x", .rounding = claim.metrics.front()->rounding, .groups = {}};
