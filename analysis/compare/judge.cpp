@@ -64,7 +64,8 @@ JudgedStudy judge(StudyResults study) {
   JudgedStudy judged;
   for (const Metric& metric : metrics()) {
     const bool is_deciding = &metric == &deciding;
-    if (!is_deciding && !metric.is_reported) continue;
+    const bool is_told_by_solved = metric.kind == Kind::error && definition.has_tolerance();
+    if (!is_deciding && (!metric.is_reported || is_told_by_solved)) continue;
     Observations of = observe(study, metric);
     if (!is_deciding && !has_meaning(of)) continue;
     if (is_deciding) judged.deciding = judged.metrics.size();

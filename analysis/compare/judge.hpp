@@ -25,7 +25,8 @@ Judged judge(Observations of, const Plan& plan);
 
 struct JudgedStudy {
   StudyResults study;
-  std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one
+  std::vector<Judged> metrics;  // of reports, in the order of metrics.inc, if the study has them; and the deciding one.
+                                // With a tolerance no other error: solved says which are small enough
   std::size_t deciding = 0;   // metric of the headline: the plan's, else solved where there is a tolerance, else error
   std::vector<Doubt> doubts;  // of the whole study
 };

@@ -43,6 +43,7 @@ struct Observations {
   double floor = 0;            // of ratios: a smaller value counts as this
   double rounding = 0;         // values that differ by no more are equal
   bool is_paired = false;      // values of one block belong together; without blocks, values[i]
+  bool is_of_solved = false;   // so each group has its own targets: numbers of two are comparable in findings alone
   int trials = 1;              // of shares: attempts in an observation; one makes it 0 or 1
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};

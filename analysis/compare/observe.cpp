@@ -72,7 +72,11 @@ double tolerance_of(const StudyResults& study, const Metric& metric) {
   return metric.unit == "deg" ? stop.tolerance_deg : stop.tolerance_cm;
 }
 
-bool is_cost(const Metric& metric) { return metric.kind == Kind::cost || metric.kind == Kind::time; }
+// What failed has no cost of an answer; along a path it has, for the next solve starts from there.
+bool is_of_solved(const StudyResults& study, const Metric& metric) {
+  const bool is_cost = metric.kind == Kind::cost || metric.kind == Kind::time;
+  return is_cost && metric.of_run == nullptr && study.definition.has_tolerance() && !study.definition.is_chained();
+}
 
 struct Value {
   int block;
@@ -83,7 +87,7 @@ struct Value {
 std::vector<Value> values_of(const StudyResults& study, const Metric& metric, const Design& design,
                              std::string_view solver) {
   const Definition& definition = study.definition;
-  const bool of_solved = is_cost(metric) && definition.has_tolerance() && !definition.is_chained();
+  const bool of_solved = is_of_solved(study, metric);
   const double least = tolerance_of(study, metric);
   std::vector<Value> values;
   for (const Run run : runs_of(study.of(solver))) {
@@ -365,6 +369,7 @@ Observations observe(const StudyResults& study, const Metric& metric) {
                   .floor = metric.floor,
                   .rounding = metric.rounding,
                   .is_paired = design.is_paired,
+                  .is_of_solved = is_of_solved(study, metric),
                   .trials = design.solves};
   std::vector<Group>& groups = of.groups;
   for (const std::string& solver : study.solvers) groups.push_back(group_of(study, metric, design, solver));

@@ -302,7 +302,10 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
     if (figure) all.push_back(std::move(*figure));
   };
   add(overview_of(judged, look));
-  if (const Judged* const errors = judged_of(judged, error)) add(boxes_of(judged, *errors, error, "error-boxes", look));
+  if (const Judged* const errors = judged_of(judged, error))
+    add(boxes_of(judged, *errors, error, "error-boxes", look));
+  else if (study.definition.has_tolerance())  // where errors are not judged
+    add(boxes_of(judged, {.observations = observe(study, metric_named(error))}, error, "error-boxes", look));
   const auto has_doubt = [](const std::vector<Doubt>& doubts) {
     return std::ranges::count(doubts, DoubtKind::times_not_comparable, &Doubt::kind) > 0;
   };

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "analysis/compare/observations.hpp"
 #include "analysis/compare/tests_of_two.hpp"
 #include "analysis/figures/figure.hpp"
 
@@ -18,11 +20,14 @@ struct Printed {
   std::string printed;
   std::string sign = {};  // "=", "~" or "x": how near they are
 };
-// A number with a mark, "*", or that is an upper bound; files of numbers have the number alone.
+// A number with a mark, "*", or its interval, or that is an upper bound; or what stands in its place: a ratio to the
+// reference of the column, or a difference from it, which files of numbers have in a column of their own.
 struct Marked {
   double value;
-  std::string mark;
+  std::string mark = {};
   bool is_bound = false;
+  std::optional<compare::Interval> interval = {};
+  std::optional<compare::Scale> to_reference = {};
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;

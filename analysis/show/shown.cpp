@@ -74,8 +74,6 @@ Shown shown(const JudgedStudy& judged) {
   all.deciding = judged.deciding;
   all.doubts = judged.doubts;
   all.noun = definition.is_chained() || judged.study.points == 1 ? "runs" : "targets";
-  if (definition.has_tolerance() && !definition.is_chained())
-    all.notes.emplace_back("Joint motion, time and evaluations are those of solved targets.");
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

@@ -28,24 +28,33 @@ Cell value_cell(const Group& group, double value, std::string_view mark = {}) {
   return is_bound || !mark.empty() ? Cell(Marked{value, std::string(mark), is_bound}) : Cell(value);
 }
 
-// The star of what is shown to be worse than the best group that is compared.
-std::string_view mark_of(const Judged& judged, std::size_t group, const results::Plan& plan) {
-  const std::vector<Group>& groups = judged.observations.groups;
-  if (groups[group].is_apart) return not_compared;
-  const std::vector<std::size_t> order = best_first(judged, plan);
-  const auto best = std::ranges::find_if(order, [&](std::size_t i) { return !groups[i].is_apart; });
-  const Finding* finding = finding_of(judged, groups[*best].name, groups[group].name);
-  const Verdict worse = finding && finding->first == groups[group].name ? Verdict::worse : Verdict::better;
-  return *best != group && finding && finding->verdict == worse ? star : "";
+// Of a share of observations that are solved or not.
+std::optional<Interval> interval_of(const Judged& judged, const Description& its, const results::Plan& plan) {
+  if (!is_share(judged) || judged.observations.trials > 1 || its.n == 0) return {};
+  const Interval share = wilson(its.mean / 100, its.n, plan.significance);
+  return Interval{100 * share.low, 100 * share.high};
 }
 
-// Its column would say nothing but the tolerance.
-bool is_all_tolerance(const Judged& judged, const results::Plan& plan) {
+// A solver's number, and the mark of its pair with the reference. Where the numbers of two are of other targets, the
+// finding of the pair stands in its place.
+Cell result_cell(const Shown& shown, const Judged& judged, const std::string& solver, const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (groups[i].at_most == 0 || told(judged, i, plan) != groups[i].at_most) return false;
+  const auto group = std::ranges::find(groups, solver, &Group::name);
+  if (group == groups.end() || group->lost > 0) return {};
+  const auto i = static_cast<std::size_t>(group - groups.begin());
+  const Finding* const pair = finding_of(judged, solver, reference);
+  const Finding finding = pair ? better_first(*pair, reference) : Finding();
+  const bool is_untested = group->is_apart || (pair && finding.verdict == Verdict::not_tested);
+  const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
+  const std::string mark(is_untested ? not_compared : is_worse ? star : "");
+  if (judged.observations.is_of_solved && solver != reference) {
+    if (!finding.estimate) return {};
+    return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
   }
-  return true;
+  const double value = told(judged, i, shown.plan);
+  if (const auto interval = interval_of(judged, judged.described[i], shown.plan))
+    return Marked{.value = value, .mark = mark, .interval = interval};
+  return value_cell(*group, value, mark);
 }
 
 void add_setting(Table& table, std::string what, std::string value) {
@@ -77,49 +86,63 @@ std::string stops_of(const results::Definition::Stop& stop) {
 Table results_table(const Shown& shown) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const Judged& decisive = shown.decisive();
-  for (const std::size_t i : best_first(decisive, shown.plan))
-    table.rows.push_back({decisive.observations.groups[i].name});
+  const std::vector<std::size_t> order = best_first(decisive, shown.plan);
+  for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
+  const std::string first = order.empty() ? "" : decisive.observations.groups[order[0]].name;
+  const std::string reference = shown.plan.control.empty() ? first : shown.plan.control;
   const bool are_means = shown.plan.test == results::Plan::Test::means;
-  bool are_shares = true;
-  const auto add = [&](const Judged& judged, const std::string& name, bool is_other) {
+  const std::string average = are_means ? "mean" : "median";
+  bool has_numbers = false;
+  const auto add = [&](const Judged& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
-    are_shares &= is_share(judged);
     for (auto& row : table.rows) {
-      const std::vector<Group>& groups = judged.observations.groups;
-      const auto group = std::ranges::find(groups, std::get<std::string>(row[0]), &Group::name);
-      const auto i = static_cast<std::size_t>(group - groups.begin());
-      const Description none, &its = group == groups.end() ? none : judged.described[i];
-      if (its.n == 0 || group->lost > 0) {
-        row.emplace_back();
-      } else if (is_other) {
-        row.push_back(value_cell(*group, are_means ? its.median : its.mean));
-      } else {
-        row.push_back(value_cell(*group, told(judged, i, shown.plan), mark_of(judged, i, shown.plan)));
-      }
+      row.push_back(result_cell(shown, judged, std::get<std::string>(row[0]), reference));
+      has_numbers |= !is_share(judged) && !std::holds_alternative<std::monostate>(row.back());
     }
   };
-  const std::string& quantity = decisive.observations.quantity;
-  add(decisive, (is_share(decisive) ? "" : are_means ? "mean " : "median ") + quantity, false);
-  if (!is_share(decisive)) add(decisive, (are_means ? "median " : "mean ") + quantity, true);
-  for (const Judged& judged : shown.metrics) {
-    if (&judged != &decisive && !is_all_tolerance(judged, shown.plan)) add(judged, judged.observations.quantity, false);
-  }
-  bool has_star = false, is_any_apart = false;
-  for (const auto& row : table.rows) {
-    for (const Cell& cell : row) {
-      const auto* marked = std::get_if<Marked>(&cell);
-      has_star |= marked && marked->mark == star;
-      is_any_apart |= marked && marked->mark == not_compared;
+  const Observations& of = decisive.observations;
+  const bool has_both_averages = !is_share(decisive) && !of.is_of_solved;
+  add(decisive, has_both_averages ? fmt::format("{} {}", average, of.quantity) : of.quantity);
+  if (has_both_averages) {
+    table.columns.push_back({.name = (are_means ? "median " : "mean ") + of.quantity, .unit = of.unit});
+    for (std::size_t row = 0; row < order.size(); ++row) {
+      const Group& group = of.groups[order[row]];
+      const Description& its = decisive.described[order[row]];
+      table.rows[row].push_back(group.lost > 0 ? Cell() : value_cell(group, are_means ? its.median : its.mean));
     }
   }
-  std::vector<std::string> keys;
-  if (!are_shares) keys.emplace_back(are_means ? "means" : "medians");
-  if (has_star)
-    keys.push_back(fmt::format("{} worse than the best of the column (p < {}, Holm); no star: not shown to differ",
-                               star, number_text(shown.plan.significance)));
-  if (!keys.empty()) table.notes.push_back(fmt::format("{}", fmt::join(keys, "; ")));
+  for (const Judged& judged : shown.metrics) {
+    if (&judged != &decisive) add(judged, judged.observations.quantity);
+  }
+  const auto has = [&](auto member, auto value) {
+    return std::ranges::any_of(table.rows, [&](const auto& row) {
+      return std::ranges::any_of(row, [&](const Cell& cell) {
+        const auto* const marked = std::get_if<Marked>(&cell);
+        return marked && marked->*member == value;
+      });
+    });
+  };
+  std::string key = has_numbers ? average + "s" : "";
+  std::vector<std::string> kinds;
+  if (has(&Marked::to_reference, Scale::ratio)) kinds.emplace_back("times that");
+  if (has(&Marked::to_reference, Scale::difference)) kinds.emplace_back("differences from it");
+  if (!kinds.empty()) {
+    const bool are_common = std::ranges::any_of(shown.metrics, [](const Judged& judged) {
+      return judged.observations.is_of_solved && judged.observations.is_paired;
+    });
+    key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, order.size() == 2 ? "" : "s",
+                      listed(kinds, " or "),
+                      are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
+  }
+  if (has(&Marked::mark, star))
+    key += fmt::format("{}{} worse than {} (p < {})",
+                       key.empty()     ? ""
+                       : kinds.empty() ? "; "
+                                       : ". ",
+                       star, reference, number_text(shown.plan.significance));
+  if (!key.empty()) table.notes.push_back(key);
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
-  if (is_any_apart) table.notes.push_back(fmt::format("{} not compared", not_compared));
+  if (has(&Marked::mark, not_compared)) table.notes.push_back(fmt::format("{} not compared", not_compared));
   return table;
 }
 
@@ -171,7 +194,7 @@ Table descriptives_table(const Shown& shown) {
                           {"interval"},
                           {"unit"},
                           {"lost"}}};
-  bool is_any_lost = false, is_any_share = false;
+  bool is_any_lost = false, is_any_share = false, is_any_of_solved = false;
   for (const Judged& judged : shown.metrics) {
     const Observations& of = judged.observations;
     for (std::size_t i = 0; i < of.groups.size(); ++i) {
@@ -179,23 +202,20 @@ Table descriptives_table(const Shown& shown) {
       const Group& group = of.groups[i];
       auto& row = table.rows.emplace_back();
       row = {of.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
-      const bool is_count = is_share(judged) && of.trials == 1;
+      const std::optional<Interval> interval = interval_of(judged, its, shown.plan);
       for (const double value : {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest})
-        row.push_back(is_count ? Cell() : value_cell(group, value));
-      Cell interval;
-      if (is_count && its.n > 0) {
-        const Interval share = wilson(its.mean / 100, its.n, shown.plan.significance);
-        interval = Interval{100 * share.low, 100 * share.high};
-        is_any_share = true;
-      }
-      row.push_back(interval);
+        row.push_back(interval ? Cell() : value_cell(group, value));
+      row.push_back(interval ? Cell(*interval) : Cell());
+      is_any_share |= interval.has_value();
       row.emplace_back(of.unit);
       row.push_back(group.lost > 0 ? Cell(std::int64_t{group.lost}) : Cell());
       is_any_lost |= group.lost > 0;
+      is_any_of_solved |= of.is_of_solved;
     }
   }
-  table.notes = {
-      fmt::format("n: {}. Quartiles as MATLAB's.{}", shown.noun, is_any_share ? " Interval: Wilson's." : "")};
+  table.notes = {fmt::format("n: {}{}. Quartiles as MATLAB's.{}", shown.noun,
+                             is_any_of_solved ? "; of costs, those solved" : "",
+                             is_any_share ? " Interval: Wilson's." : "")};
   if (is_any_lost) table.notes.emplace_back("lost: without a value; such a solver is not compared.");
   return table;
 }

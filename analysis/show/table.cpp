@@ -19,27 +19,35 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 using Escape = std::string (*)(std::string_view);
-using Number = std::string (*)(double);
+using Number = std::string (*)(double, int digits);
 
 // A cell for readers. `unit` stands after a number.
 struct Readable {
   Number number;
   const Column& column;
-  std::string unit = {}, at_most = "≤ ";
+  std::string unit = {}, at_most = "≤ ", dash = "-";
 
   std::string operator()(std::monostate) const { return "-"; }
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const {
-    const std::string text = column.is_p ? p_text(value) : number(value);
+    const std::string text = column.is_p ? p_text(value) : number(value, 3);
     return text == "-" ? text : text + unit;
   }
   std::string operator()(const compare::Interval& of) const {
-    return fmt::format("{} to {}{}", number(of.low), number(of.high), unit);
+    return fmt::format("{} to {}{}", number(of.low, 3), number(of.high, 3), unit);
   }
   std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
   std::string operator()(const Marked& of) const {
-    return (of.is_bound ? at_most : "") + (*this)(of.value) + (of.mark.empty() ? "" : ' ' + of.mark);
+    const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
+    std::string text = (of.is_bound ? at_most : "") + (*this)(of.value);
+    if (of.to_reference == compare::Scale::ratio) text = number(of.value, digits(of.value - 1, 0.1)) + " times";
+    if (of.to_reference == compare::Scale::difference && of.value > 0) text.insert(0, "+");
+    if (const auto& its = of.interval) {
+      const int wide = digits(its->high - its->low, 3);
+      text += fmt::format(" ({}{}{})", number(its->low, wide), dash, number(its->high, wide));
+    }
+    return text + (of.mark.empty() ? "" : ' ' + of.mark);
   }
 };
 
@@ -48,8 +56,6 @@ bool has(const Table& table, std::size_t column) {
   return std::ranges::any_of(table.rows, [=](const auto& row) { return std::holds_alternative<Kind>(row[column]); });
 }
 bool is_text(const Table& table, std::size_t column) { return has<std::string>(table, column); }
-
-std::string plain_number(double value) { return number_text(value); }
 
 std::string head(const Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
@@ -84,10 +90,12 @@ Rows readable(const Table& table, Escape escape) {
   for (const auto& cells : table.rows) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c)
-      row.push_back(escape(std::visit(Readable{plain_number, table.columns[c]}, cells[c])));
+      row.push_back(escape(std::visit(Readable{number_text, table.columns[c]}, cells[c])));
   }
   return rows;
 }
+
+constexpr std::string_view times = "times";  // has no unit
 
 // The members of a cell in files of numbers, with the words that follow the name of its column.
 std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::size_t c, const Cell& cell) {
@@ -97,13 +105,31 @@ std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::
     return {{"low", of ? number(of->low) : Json()}, {"high", of ? number(of->high) : Json()}};
   }
   if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
+  const auto* const marked = std::get_if<Marked>(&cell);
   Json value;
   if (const auto* text = std::get_if<std::string>(&cell)) value = *text;
   if (const auto* count = std::get_if<std::int64_t>(&cell)) value = *count;
   if (const auto* of = std::get_if<double>(&cell)) value = number(*of);
-  if (const auto* of = std::get_if<Marked>(&cell)) value = number(of->value);
-  if (has<Printed>(table, c)) return {{"", value}, {"printed", Json()}};
-  return {{"", value}};
+  if (marked && !marked->to_reference) value = number(marked->value);
+  std::vector<std::pair<std::string_view, Json>> all{{"", value}};
+  if (has<Printed>(table, c)) all.emplace_back("printed", Json());
+  const auto is_any = [&](auto is_so) {
+    return std::ranges::any_of(table.rows, [&](const auto& row) {
+      const auto* const of = std::get_if<Marked>(&row[c]);
+      return of && is_so(*of);
+    });
+  };
+  for (const auto& [scale, name] :
+       {std::pair(compare::Scale::ratio, times), {compare::Scale::difference, "difference"}}) {
+    const auto is_so = [scale = scale](const Marked& of) { return of.to_reference == scale; };
+    if (is_any(is_so)) all.emplace_back(name, marked && is_so(*marked) ? number(marked->value) : Json());
+  }
+  if (is_any([](const Marked& of) { return of.interval.has_value(); })) {
+    const auto its = marked ? marked->interval : std::nullopt;
+    all.emplace_back("low", its ? number(its->low) : Json());
+    all.emplace_back("high", its ? number(its->high) : Json());
+  }
+  return all;
 }
 
 // "error low", but "low" alone of the column "interval".
@@ -118,8 +144,8 @@ std::string csv_text(const Json& value) {
 }
 
 // -1.2e-05 as $-1.2 \times 10^{-5}$, which no escaping may touch.
-std::string latex_number(double value) {
-  const std::string text = number_text(value);
+std::string latex_number(double value, int digits) {
+  const std::string text = number_text(value, digits);
   const std::size_t e = text.find('e');
   if (e != std::string::npos)
     return fmt::format("${} \\times 10^{{{}}}$", text.substr(0, e), std::stoi(text.substr(e + 1)));
@@ -127,10 +153,14 @@ std::string latex_number(double value) {
 }
 
 std::string latex_cell(const Cell& cell, const Column& column) {
-  const Readable read{latex_number, column, "", "$\\le$ "};
+  const Readable read{latex_number, column, "", "$\\le$ ", "--"};
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
-  if (const auto* of = std::get_if<Marked>(&cell)) return read(Marked{of->value, latex_text(of->mark), of->is_bound});
+  if (const auto* of = std::get_if<Marked>(&cell)) {
+    Marked marked = *of;
+    marked.mark = latex_text(of->mark);
+    return read(marked);
+  }
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
 }
@@ -150,7 +180,8 @@ std::string to_csv(const Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
-    for (const auto& [member, value] : members(table, c, {})) heads.push_back(member_name(column.name, member) + unit);
+    for (const auto& [member, value] : members(table, c, {}))
+      heads.push_back(member_name(column.name, member) + (member == times ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {
@@ -257,7 +288,7 @@ std::string to_text(const Table& whole) {
     auto& row = rows.emplace_back();
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Column& column = table.columns[c];
-      const Readable read{plain_number, column, column.unit.empty() ? "" : ' ' + column.unit};
+      const Readable read{number_text, column, column.unit.empty() ? "" : ' ' + column.unit};
       row.push_back(shortened(std::visit(read, cells[c]), longest));
     }
   }

@@ -36,8 +36,11 @@ TEST_CASE("A report has the metrics that a study has, and is decided by the plan
   CHECK(slugs(of) == "error variation time evaluations ");
   CHECK(of.deciding == 0);
   const JudgedStudy with = judge(study({.tolerance_cm = 1}, as_made));
-  CHECK(slugs(with) == "solved error variation time evaluations ");
+  CHECK(slugs(with) == "solved variation time evaluations ");
   CHECK(with.deciding == 0);
+  const JudgedStudy by_error =
+      judge(study({.tolerance_cm = 1, .rest = R"(, "analysis": {"metric": "position_error_cm"})"}, as_made));
+  CHECK(slugs(by_error) == "solved error variation time evaluations ");
   const JudgedStudy planned = judge(study({.rest = R"(, "analysis": {"metric": "iterations"})"}, as_made));
   CHECK(slugs(planned) == "error variation time evaluations iterations ");
   CHECK(planned.deciding == 4);
@@ -88,13 +91,14 @@ TEST_CASE("A solver that fails on 3 of 20 targets stays in the error's table, de
 }
 
 TEST_CASE("Where a tolerance is set and both solve all, the share is equal and errors are at most the tolerance") {
-  const JudgedStudy of =
-      judge(study({.start = "middle", .targets = "drawn", .runs = 20, .points = 5, .tolerance_cm = 0.01},
-                  [](SolveRecord& solve) { solve.position_error_cm = solve.solver == "A" ? 0.001 : 0.002; }));
+  const StudyResults made =
+      study({.start = "middle", .targets = "drawn", .runs = 20, .points = 5, .tolerance_cm = 0.01},
+            [](SolveRecord& solve) { solve.position_error_cm = solve.solver == "A" ? 0.001 : 0.002; });
+  const JudgedStudy of = judge(made);
   const Finding& solved = metric(of, "solved").findings.front();
   CHECK(solved.are_all_equal);
   CHECK(solved.verdict == Verdict::same);
-  const Judged& error = metric(of, "error");
+  const Judged error = judge(made, metric_named("position_error_cm"));
   CHECK(error.findings.front().are_all_equal);
   CHECK(error.described.front().median == 0.01);
   CHECK(std::isnan(error.described.front().sd));
@@ -186,7 +190,7 @@ TEST_CASE("The doubt of a solver that repeats itself has the runs of the other")
 
 TEST_CASE("Where nothing is solved, no cost is reported") {
   CHECK(slugs(judge(study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.1},
-                          [](SolveRecord& solve) { solve.status = Status::tolerance_missed; }))) == "solved error ");
+                          [](SolveRecord& solve) { solve.status = Status::tolerance_missed; }))) == "solved ");
 }
 
 TEST_CASE("Two identical solvers have no winner in the headline in 95 % of studies") {

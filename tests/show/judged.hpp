@@ -73,25 +73,24 @@ inline compare::JudgedStudy judged_study(const std::string& mine = "mine") {
   study.sessions = {{.id = 1, .environment = {{"cpu", "a processor"}, {"os", "Linux"}, {"version", "2.0"}}}};
 
   all.metrics.push_back(judged(shares({{mine, solved(6)}, {"PSO", solved(13)}, {"DLS", solved(20)}})));
-  all.metrics.push_back(judged(
-      numbers("error", "error", "cm",
-              {{mine, values_around(0.017, 2)}, {"PSO", values_around(0.042, 1)}, {"DLS", values_around(0.0017, 1)}})));
-  all.metrics.push_back(judged(
-      numbers("variation", "joint motion", "deg",
-              {{mine, values_around(491, 0.5)}, {"PSO", values_around(524, 0.5)}, {"DLS", values_around(340, 0.5)}})));
+  const auto add = [&](compare::Observations costs) {
+    costs.is_of_solved = true;
+    all.metrics.push_back(judged(std::move(costs)));
+  };
+  add(numbers("variation", "joint motion", "deg",
+              {{mine, values_around(491, 0.5)}, {"PSO", values_around(524, 0.5)}, {"DLS", values_around(340, 0.5)}}));
   compare::Observations times = numbers(
       "time", "time", "s",
       {{mine, values_around(0.084, 0.2)}, {"PSO", values_around(4.5e-5, 0.2)}, {"DLS", values_around(4.2e-6, 0.2)}});
   times.groups[0].is_apart = true;
-  all.metrics.push_back(judged(std::move(times)));
+  add(std::move(times));
   all.metrics.back().observations.doubts.push_back({.kind = compare::DoubtKind::times_not_comparable,
                                                     .who = {mine},
                                                     .count = 20,
                                                     .of = 20,
                                                     .what = "the machine was busy"});
-  all.metrics.push_back(judged(
-      numbers("evaluations", "evaluations", "",
-              {{mine, values_around(3715, 0.1)}, {"PSO", values_around(2620, 0.1)}, {"DLS", values_around(17, 0.1)}})));
+  add(numbers("evaluations", "evaluations", "",
+              {{mine, values_around(3715, 0.1)}, {"PSO", values_around(2620, 0.1)}, {"DLS", values_around(17, 0.1)}}));
   return all;
 }
 

@@ -87,11 +87,21 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     const auto& solver = std::get<std::string>(row[0]);
     for (std::size_t c = 1; c < row.size(); ++c) {
       const std::string& metric = results.columns[c].name;
+      const auto* marked = std::get_if<Marked>(&row[c]);
+      if (std::holds_alternative<std::monostate>(row[c])) continue;
+      if (marked && marked->to_reference) {
+        const auto of = std::ranges::find(report.shown.metrics, metric,
+                                          [](const compare::Judged& each) { return each.observations.quantity; });
+        const compare::Finding finding = compare::better_first(*finding_of(*of, solver, "DLS"), "DLS");
+        CHECK(marked->value == finding.estimate);
+        CHECK((marked->mark == "*") == (finding.verdict == compare::Verdict::worse));
+        CHECK(on_screen.find(number_text(marked->value, 2) + " times") != std::string::npos);
+        continue;
+      }
       const auto group = std::ranges::find_if(
           json["groups"], [&](const auto& each) { return each["metric"] == metric && each["solver"] == solver; });
       INFO(metric << " of " << solver);
       REQUIRE(group != json["groups"].end());
-      const auto* marked = std::get_if<Marked>(&row[c]);
       const double value = marked ? marked->value : std::get<double>(row[c]);
       CHECK((*group)[metric == "solved" ? "mean" : "median"] == value);
       CHECK((*group)["unit"] == results.columns[c].unit);
@@ -108,8 +118,8 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
     CHECK(on_screen.find(amount) != std::string::npos);
     CHECK(on_screen.find(p_sentence(finding["p"])) != std::string::npos);
   }
-  CHECK(json["findings"].size() == 15);
-  CHECK(json["tests"].size() == 6);  // none of shares, nor of times that are not all compared
+  CHECK(json["findings"].size() == 12);
+  CHECK(json["tests"].size() == 4);  // none of shares, nor of times that are not all compared
 }
 
 TEST_CASE("a screen has at most 20 lines, whatever was compared", "[show]") {
@@ -186,22 +196,46 @@ TEST_CASE("a report of three solvers is short", "[show]") {
   CHECK(words_in(to_markdown(sections, {})) < 1200);
 }
 
-TEST_CASE("a table has no column that says nothing but the tolerance, and no note on what it lacks", "[show]") {
-  compare::Observations errors = numbers("error", "error", "mm", {{"A", solved(0)}, {"B", solved(0)}});
-  for (compare::Group& group : errors.groups) {
-    group.at_most = 0.1;
-    std::ranges::fill(group.values, 0.1);
-  }
-  const std::vector<compare::Judged> metrics{judged(shares({{"A", solved(20)}, {"B", solved(9)}})), judged(errors)};
-  const Table of_shares = results_table(shown(metrics, {}));
-  CHECK(of_shares.columns.size() == 2);
-  REQUIRE(of_shares.notes.size() == 1);
-  CHECK(of_shares.notes[0].starts_with("* worse"));                // no medians
-  const Table of_errors = results_table(shown({metrics[1]}, {}));  // the headline's has its column
-  CHECK(of_errors.columns.size() == 3);
-  CHECK(descriptives_table(shown({metrics[1]}, {})).notes[0].find("Wilson") == std::string::npos);
-  CHECK(descriptives_table(shown({metrics[0]}, {})).notes[0].find("Wilson") != std::string::npos);
-  CHECK(anova_table(shown({metrics[1]}, {})).notes.empty());
+TEST_CASE("a table says no more below it than it has", "[show]") {
+  const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}, {}); };
+  const Shown of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
+  CHECK(results_table(of_shares).notes == std::vector<std::string>{"* worse than A (p < 0.05)"});  // no medians
+  CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.empty());
+  const Shown of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
+  CHECK(results_table(of_errors).columns.size() == 3);  // median and mean of the headline's
+  CHECK(results_table(of_errors).notes == std::vector<std::string>{"medians"});
+  CHECK(descriptives_table(of_errors).notes[0].find("Wilson") == std::string::npos);
+  CHECK(descriptives_table(of_shares).notes[0].find("Wilson") != std::string::npos);
+  CHECK(anova_table(of_errors).notes.empty());
+}
+
+TEST_CASE("a star says that a solver is worse than the reference, and stands at what the test was of", "[show]") {
+  const auto a = values_around(1, 0.5), b = values_around(3, 0.5), c = values_around(3.03, 0.6);
+  const auto text = [](compare::Observations costs, results::Plan plan = {}, int last = 6) {
+    costs.is_of_solved = costs.is_paired = true;
+    const auto shown_of = shares({{"A", solved(6)}, {"B", solved(20)}, {"C", solved(last)}});
+    return to_text(results_table(shown({judged(shown_of, plan), judged(std::move(costs), plan)}, plan)));
+  };
+  compare::Observations costs = numbers("variation", "motion", "deg", {{"A", a}, {"B", b}, {"C", c}});
+  CHECK(text(costs) ==
+        "solver   solved           motion\n"
+        "B        100 % (84-100)   3 deg\n"
+        "A        30 % (15-52) *   0.33 times\n"
+        "C        30 % (15-52) *   1.01 times\n"
+        "B: medians; the others: times that, on values that both solved. * worse than B (p < 0.05)\n");
+  CHECK(text(costs, {.control = "A"}) ==
+        "solver   solved           motion\n"
+        "B        100 % (84-100)   3 times *\n"
+        "A        30 % (15-52)     1 deg\n"
+        "C        30 % (15-52)     3 times *\n"
+        "A: medians; the others: times that, on values that both solved. * worse than A (p < 0.05)\n");
+  const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
+  INFO(by_means);
+  CHECK(by_means.find("B        100 % (84-100)   +2.08 deg *") != std::string::npos);
+  CHECK(by_means.find("A: means; the others: differences from it, on values that both solved.") != std::string::npos);
+  costs.groups[2].is_apart = true;
+  costs.groups[0].values = {};
+  CHECK(text(costs).find("A        30 % (15-52) *   -") != std::string::npos);  // it solved nothing that B did
 }
 
 TEST_CASE("an interval that excludes equality without p, and unpaired tests beside pairs, are told", "[show]") {
@@ -222,12 +256,12 @@ TEST_CASE("an interval that excludes equality without p, and unpaired tests besi
 TEST_CASE("values below the floor of a ratio are told once", "[show]") {
   compare::JudgedStudy study = judged_study();
   const std::size_t before = shown(study).notes.size();
-  study.metrics[1].observations.floor = 0.0005;  // cm; no value is below it
+  study.metrics[1].observations.floor = 100;  // no value is below it
   CHECK(shown(study).notes.size() == before);
-  study.metrics[1].observations.floor = 0.005;
+  study.metrics[1].observations.floor = 300;
   const Shown all = shown(study);
   REQUIRE(all.notes.size() == before + 1);
-  CHECK(all.notes.back() == "In ratios, error below 0.05 mm counts as that.");
+  CHECK(all.notes.back() == "In ratios, joint motion below 300 deg counts as that.");
   CHECK(screen(all).find(all.notes.back()) != std::string::npos);
 }
 

@@ -61,6 +61,32 @@ TEST_CASE("readers see three digits, units, marks and small p-values", "[show]")
   CHECK(number_text(3715.4) == "3715");
 }
 
+TEST_CASE("what stands in place of a number has its own column in files of numbers", "[show]") {
+  const Table table{.name = "results",
+                    .caption = "Results",
+                    .columns = {{"solver"}, {"solved", "%"}, {"motion", "deg"}},
+                    .rows = {{"A", Marked{.value = 100, .interval = compare::Interval{96.3, 100}}, 339.0},
+                             {"B", Marked{.value = 0.5, .mark = "*", .interval = compare::Interval{0.1, 1.25}},
+                              Marked{.value = 1.634, .mark = "*", .to_reference = compare::Scale::ratio}},
+                             {"C", {}, Marked{.value = 1.0312, .to_reference = compare::Scale::ratio}},
+                             {"D", {}, Marked{.value = -20, .to_reference = compare::Scale::difference}}}};
+  CHECK(to_csv(table) ==
+        "solver,solved [%],solved low [%],solved high [%],motion [deg],motion times,motion difference [deg]\n"
+        "A,100.0,96.3,100.0,339.0,,\n"
+        "B,0.5,0.1,1.25,,1.634,\n"
+        "C,,,,,1.0312,\n"
+        "D,,,,,,-20.0\n");
+  CHECK(to_json(table)[1]["motion_times"] == 1.634);
+  CHECK(to_text(table) ==
+        "solver   solved               motion\n"
+        "A        100 % (96-100)       339 deg\n"
+        "B        0.5 % (0.1-1.25) *   1.6 times *\n"
+        "C        -                    1.03 times\n"
+        "D        -                    -20 deg\n");
+  CHECK(to_latex(table).find("A & 100 (96--100) & 339 \\\\\nB & 0.5 (0.1--1.25) {*} & 1.6 times {*} \\\\") !=
+        std::string::npos);
+}
+
 TEST_CASE("short names stay different", "[show]") {
   CHECK(short_names({"swarm of ours alpha=0.5 k=1", "swarm of ours alpha=0.9 k=1"}, 24).begin()->second == "alpha=0.5");
   const std::string half(20, 'x');
