@@ -426,19 +426,16 @@ Found ratios(const Claim& claim, const Repeated& of) {
   const PrintedRows printed =
       claim.table.empty() ? printed_rows(paper, metric) : printed_times(paper.name, claim.table);
   if (printed.empty()) return {};
-  std::map<std::string, double> ours;  // medians
   const Judged times = judged_in(*judged, metric);
-  for (std::size_t i = 0; i < times.described.size(); ++i) {
-    const Group& group = times.observations.groups[i];
-    if (!group.is_apart && group.lost == 0) ours[group.name] = times.described[i].median;
-  }
   JudgedClaim result = begun(claim);
   result.holds = Holds::not_compared;
   Names list;
   for (const std::string& solver : claim.against) {
     const PrintedRow *const row = row_of(printed, solver), *const of_base = row_of(printed, base);
-    if (row == nullptr || of_base == nullptr || !ours.contains(solver) || !ours.contains(base)) continue;
-    list.push_back(fmt::format("{} {} (printed {})", solver, number_text(ours[solver] / ours[base]),
+    const Finding* const pair = show::finding_of(times, solver, base);
+    if (row == nullptr || of_base == nullptr || pair == nullptr || !pair->estimate) continue;
+    list.push_back(fmt::format("{} {} (printed {})", solver,
+                               number_text(numbers_of(times, solver).median / numbers_of(times, base).median),
                                number_text(row->numbers.median / of_base->numbers.median)));
   }
   if (!list.empty()) result.number = list.front();

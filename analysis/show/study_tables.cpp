@@ -17,15 +17,15 @@ using namespace compare;
 
 namespace {
 
-constexpr std::string_view star = "*", not_compared = "!";
+const std::string star = "*", not_compared = "!";
 
 std::int64_t count(double number) { return std::llround(number); }
 
 // A value of a group, which may only be an upper bound.
-Cell value_cell(const Group& group, double value, std::string_view mark = {}) {
+Cell value_cell(const Group& group, double value, const std::string& mark = {}) {
   const bool is_bound = group.at_most > 0 && value == group.at_most;
   if (std::isnan(value)) return {};
-  return is_bound || !mark.empty() ? Cell(Marked{value, std::string(mark), is_bound}) : Cell(value);
+  return is_bound || !mark.empty() ? Cell(Marked{value, mark, is_bound}) : Cell(value);
 }
 
 // Of a share of observations that are solved or not.
@@ -46,7 +46,7 @@ Cell result_cell(const Shown& shown, const Judged& judged, const std::string& so
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || (pair && finding.verdict == Verdict::not_tested);
   const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
-  const std::string mark(is_untested ? not_compared : is_worse ? star : "");
+  const std::string mark = is_untested ? not_compared : is_worse ? star : "";
   if (judged.observations.is_of_solved && solver != reference) {
     if (!finding.estimate) return {};
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
@@ -93,11 +93,16 @@ Table results_table(const Shown& shown) {
   const bool are_means = shown.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
   bool has_numbers = false;
+  std::set<std::string> kinds, marks;
   const auto add = [&](const Judged& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
     for (auto& row : table.rows) {
       row.push_back(result_cell(shown, judged, std::get<std::string>(row[0]), reference));
       has_numbers |= !is_share(judged) && !std::holds_alternative<std::monostate>(row.back());
+      const auto* const marked = std::get_if<Marked>(&row.back());
+      if (marked) marks.insert(marked->mark);
+      if (marked && marked->to_reference)
+        kinds.insert(marked->to_reference == Scale::ratio ? "times that" : "differences from it");
     }
   };
   const Observations& of = decisive.observations;
@@ -114,27 +119,16 @@ Table results_table(const Shown& shown) {
   for (const Judged& judged : shown.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
-  const auto has = [&](auto member, auto value) {
-    return std::ranges::any_of(table.rows, [&](const auto& row) {
-      return std::ranges::any_of(row, [&](const Cell& cell) {
-        const auto* const marked = std::get_if<Marked>(&cell);
-        return marked && marked->*member == value;
-      });
-    });
-  };
   std::string key = has_numbers ? average + "s" : "";
-  std::vector<std::string> kinds;
-  if (has(&Marked::to_reference, Scale::ratio)) kinds.emplace_back("times that");
-  if (has(&Marked::to_reference, Scale::difference)) kinds.emplace_back("differences from it");
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(shown.metrics, [](const Judged& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
     });
     key = fmt::format("{}: {}s; the other{}: {}, {}", reference, average, order.size() == 2 ? "" : "s",
-                      listed(kinds, " or "),
+                      fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
   }
-  if (has(&Marked::mark, star))
+  if (marks.contains(star))
     key += fmt::format("{}{} worse than {} (p < {})",
                        key.empty()     ? ""
                        : kinds.empty() ? "; "
@@ -142,7 +136,7 @@ Table results_table(const Shown& shown) {
                        star, reference, number_text(shown.plan.significance));
   if (!key.empty()) table.notes.push_back(key);
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
-  if (has(&Marked::mark, not_compared)) table.notes.push_back(fmt::format("{} not compared", not_compared));
+  if (marks.contains(not_compared)) table.notes.push_back(fmt::format("{} not compared", not_compared));
   return table;
 }
 
