@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/compare/describe.hpp"
+
 namespace ikbench::compare {
 namespace {
 
@@ -48,7 +50,6 @@ struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
   double smallest_p = 1;
-  int direction = 0;
   Finding finding = {};
 };
 
@@ -145,7 +146,8 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
   }
   if (share_larger) finding.effect = of.better == Better::larger ? *share_larger : 1 - *share_larger;
   if (is_share && interval) interval = Interval{std::max(-1.0, interval->low), std::min(1.0, interval->high)};
-  if (is_share && are_constant && !interval) interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
+  if (is_share && are_constant && finding.are_all_equal && !interval)
+    interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
   if (!is_share && finding.are_all_equal) interval.reset();
 
   const double relative = plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
@@ -153,15 +155,16 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
                         : are_logs              ? std::log1p(plan.margin)
                         : are_on_logs(of, pair) ? of.absolute_margin
                                                 : std::max(of.absolute_margin, relative);
-  const auto lies_within = [margin](const std::optional<Interval>& each) {
-    return each && each->low < each->high && each->low >= -margin && each->high <= margin;
+  const auto lies_within = [margin](const Tested& each) {  // values without spread have their difference alone
+    const Interval held = each.interval.value_or(Interval{each.estimate, each.estimate});
+    return held.low >= -margin && held.high <= margin;
   };
+  // Equal values say nothing of failures that are rarer than so many can show.
+  const bool are_equal = interval ? interval->low == 0 && interval->high == 0 : finding.are_all_equal;
+  const bool can_fail = are_equal && 1 - wilson(1, std::min(one.n, other.n), alpha).low > plan.margin;
   const Method by_means = is_by_difference(pair.method) ? Method::paired_t : Method::welch;
-  finding.is_within_margin =
-      lies_within(interval) &&
-      (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha).interval));
-  if (!interval && finding.are_all_equal)
-    finding.is_within_margin = 1 - wilson(1, std::min(one.n, other.n), alpha).low <= plan.margin;
+  finding.is_within_margin = !can_fail && lies_within(tested) &&
+                             (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha)));
   return tested;
 }
 
@@ -171,15 +174,33 @@ bool does_one_value_decide(const Group& group) {
   return !sizes.empty() && std::ranges::max(sizes) > std::accumulate(sizes.begin(), sizes.end(), 0.0) / 2;
 }
 
-void judge(const Observations& of, const Plan& plan, Pair& pair) {
-  Finding& finding = pair.finding;
-  finding.verdict = finding.is_within_margin ? Verdict::same : Verdict::undecided;
-  if (*finding.p >= plan.significance) return;
-  finding.verdict = (pair.direction > 0) == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
-  if (of.scale == Scale::share || is_by_ranks(pair.method)) return;
-  if (!does_one_value_decide(pair.a) && !does_one_value_decide(pair.b)) return;
-  finding.verdict = Verdict::undecided;
-  finding.why = Why::few_decide;
+// The verdict of p, with an estimate and an interval that cannot refute it.
+void judge(const Observations& of, const Plan& plan, const Pair& pair, int direction, Finding& finding) {
+  const double none = finding.scale == Scale::ratio ? 1 : 0;
+  std::optional<Interval>& interval = finding.interval;
+  if (*finding.p >= plan.significance) {
+    finding.verdict = finding.is_within_margin ? Verdict::same : Verdict::undecided;
+    if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
+    return;
+  }
+  if (is_by_t(pair.method) && of.scale != Scale::share &&
+      (does_one_value_decide(pair.a) || does_one_value_decide(pair.b))) {
+    finding.verdict = Verdict::undecided;
+    finding.why = Why::few_decide;
+    finding.is_within_margin = false;
+    finding.p.reset();
+    interval.reset();
+    return;
+  }
+  finding.verdict = (direction > 0) == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
+  if ((*finding.estimate - none) * direction <= 0) {
+    finding.estimate.reset();
+    interval.reset();
+  }
+  if (!interval) return;
+  const double rounding = 1e-9 * (interval->high - interval->low);  // of bisection
+  if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
+  if (direction < 0 && interval->high >= none - rounding) interval->high = none, interval->excludes_high = true;
 }
 
 // Keeps the values of blocks that both have.
@@ -218,8 +239,24 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
   return pairs;
 }
 
-// The pairs that data of this size can decide, before any p is known: those that cannot leave, the least able first.
-std::vector<Pair*> testable(std::vector<Pair>& pairs, double significance) {
+// Empty unless the mean or the median of the better one lies the other way.
+Headline usually_better(const Observations& of, const Plan& plan, const std::string& winner, const std::string& loser) {
+  Group better = *std::ranges::find(of.groups, winner, &Group::name);
+  Group other = *std::ranges::find(of.groups, loser, &Group::name);
+  keep_common_blocks(better, other);
+  const auto is_worse = [&](double one, double two) {
+    if (of.scale == Scale::ratio) one = std::max(one, of.floor), two = std::max(two, of.floor);
+    const double relative = plan.margin * (of.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
+    return (of.better == Better::smaller ? one - two : two - one) > std::max(of.absolute_margin, relative);
+  };
+  const Description its = describe(better), theirs = describe(other);
+  const bool is_median_worse = is_by_ranks(method_of(of, plan, better, other)) && is_worse(its.median, theirs.median);
+  if (!is_median_worse && !is_worse(its.mean, theirs.mean)) return {};
+  return {.usual = winner, .other = loser, .is_median_worse = is_median_worse};
+}
+
+// How many pairs data of this size can decide, before any p is known: those that cannot leave, the least able first.
+std::size_t testable(std::vector<Pair>& pairs, double significance) {
   std::vector<Pair*> family;
   for (Pair& pair : pairs) {
     if (pair.finding.why == Why::tested) family.push_back(&pair);
@@ -237,7 +274,7 @@ std::vector<Pair*> testable(std::vector<Pair>& pairs, double significance) {
       return true;
     });
   }
-  return family;
+  return family.size();
 }
 
 }  // namespace
@@ -249,21 +286,12 @@ std::string_view name_of(Verdict verdict) {
 
 bool is_difference(Verdict verdict) { return verdict == Verdict::better || verdict == Verdict::worse; }
 
-bool contradicts_interval(const Finding& finding) {
-  const double none = finding.scale == Scale::ratio ? 1 : 0;
-  if (!finding.interval || finding.why != Why::tested) return false;
-  const auto [low, high] = *finding.interval;
-  const bool has_none = low <= none && none <= high;
-  return is_difference(finding.verdict) ? has_none && low < high : !has_none && finding.verdict == Verdict::undecided;
-}
-
 std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   if (!plan.control.empty() && std::ranges::find(of.groups, plan.control, &Group::name) == of.groups.end())
     throw std::invalid_argument("the control '" + plan.control + "' is no group");
   std::vector<Pair> pairs = pairs_of(of, plan);
-  const std::vector<Pair*> family = testable(pairs, plan.significance);
-  const double alpha = plan.significance / static_cast<double>(std::max<std::size_t>(1, family.size()));
-  std::vector<double> p;
+  const auto tested_pairs = static_cast<double>(std::max<std::size_t>(1, testable(pairs, plan.significance)));
+  const double alpha = plan.significance / tested_pairs;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
     if (finding.why == Why::lost || finding.why == Why::apart || is_empty(pair.a) || is_empty(pair.b)) continue;
@@ -281,13 +309,8 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
     if (!is_tested) continue;
     finding.test = method_names[static_cast<std::size_t>(pair.method)];
     if (tested.interval) finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
-    p.push_back(tested.p);
-    pair.direction = tested.direction;
-  }
-  holm(p);
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    family[i]->finding.p = p[i];
-    judge(of, plan, *family[i]);
+    finding.p = std::min(1.0, tested.p * tested_pairs);
+    judge(of, plan, pair, tested.direction, finding);
   }
   std::vector<Finding> findings;
   for (Pair& pair : pairs) findings.push_back(std::move(pair.finding));
@@ -301,7 +324,8 @@ Finding better_first(Finding finding, std::string_view control) {
   std::swap(finding.first, finding.second);
   const auto turn = [&](double value) { return finding.scale == Scale::ratio ? 1 / value : 0 - value; };
   if (finding.estimate) finding.estimate = turn(*finding.estimate);
-  if (const auto of = finding.interval) finding.interval = Interval{turn(of->high), turn(of->low)};
+  if (const auto of = finding.interval)
+    finding.interval = Interval{turn(of->high), turn(of->low), of->excludes_high, of->excludes_low};
   if (finding.effect) finding.effect = 1 - *finding.effect;
   if (finding.verdict == Verdict::better) {
     finding.verdict = Verdict::worse;
@@ -312,29 +336,28 @@ Finding better_first(Finding finding, std::string_view control) {
 }
 
 Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
-  const auto mean_of = [](const Group& group) {
-    return group.summary ? group.summary->mean : summarise(group.values).mean;
-  };
   std::set<std::string> losers;
-  for (const Group& group : of.groups) {
-    std::set<std::string> beaten;
-    for (const Finding& each : findings) {
-      if (each.verdict == Verdict::better && each.first == group.name) beaten.insert(each.second);
-      if (each.verdict == Verdict::worse && each.second == group.name) beaten.insert(each.first);
-    }
-    losers.insert(beaten.begin(), beaten.end());
-    if (beaten.empty() || beaten.size() + 1 < of.groups.size()) continue;
-    for (const std::string& other : beaten) {
-      Group first = group, second = *std::ranges::find(of.groups, other, &Group::name);
-      keep_common_blocks(first, second);
-      const double one = mean_of(first), two = mean_of(second);
-      const double relative = plan.margin * (of.scale == Scale::share ? 1 : std::min(std::abs(one), std::abs(two)));
-      if ((of.better == Better::smaller ? one - two : two - one) > std::max(of.absolute_margin, relative))
-        return {.usual = group.name, .by_mean = other};
-    }
-    return {.best = group.name};
+  for (const Finding& each : findings) {
+    if (is_difference(each.verdict)) losers.insert(each.verdict == Verdict::better ? each.second : each.first);
   }
-  return {.is_circle = !losers.empty() && losers.size() == of.groups.size()};
+  const std::size_t best = of.groups.size() - losers.size();
+  if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
+  Headline said;
+  std::size_t known = 0;  // pairs of two unbeaten ones that were tested, and of one that beats a loser
+  for (const Finding& each : findings) {
+    const bool is_first_best = !losers.contains(each.first), is_second_best = !losers.contains(each.second);
+    if (is_first_best && is_second_best) known += each.verdict != Verdict::not_tested;
+    if (is_first_best == is_second_best || !is_difference(each.verdict)) continue;
+    ++known;
+    if (said.usual.empty())
+      said =
+          usually_better(of, plan, is_first_best ? each.first : each.second, is_first_best ? each.second : each.first);
+  }
+  if (known < best * losers.size() + best * (best - 1) / 2) return {};
+  for (const Group& group : of.groups) {
+    if (said.usual.empty() && !losers.contains(group.name)) said.best.push_back(group.name);
+  }
+  return said;
 }
 
 }  // namespace ikbench::compare

@@ -1,4 +1,4 @@
-// Which of two is better: a finding for each pair of groups, and the one that is best.
+// Which of two is better: a finding for each pair of groups, and those that are best.
 #pragma once
 
 #include <optional>
@@ -24,15 +24,15 @@ enum class Why {
   apart,       // the times of a group were measured otherwise
   fact,        // both solvers repeat themselves: no chance is in the difference
   too_few,     // no data of this size could decide
-  few_decide,  // tested; one value is more than half of a group's sum, so its mean shows nothing better
+  few_decide,  // one value is more than half of a group's sum, so the means would show nothing better
 };
 
 struct Finding {
   std::string first, second;
   Scale scale = Scale::difference;        // of estimate and interval; means have differences
-  std::optional<double> estimate = {};    // none if values are lost
-  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs
-  std::optional<double> p = {};           // after Holm
+  std::optional<double> estimate = {};    // none if values are lost, or if it would refute the verdict
+  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; has no difference unless p decides
+  std::optional<double> p = {};           // times the tested pairs; below the significance it decides
   std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
   std::string_view test = {};
   Verdict verdict = Verdict::not_tested;
@@ -43,24 +43,32 @@ struct Finding {
   int needed = 0;  // if too few: how many, in each group, could decide
 };
 
+// What decides the test: groups of which only means are known (printed summaries) have Welch's t. If one solver
+// repeats itself its one value has no spread, so the other's runs are held against it by the sign test. A share of one
+// trial is 0 or 1 and has Fisher's exact test, in blocks McNemar's; a share of several trials is judged by t, because
+// its mean is what is asked. All other numbers go by ranks, or by t where the plan says means. Blocks make each of
+// these paired: signed ranks and the paired t. Ranks of a ratio scale and its differences are of logarithms. Nothing
+// asks how the values are spread: a test chosen by the values that it then judges is wrong more often than it says.
+// Each pair is decided at significance / pairs that data of these sizes can decide (so few values cannot).
+//
 // Throws std::invalid_argument if the control is no group. Paired groups have one size without blocks, and ratios are
 // of values above 0, or have a floor above it.
 std::vector<Finding> compare(const Observations& of, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
-// p and the interval say otherwise: Holm corrects p in steps, intervals hold all together, and those of counts come
-// from another method than p. Then p decides.
-bool contradicts_interval(const Finding& finding);
 
 // The same pair, told with its better one first, or with the control second.
 Finding better_first(Finding finding, std::string_view control);
 
-// Of one metric. best: better than every other. A circle, or means that lie the other way by more than the margin,
-// leave none: `usual` is then usually better, and the mean of `by_mean` is better.
+// Of one metric.
 struct Headline {
-  std::string best = {}, usual = {}, by_mean = {};
-  bool is_circle = false;
+  std::vector<std::string> best = {};  // nobody is better, and each is better than all who are not among them
+  // None is best where `usual` is better than `other` while its median (by ranks), or else its mean, is worse by more
+  // than the margin.
+  std::string usual = {}, other = {};
+  bool is_median_worse = false;
+  bool is_circle = false;  // each is worse than another
 };
 Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings);
 

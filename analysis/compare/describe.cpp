@@ -19,8 +19,8 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 bool can_differ(const Observations& of) {
-  return of.groups.size() > 1 && std::ranges::all_of(of.groups, [](const Group& group) {
-           return group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
+  return of.groups.size() > 1 && !of.is_paired && std::ranges::all_of(of.groups, [](const Group& group) {
+           return group.copies == 0 && group.lost == 0 && !group.is_apart && (group.summary || !group.values.empty());
          });
 }
 

@@ -29,7 +29,7 @@ struct TestOfAll {
   double ss_between = 0, ss_within = 0;  // of ANOVA
 };
 
-// None for fewer than two groups, lost values, or groups without spread.
+// None for fewer than two groups, paired ones, copies, lost values, or groups without spread.
 std::optional<TestOfAll> anova(const Observations& of);
 // By the ranks of all, corrected for ties (JASA 47 (1952) 583). None also for summaries.
 std::optional<TestOfAll> kruskal_wallis(const Observations& of);

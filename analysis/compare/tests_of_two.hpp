@@ -14,6 +14,7 @@ using Values = std::span<const double>;
 
 struct Interval {
   double low = 0, high = 0;
+  bool excludes_low = false, excludes_high = false;  // "above 0", "below 1"
 };
 
 // Of first - second.
@@ -49,8 +50,8 @@ double brunner_munzel(Values first, Values second);
 // Exact, ties and all, to m + n = 100; then normal, corrected for ties and continuity (Annals of Mathematical
 // Statistics 18 (1947) 50).
 double mann_whitney(Values first, Values second);
-// The larger p of the two, with Hodges and Lehmann's shift and the interval of the Mann-Whitney test without ties
-// (Annals of Mathematical Statistics 34 (1963) 598).
+// The larger p of the two, with Hodges and Lehmann's shift (Annals of Mathematical Statistics 34 (1963) 598). The
+// interval has the shifts that either test keeps, Mann-Whitney as if without ties.
 Tested rank_test(Values first, Values second, double alpha);
 // Biometrika 34 (1947) 28. Two constant groups have the p of the permutations, 2 / C(m + n, m).
 Tested welch(const Summary& first, const Summary& second, double alpha);
@@ -77,8 +78,5 @@ Interval newcombe(double share, double m, double other, double n, double alpha, 
 Tested fisher(Values first, Values second, double alpha);
 // The same of pairs, exact (Psychometrika 12 (1947) 153); Newcombe's interval with the corrected correlation.
 Tested mcnemar(Values first, Values second, double alpha);
-
-// Corrects all p of a family, in place (Scandinavian J. Statistics 6 (1979) 65).
-void holm(std::vector<double>& p);
 
 }  // namespace ikbench::compare

@@ -329,8 +329,9 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   }
   add(solved_of(study, look));
   add(differences_of(judged, look));
-  const std::string& best = judged.metrics[judged.deciding].headline.best;
-  const std::string drawn = std::ranges::count(shown, best) > 0 ? best : shown.front();
+  const std::vector<std::string>& best = judged.metrics[judged.deciding].headline.best;
+  const auto found = std::ranges::find_first_of(shown, best);
+  const std::string drawn = found != shown.end() ? *found : shown.front();
   const std::string part = study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
   if (study.points > 1)
     add(path({.name = "path", .caption = fmt::format("Targets, and what {} reached in its first run.{}", drawn, part)},

@@ -46,7 +46,11 @@ struct Table {
   std::vector<std::string> notes = {};
 };
 
-// All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON.
+// "0.1 to 0.8", "above 0 to 0.8"
+std::string interval_text(const compare::Interval& of, std::string (*number)(double, int));
+
+// All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;
+// intervals of which one excludes an end take a third, which says "low" or "high".
 std::string to_csv(const Table& table);
 std::string to_markdown(const Table& table);
 std::string to_latex(const Table& table);  // booktabs

@@ -45,7 +45,7 @@ Lines pairs_of(const Shown& shown) {
       row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", of.first, of.second));
       row.push_back(verdict_words(of, judged));
       row.push_back(amount_words(of, judged));
-      row.push_back(of.p ? p_sentence(*of.p) + (contradicts_interval(of) ? ", which decides" : "") : "");
+      row.push_back(of.p ? p_sentence(*of.p) : "");
     }
   }
   return lines_of(aligned(rows));

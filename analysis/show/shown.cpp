@@ -102,7 +102,8 @@ Shown with_short_names(Shown shown, std::size_t length) {
   for (Judged& judged : shown.metrics) {
     for (Group& group : judged.observations.groups) shorten(group.name);
     for (Finding& finding : judged.findings) shorten(finding.first), shorten(finding.second);
-    for (std::string* name : {&judged.headline.best, &judged.headline.usual, &judged.headline.by_mean}) shorten(*name);
+    std::ranges::for_each(judged.headline.best, shorten);
+    for (std::string* name : {&judged.headline.usual, &judged.headline.other}) shorten(*name);
     shorten_all(judged.observations.doubts);
   }
   shorten_all(shown.doubts);
@@ -123,9 +124,9 @@ std::vector<std::size_t> best_first(const Judged& judged, const results::Plan& p
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = told(judged, i, plan);
-    const bool is_best = judged.observations.groups[i].name == judged.headline.best;
+    const bool is_best = std::ranges::count(judged.headline.best, judged.observations.groups[i].name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    return is_best ? std::pair(0, 0.0) : std::isnan(value) ? std::pair(2, 0.0) : std::pair(1, place);
+    return std::isnan(value) ? std::pair(2, 0.0) : std::pair(is_best ? 0 : 1, place);
   });
   return order;
 }

@@ -153,22 +153,19 @@ Table pairs_table(const Shown& shown) {
                           {"A12"},
                           {"test"},
                           {"verdict"}}};
-  bool is_any_contradicted = false;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
-      is_any_contradicted |= contradicts_interval(finding);
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
+      const std::string ahead = finding.estimate ? "" : amount_words(finding, judged);
       table.rows.push_back({judged.observations.quantity, finding.first, finding.second, cell(finding.estimate),
                             cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
-                            std::string(finding.test), verdict_words(finding, judged)});
+                            std::string(finding.test),
+                            verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
     }
   }
   table.notes = {
-      "Metrics but the headline's are exploratory. p by Holm over the pairs of a metric, whose intervals hold together; "
-      "A12: share of comparisons in which the first is better."};
-  if (is_any_contradicted)
-    table.notes.emplace_back(
-        "Where an interval and p disagree, p decides: intervals hold together, and p is corrected in steps.");
+      "Metrics but the headline's are exploratory. p: times the pairs tested of a metric, whose intervals hold "
+      "together; A12: share of comparisons in which the first is better."};
   return table;
 }
 
@@ -218,7 +215,6 @@ Table anova_table(const Shown& shown) {
   Table table{.name = "anova",
               .caption = "Do the solvers differ at all?",
               .columns = {{"metric"}, {"test"}, {"statistic"}, {"df"}, {"df within"}, {.name = "p", .is_p = true}}};
-  bool is_any_paired = false;
   for (const Judged& judged : shown.metrics) {
     const std::string& quantity = judged.observations.quantity;
     if (is_share(judged)) continue;
@@ -226,9 +222,7 @@ Table anova_table(const Shown& shown) {
       table.rows.push_back({quantity, "ANOVA (F)", of->statistic, count(of->df), count(of->df_within), of->p});
     if (const auto& of = judged.kruskal_wallis)
       table.rows.push_back({quantity, "Kruskal-Wallis (H)", of->statistic, count(of->df), {}, of->p});
-    is_any_paired |= judged.observations.is_paired;
   }
-  if (is_any_paired) table.notes.emplace_back("Both tests are unpaired; those of pairs are paired.");
   return table;
 }
 

@@ -34,9 +34,7 @@ struct Readable {
     const std::string text = column.is_p ? p_text(value) : number(value, 3);
     return text == "-" ? text : text + unit;
   }
-  std::string operator()(const compare::Interval& of) const {
-    return fmt::format("{} to {}{}", number(of.low, 3), number(of.high, 3), unit);
-  }
+  std::string operator()(const compare::Interval& of) const { return interval_text(of, number) + unit; }
   std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
   std::string operator()(const Marked& of) const {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
@@ -50,6 +48,11 @@ struct Readable {
     return text + (of.mark.empty() ? "" : ' ' + of.mark);
   }
 };
+
+bool excludes_end(const Cell& cell) {
+  const auto* of = std::get_if<compare::Interval>(&cell);
+  return of && (of->excludes_low || of->excludes_high);
+}
 
 template <class Kind>
 bool has(const Table& table, std::size_t column) {
@@ -102,7 +105,11 @@ std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::
   const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   if (has<compare::Interval>(table, c)) {
     const auto* of = std::get_if<compare::Interval>(&cell);
-    return {{"low", of ? number(of->low) : Json()}, {"high", of ? number(of->high) : Json()}};
+    std::vector<std::pair<std::string_view, Json>> of_interval{{"low", of ? number(of->low) : Json()},
+                                                               {"high", of ? number(of->high) : Json()}};
+    if (std::ranges::any_of(table.rows, [=](const auto& row) { return excludes_end(row[c]); }))
+      of_interval.emplace_back("excluded", !excludes_end(cell) ? Json() : of->excludes_low ? "low" : "high");
+    return of_interval;
   }
   if (const auto* of = std::get_if<Printed>(&cell)) return {{"", number(of->ours)}, {"printed", of->printed}};
   const auto* const marked = std::get_if<Marked>(&cell);
@@ -173,6 +180,11 @@ std::string pill(const std::string& verdict) {
 }
 
 }  // namespace
+
+std::string interval_text(const compare::Interval& of, std::string (*number)(double, int)) {
+  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, 3), of.excludes_high ? "below " : "",
+                     number(of.high, 3));
+}
 
 std::string to_csv(const Table& table) {
   std::string text;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/names.hpp"
 
@@ -95,16 +96,24 @@ std::string usual(const Judged& judged) {
   const auto place = [&](const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(of.groups, name, &Group::name) - of.groups.begin());
   };
-  const std::size_t a = place(judged.headline.usual), b = place(judged.headline.by_mean);
+  const Headline& head = judged.headline;
+  const Description &its = judged.described[place(head.usual)], &theirs = judged.described[place(head.other)];
   const auto two = [&](double one, double other) {
     return fmt::format("{} and {}{}{}", number_text(one), number_text(other), of.unit.empty() ? "" : " ", of.unit);
   };
-  const bool is_smaller = of.better == Better::smaller;
-  return fmt::format(
-      "{} usually has the {} {} (median of it and {}: {}), but its mean is {} ({}): few values decide it",
-      judged.headline.usual, is_smaller ? "smaller" : "larger", of.quantity, judged.headline.by_mean,
-      two(judged.described[a].median, judged.described[b].median), is_smaller ? "larger" : "smaller",
-      two(judged.described[a].mean, judged.described[b].mean));
+  const auto [usually, not_so] =
+      of.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
+  const std::string medians = two(its.median, theirs.median), means = two(its.mean, theirs.mean);
+  if (head.is_median_worse) {
+    const Finding& finding = *finding_of(judged, head.usual, head.other);
+    const double ahead = finding.first == head.usual ? *finding.effect : 1 - *finding.effect;
+    return fmt::format("{} usually has the {} {} (in {:.0f} % of comparisons with {}), but its median is {} ({})",
+                       head.usual, usually, of.quantity, 100 * ahead, head.other, not_so, medians);
+  }
+  const auto is_one_half = [](const Description& each) { return 2 * each.largest > each.n * each.mean; };
+  return fmt::format("{} usually has the {} {} (median of it and {}: {}), but its mean is {} ({}){}", head.usual,
+                     usually, of.quantity, head.other, medians, not_so, means,
+                     is_one_half(its) || is_one_half(theirs) ? ": one value decides it" : "");
 }
 
 std::string against_control(const Shown& shown) {
@@ -154,16 +163,41 @@ std::string unbeaten(const Shown& shown) {
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
 }
 
+// ", by less than 5 %", of all or of some that the best ones beat.
+std::string by_little(const Judged& judged) {
+  const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
+  std::set<std::string> who;
+  bool are_all = true;
+  for (const Finding& finding : judged.findings) {
+    if (is_best(finding.first) == is_best(finding.second) || !is_difference(finding.verdict)) continue;
+    are_all &= finding.is_within_margin;
+    if (finding.is_within_margin) who.insert(is_best(finding.first) ? finding.second : finding.first);
+  }
+  if (who.empty()) return "";
+  const std::string than = are_all ? "" : "but better than " + names_of({who.begin(), who.end()}) + ' ';
+  return fmt::format(", {}by less than {}", than, margin_words(judged));
+}
+
+std::string best(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  const std::vector<std::string>& names = judged.headline.best;
+  const std::vector<std::size_t> order = best_first(judged, shown.plan);
+  const std::size_t others = order.size() - names.size();
+  const std::string other = others == 1 ? name_of(judged, order.back()) : fmt::format("each of the {} others", others);
+  const std::string little = by_little(judged);
+  if (names.size() > 1)
+    return fmt::format("{} are best{}: {}; {} better than {}", listed(names), little, numbers_of(shown, true),
+                       names.size() == 2 ? "both are" : "each is", other);
+  return fmt::format("{} is {}{}: {}", names[0], order.size() == 2 ? "better than " + other : "best", little,
+                     numbers_of(shown, false));
+}
+
 std::string sentence(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const Headline& head = judged.headline;
   const std::size_t groups = judged.described.size();
   if (groups == 0) return "Nothing is solved";
-  if (!head.best.empty() && groups == 2) {
-    const std::size_t other = best_first(judged, shown.plan)[1];
-    return fmt::format("{} is better than {}: {}", head.best, name_of(judged, other), numbers_of(shown, false));
-  }
-  if (!head.best.empty()) return fmt::format("{} is best: {}", head.best, numbers_of(shown, false));
+  if (!head.best.empty()) return best(shown);
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
   if (judged.findings.empty()) {
@@ -209,10 +243,6 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
   if (finding.verdict == Verdict::undecided && finding.are_all_equal) return fmt::format("equal in all {}", finding.n);
   std::string words(compare::name_of(finding.verdict));
   if (finding.is_within_margin) words += ", by less than " + margin;
-  const double none = finding.scale == Scale::ratio ? 1 : 0;
-  if (is_difference(finding.verdict) && finding.interval && finding.interval->low == none &&
-      finding.interval->high == none)
-    words += ", though most are equal";
   switch (finding.why) {
     case Why::tested:
       return words;
@@ -236,10 +266,14 @@ std::string unit_of(const Finding& finding, const Judged& judged) {
 }
 
 std::string amount_words(const Finding& finding, const Judged& judged) {
-  if (!finding.estimate) return "";
+  if (!finding.estimate) {
+    const double ahead = finding.effect.value_or(0.5);
+    const bool is_shown = finding.verdict == (ahead > 0.5 ? Verdict::better : Verdict::worse) && ahead != 0.5;
+    return is_shown ? fmt::format("ahead in {} %", number_text(100 * ahead)) : "";
+  }
   std::string text = with_unit(*finding.estimate, unit_of(finding, judged));
-  if (const auto& of = finding.interval)
-    text += fmt::format(" ({} to {})", number_text(of->low), number_text(of->high));
+  if (finding.interval)
+    text += fmt::format(" ({})", interval_text(*finding.interval, number_text));
   return text;
 }
 

@@ -14,7 +14,7 @@ std::string headline(const Shown& shown);
 std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
 // "times", "points", or the metric's unit.
 std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
-// "12 points (4 to 22)"
+// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "ahead in 71 %"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const compare::Judged& judged);

@@ -14,7 +14,7 @@ echo "$files files, $words words in report.md"
 [ "$files" -lt 50 ] || fail "$files files: $(find mine -type f)"
 [ "$words" -le 900 ] || fail "report.md has $words words"
 for file in report.html results.json solves.csv store.sqlite {tables,}; do [ -e "mine/$file" ] || fail "no $file"; done
-for table in results pairs descriptives anova; do
+for table in results pairs descriptives; do
   for type in csv md tex; do [ -s "mine/tables/$table.$type" ] || fail "no $table.$type"; done
 done
 if command -v gnuplot >/dev/null; then

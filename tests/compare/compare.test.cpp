@@ -1,6 +1,7 @@
 #include "analysis/compare/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -13,6 +14,7 @@ using namespace ikbench::compare;
 namespace {
 
 using Lists = std::vector<std::vector<double>>;
+using Names = std::vector<std::string>;
 
 // Groups A, B, C, ...
 Observations groups_of(const Lists& groups, Scale scale = Scale::ratio) {
@@ -124,7 +126,7 @@ TEST_CASE("a pair that is not tested says how many it takes, and still has its e
   CHECK(*found.estimate == Approx(0.25));  // of nine ratios 1/4 1/8 1/12 1/2 1/4 1/6 3/4 3/8 1/4
 }
 
-TEST_CASE("pairs without a p count neither in Holm's correction nor in the level", "[compare]") {
+TEST_CASE("pairs without a p count neither in p nor in the level", "[compare]") {
   Observations of = groups_of({ramp(5, 1, 1), ramp(5, 3.5, 1.1)});
   const Finding alone = only(compare(of, by_ranks));
   of.groups.push_back({.name = "lost", .values = ramp(5, 1, 3), .lost = 1});
@@ -148,18 +150,16 @@ TEST_CASE("the least able pairs leave first, together", "[compare]") {
         "AB better; AC not tested; BC not tested; ");
 }
 
-TEST_CASE("p is Holm's over the pairs, and over those of a control", "[compare]") {
+TEST_CASE("p is times the pairs, and with a control times those of the control", "[compare]") {
   const Observations of = groups_of({ramp(20, 1, 0.1), ramp(20, 1.53, 0.101), ramp(20, 2.21, 0.103)});
   const auto p_of = [&](std::size_t a, std::size_t b) {
     return rank_test(of.groups[a].values, of.groups[b].values, 0.05).p;
   };
-  std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
-  holm(all);
-  holm(of_b);
+  const std::vector<double> all{p_of(0, 1), p_of(0, 2), p_of(1, 2)}, of_b{p_of(0, 1), p_of(1, 2)};
   const std::vector<Finding> findings = compare(of, by_ranks), with_b = compare(of, {.control = "B"});
-  for (std::size_t i = 0; i < 3; ++i) CHECK(*findings[i].p == all[i]);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(*findings[i].p == std::min(1.0, 3 * all[i]));
   REQUIRE(with_b.size() == 2);
-  for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == of_b[i]);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(*with_b[i].p == std::min(1.0, 2 * of_b[i]));
   CHECK(with_b[0].interval->low > findings[0].interval->low);  // 0.05 / 2 and 0.05 / 3
   CHECK_THROWS_AS(compare(of, {.control = "D"}), std::invalid_argument);
 }
@@ -183,7 +183,7 @@ TEST_CASE("rare failures in one group keep it from being the same", "[compare]")
   CHECK(in_blocks.verdict == Verdict::undecided);
 }
 
-TEST_CASE("values at the tolerance are no evidence of the same: the interval has no width", "[compare]") {
+TEST_CASE("values at the tolerance are no evidence of the same while others are far from it", "[compare]") {
   std::vector<double> all_but_two(20, 0.01);
   all_but_two[4] = 3, all_but_two[9] = 5;
   const Finding found = only(compare(groups_of({std::vector<double>(20, 0.01), all_but_two}), by_ranks));
@@ -192,13 +192,14 @@ TEST_CASE("values at the tolerance are no evidence of the same: the interval has
   CHECK(found.verdict == Verdict::undecided);
 }
 
-TEST_CASE("with ties better may stand beside an interval of 1 to 1: p decides", "[compare]") {
+TEST_CASE("where most are equal and p decides, no estimate of 1 stands beside it", "[compare]") {
   std::vector<double> some(60, 0.01);
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const Finding found = only(compare(groups_of({std::vector<double>(60, 0.01), some}), by_ranks));
-  CHECK(found.interval->low == 1);
-  CHECK(found.interval->high == 1);
   CHECK(found.verdict == Verdict::better);
+  CHECK_FALSE(found.estimate);
+  CHECK_FALSE(found.interval);
+  CHECK(*found.effect == 0.625);  // a half of 45 in 60, and 15
   CHECK_FALSE(found.is_within_margin);
 }
 
@@ -227,6 +228,23 @@ TEST_CASE("better by less than the margin needs both intervals within", "[compar
   const Finding far = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.2, 0.01, 2)}), by_ranks));
   CHECK(far.verdict == Verdict::better);
   CHECK_FALSE(far.is_within_margin);
+}
+
+TEST_CASE("a constant ratio within the margin is no plain better", "[compare]") {
+  for (const Plan& plan : {by_ranks, by_means}) {
+    for (const bool is_paired : {false, true}) {
+      for (const double ratio : {1.01, 1.1}) {
+        Observations of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, ratio)});
+        of.is_paired = is_paired;
+        const Finding found = only(compare(of, plan));
+        CHECK(found.verdict == Verdict::better);
+        CHECK(found.is_within_margin == (ratio < 1.05));
+      }
+    }
+  }
+  std::vector<double> some{3, 4, 5, 6, 7, 8, 9, 10}, more = some;
+  for (double& value : more) value *= 1.01;
+  CHECK(only(compare(paired(groups_of({some, more})), by_ranks)).is_within_margin);
 }
 
 TEST_CASE("an absolute margin holds for ranks and for means, of differences and of ratios", "[compare]") {
@@ -322,9 +340,11 @@ TEST_CASE("by means nothing is better while one value is more than half of its g
   std::vector<double> one = ramp(20, 5, 0.01), failing = ramp(20, 1, 0.01);
   failing[7] = 22;  // of 43.0
   const Finding found = only(compare(groups_of({failing, one}), by_means));
-  CHECK(*found.p < 0.05);
   CHECK(found.why == Why::few_decide);
   CHECK(found.verdict == Verdict::undecided);
+  CHECK(found.estimate);
+  CHECK_FALSE(found.p);
+  CHECK_FALSE(found.interval);
   failing[7] = 20;
   CHECK(only(compare(groups_of({failing, one}), by_means)).verdict == Verdict::better);
   failing[7] = 22;
@@ -343,7 +363,7 @@ TEST_CASE("means need three values: of two the larger is more than half of their
   }
 }
 
-TEST_CASE("published summaries are judged by Welch's t and Holm, of differences", "[compare]") {
+TEST_CASE("published summaries are judged by Welch's t, of differences", "[compare]") {
   // The error of Table 3: Welch's t by hand, (1.6849 - 0.0019) / (0.9069 / sqrt 20) = 8.299 on 19 degrees of freedom.
   Observations of = groups_of({});
   of.groups = {{.name = "IK-BA", .summary = Summary{20, 0.0019, 1.7824e-4}},
@@ -357,8 +377,8 @@ TEST_CASE("published summaries are judged by Welch's t and Holm, of differences"
     CHECK(findings[0].scale == Scale::difference);
     CHECK(*findings[0].estimate == Approx(-1.683));
     CHECK_FALSE(findings[0].effect);
-    CHECK(*findings[5].p == welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);  // the last has its own p
-    CHECK(headline(of, plan, findings).best == "IK-BA");
+    CHECK(*findings[5].p == 6 * welch({20, 0.3653, 0.2929}, {20, 0.2318, 0.0722}, 0.05).p);
+    CHECK(headline(of, plan, findings).best == Names{"IK-BA"});
   }
   const Finding first = only(compare(
       [&] {
@@ -376,7 +396,7 @@ TEST_CASE("shares of one trial are judged by Fisher and Newcombe, in blocks by M
   const Observations of = groups_of({solved(100, 100), solved(88, 100), solved(54, 100)}, Scale::share);
   const std::vector<Finding> findings = compare(of, by_ranks);
   CHECK(verdicts(findings) == "AB better; AC better; BC better; ");
-  CHECK(*findings[0].p == Approx(0.0003439665141949307).epsilon(1e-9));  // the largest of three: by itself
+  CHECK(*findings[0].p == Approx(3 * 0.0003439665141949307).epsilon(1e-9));
   CHECK(*findings[0].estimate == Approx(0.12));
   // At 1 - 0.05 / 3.
   CHECK(std::lround(100 * findings[0].interval->low) == 4);
@@ -385,7 +405,7 @@ TEST_CASE("shares of one trial are judged by Fisher and Newcombe, in blocks by M
   CHECK(std::lround(100 * findings[1].interval->high) == 58);
   CHECK(findings[0].test == "Fisher's exact");
   const std::vector<Finding> in_blocks = compare(paired(of), by_ranks);
-  CHECK(*in_blocks[0].p == 2 / 4096.0);  // twelve of twelve
+  CHECK(*in_blocks[0].p == 3 * 2 / 4096.0);  // twelve of twelve, of three pairs
   CHECK(in_blocks[0].test == "McNemar's exact");
 }
 
@@ -409,16 +429,18 @@ TEST_CASE("several trials a target are one share, judged by t in points", "[comp
   CHECK(only(compare(of, by_ranks)).test == "Welch's t");
 }
 
-TEST_CASE("two constant shares have Newcombe's interval of that many targets", "[compare]") {
-  Observations of = groups_of({std::vector<double>(20, 1.0), std::vector<double>(20, 0.8)}, Scale::share);
-  of.trials = 5;
+TEST_CASE("two constant shares have Newcombe's interval of that many targets if they are equal, else none",
+          "[compare]") {
   for (const bool is_paired : {false, true}) {
+    Observations of = groups_of({std::vector<double>(20, 0.8), std::vector<double>(20, 0.8)}, Scale::share);
+    of.trials = 5;
     of.is_paired = is_paired;
-    const Finding found = only(compare(of, by_ranks));
-    const Interval expected = newcombe(1, 20, 0.8, 20, 0.05);
-    CHECK(found.interval->low == Approx(expected.low));
-    CHECK(found.interval->high == Approx(expected.high));
-    CHECK(found.verdict == Verdict::better);  // p of the permutations
+    const Interval expected = newcombe(0.8, 20, 0.8, 20, 0.05), found = *only(compare(of, by_ranks)).interval;
+    CHECK(found.low == Approx(expected.low));
+    CHECK(found.high == Approx(expected.high));
+    std::ranges::fill(of.groups[0].values, 1.0);
+    CHECK(only(compare(of, by_ranks)).verdict == Verdict::better);  // p of the permutations
+    CHECK_FALSE(only(compare(of, by_ranks)).interval);
   }
 }
 
@@ -482,7 +504,160 @@ TEST_CASE("runs are compared with the value of a solver that repeats itself by t
   CHECK(*only(compare(of, by_ranks)).estimate == 1);
 }
 
+// p, interval and verdict.
+
+TEST_CASE("an interval of unpaired ranks has what either test keeps, of five and twenty values", "[compare]") {
+  const Observations of =
+      groups_of({{1.75981412952897, 55.4688216820432, 1.46609659157177, 1.04159158081134, 10.741577261979},
+                 {1.01185006213213,  0.989261839158649, 0.831280497453605, 1.0451044302842,  1.35461925927757,
+                  0.858446003620109, 0.810877603883547, 1.09024115887056,  1.24228974916032, 0.807378838800918,
+                  1.07192113404207,  0.811566791462305, 1.22013371231482,  1.00980167730198, 0.780670740047111,
+                  1.1834369413162,   0.821657375540992, 1.16814254935747,  1.2718826241216,  1.21931070327248}});
+  const Finding found = better_first(only(compare(of, by_ranks)), "");
+  CHECK(found.first == "B");
+  CHECK(*found.p == Approx(0.0144).epsilon(0.005));
+  CHECK(found.interval->low == Approx(0.0211).epsilon(0.005));
+  CHECK(found.interval->high == Approx(0.847).epsilon(0.001));
+  CHECK_FALSE(found.interval->excludes_high);
+}
+
+TEST_CASE("an interval holds no difference where p does not decide, and excludes it where it does", "[compare]") {
+  const auto points = [](double share) { return std::round(1000 * share) / 10; };
+  const Finding open = only(compare(groups_of({solved(100, 100), solved(95, 100)}, Scale::share), by_ranks));
+  CHECK(*open.p == Approx(0.0594).epsilon(0.001));
+  CHECK(open.verdict == Verdict::undecided);
+  CHECK(points(*open.estimate) == 5);
+  CHECK(open.interval->low == 0);
+  CHECK(points(open.interval->high) == 11.2);
+
+  const Observations five_to_none = paired(groups_of({solved(5, 20), solved(0, 20)}, Scale::share));
+  const Finding pairs = only(compare(five_to_none, by_ranks));
+  CHECK(*pairs.p == 0.0625);
+  CHECK(*pairs.estimate == 0.25);
+  CHECK(pairs.interval->low == 0);
+  CHECK(points(pairs.interval->high) == 46.9);
+
+  const Finding none = only(compare(groups_of({solved(0, 20), solved(33, 200)}, Scale::share), by_ranks));
+  CHECK(*none.p == Approx(0.0496).epsilon(0.001));
+  CHECK(none.verdict == Verdict::worse);
+  CHECK(points(*none.estimate) == -16.5);
+  CHECK(points(none.interval->low) == -22.3);
+  CHECK(none.interval->high == 0);
+  CHECK(none.interval->excludes_high);
+  const Finding turned = better_first(none, "");
+  CHECK(turned.interval->low == 0);
+  CHECK(turned.interval->excludes_low);
+  CHECK_FALSE(turned.interval->excludes_high);
+
+  const std::vector<double> differences{0.5, 0.6, 0.7, 0.8, 0.9, 1, 0, 0, 0, 0};
+  const Finding blocks =
+      only(compare(paired(groups_of({differences, std::vector<double>(10)}, Scale::difference)), by_ranks));
+  CHECK(*blocks.p == 0.03125);
+  CHECK(*blocks.estimate == Approx(0.45));
+  CHECK(blocks.interval->low == 0);
+  CHECK(blocks.interval->excludes_low);
+  CHECK(blocks.interval->high == Approx(0.8));
+}
+
 // Properties.
+
+// Properties.
+
+namespace {
+
+// A design and values of any kind: ties, zeros, failures, constants, copies, shares of 0 and 1.
+struct DrawnSet {
+  Observations of;
+  Plan plan;
+};
+
+DrawnSet drawn_set(std::mt19937_64& engine) {
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(engine() % n); };
+  const auto uniform = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const bool is_large = below(50) == 0;
+  const std::size_t k = below(20) == 0 ? 2 + below(13) : 2 + below(2);
+  const std::size_t n = 2 + below(is_large && k < 5 ? 199 : 14);
+  DrawnSet drawn{.of = {.scale = std::array{Scale::ratio, Scale::difference, Scale::share}[below(3)]}, .plan = {}};
+  Observations& of = drawn.of;
+  of.better = below(2) == 0 ? Better::smaller : Better::larger;
+  of.is_paired = below(2) == 0;
+  of.trials = below(2) == 0 ? 1 : 4;
+  of.floor = of.scale == Scale::ratio ? 1e-3 : 0;
+  of.absolute_margin = below(4) == 0 ? 0.1 : 0;
+  drawn.plan.test = below(3) == 0 ? Plan::Test::means : Plan::Test::ranks;
+  drawn.plan.significance = std::array{0.05, 0.05, 0.01, 0.3}[below(4)];
+  drawn.plan.control = below(4) == 0 ? "A" : "";
+  const std::size_t kind = below(6);
+  for (std::size_t g = 0; g < k; ++g) {
+    Group& group = of.groups.emplace_back(Group{.name = std::string(1, static_cast<char>('A' + g))});
+    group.values.resize(of.is_paired || below(2) == 0 ? n : 2 + below(n));
+    const double middle = std::array{1.0, 1.02, 1.5, 5.0}[below(4)], share = std::array{0.0, 0.1, 0.8, 1.0}[below(4)];
+    std::normal_distribution<double> normal(0, below(2) == 0 ? 1 : 0.02);
+    for (double& value : group.values) {
+      value = middle * std::exp(normal(engine));
+      if (kind == 1) value = std::round(2 * value) / 2;            // ties, and zeros
+      if (kind == 2 && uniform() < 0.7) value = 0;                 // at the floor
+      if (kind == 3 && uniform() < 0.1) value *= 1000;             // failures
+      if (kind == 4) value = middle;                               // constant
+      if (kind == 5) value = std::round(value) + (below(2) == 0);  // ties of few values
+      if (of.scale == Scale::difference && kind == 0) value -= 1;  // of either sign
+      if (of.scale != Scale::share) continue;
+      int solved = 0;
+      for (int trial = 0; trial < of.trials; ++trial) solved += uniform() < share;
+      value = solved / static_cast<double>(of.trials);
+    }
+    if (of.is_paired || below(5) > 0) continue;
+    group.values.resize(1);
+    group.copies = static_cast<int>(n);
+  }
+  return drawn;
+}
+
+// What p, estimate, interval and verdict say of a difference; empty if it is one thing.
+std::string disagreement(const Finding& found, const Plan& plan, Better better) {
+  const double none = found.scale == Scale::ratio ? 1 : 0;
+  const auto& [low, high, excludes_low, excludes_high] = found.interval.value_or(Interval{});
+  if (found.interval && found.estimate && !(low <= *found.estimate && *found.estimate <= high))
+    return "the estimate is outside the interval";
+  if (found.interval && !found.estimate) return "an interval of no estimate";
+  if (!found.p) return is_difference(found.verdict) || found.interval ? "a verdict or an interval without p" : "";
+  if ((*found.p < plan.significance) != is_difference(found.verdict)) return "p and verdict";
+  if (found.verdict == Verdict::same && !found.is_within_margin) return "the same outside the margin";
+  if (!is_difference(found.verdict)) {
+    if (!found.estimate) return "no estimate";
+    return found.interval && !(low <= none && none <= high && !excludes_low && !excludes_high) ? "none is left out"
+                                                                                               : "";
+  }
+  const bool is_larger = (found.verdict == Verdict::better) == (better == Better::larger);
+  if (found.estimate && (is_larger ? *found.estimate <= none : *found.estimate >= none)) return "the estimate";
+  const bool is_none_out =
+      is_larger ? low > none || (low == none && excludes_low) : high < none || (high == none && excludes_high);
+  return found.interval && !is_none_out ? "none is held" : "";
+}
+
+}  // namespace
+
+TEST_CASE("p, interval, estimate and verdict of no pair disagree", "[compare][property]") {
+  std::mt19937_64 engine(11);
+  int decided = 0, excluded = 0, ahead = 0, same = 0, open = 0;
+  for (int set = 0; set < 10'000; ++set) {
+    const auto [of, plan] = drawn_set(engine);
+    for (const Finding& found : compare(of, plan)) {
+      const Finding turned = better_first(found, plan.control);
+      decided += is_difference(found.verdict);
+      ahead += is_difference(found.verdict) && !found.estimate;
+      excluded += found.interval && (found.interval->excludes_low || found.interval->excludes_high);
+      same += found.verdict == Verdict::same;
+      open += found.verdict == Verdict::undecided;
+      const std::string one = disagreement(found, plan, of.better), other = disagreement(turned, plan, of.better);
+      if (one.empty() && other.empty()) continue;
+      CAPTURE(set, found.first, found.second, found.test, one, other);
+      FAIL();
+    }
+  }
+  CAPTURE(decided, excluded, ahead, same, open);
+  CHECK(std::min({decided, excluded, ahead, same, open}) > 30);
+}
 
 TEST_CASE("swapping the groups reverses the finding", "[compare][property]") {
   std::mt19937_64 engine(5);
@@ -554,14 +729,19 @@ TEST_CASE("larger is better where the metric says so", "[compare]") {
 
 TEST_CASE("best is better than every other", "[compare]") {
   Observations of = groups_of({ramp(10, 5, 0.1), ramp(10, 1, 0.1), ramp(10, 5.05, 0.1)});
-  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "B");
-  of.groups[2].values = ramp(10, 1.05, 0.1);  // not told from B
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B"});
+  of.groups[2].values = ramp(10, 2.5, 0.1);  // worse than B, and better than A
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B"});
+  of.groups[2].values = ramp(10, 1.05, 0.1);  // not told from B, and better than A
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"B", "C"});
+  CHECK(headline(of, by_ranks, compare(of, {.control = "A"})).best.empty());  // B and C were not compared
+  of.groups[0].values = ramp(10, 1.4, 0.1);                                   // worse than B alone
   const Headline none = headline(of, by_ranks, compare(of, by_ranks));
   CHECK(none.best.empty());
   CHECK_FALSE(none.is_circle);
   CHECK(headline(groups_of({{1, 2}}), by_ranks, {}).best.empty());
   of = groups_of({solved(99, 100), solved(50, 100)}, Scale::share);
-  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "A");
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"A"});
 }
 
 TEST_CASE("verdicts that form a circle have no best", "[compare]") {
@@ -591,9 +771,25 @@ TEST_CASE("where the means lie the other way nobody is best, one is usually bett
   const Headline said = headline(of, by_ranks, findings);
   CHECK(said.best.empty());
   CHECK(said.usual == "A");
-  CHECK(said.by_mean == "B");
+  CHECK(said.other == "B");
+  CHECK_FALSE(said.is_median_worse);
   of.absolute_margin = 0.1;
-  CHECK(headline(of, by_ranks, findings).best == "A");  // 0.03 does not matter
+  CHECK(headline(of, by_ranks, findings).best == Names{"A"});  // 0.03 does not matter
+}
+
+TEST_CASE("where the medians lie the other way nobody is best", "[compare]") {
+  Lists groups{ramp(48, 0.5, 0.001), ramp(55, 1, 0.001)};
+  for (const double value : ramp(52, 5.48, 0.01)) groups[0].push_back(value);
+  for (const double value : ramp(45, 10.55, 0.01)) groups[1].push_back(value);
+  Observations of = groups_of(groups);
+  const std::vector<Finding> findings = compare(of, by_ranks);
+  CHECK(verdicts(findings) == "AB better; ");
+  const Headline said = headline(of, by_ranks, findings);
+  CHECK(said.best.empty());
+  CHECK(said.usual == "A");
+  CHECK(said.is_median_worse);
+  // By means the median is not asked.
+  CHECK(headline(of, by_means, compare(of, by_means)).best == Names{"A"});
 }
 
 TEST_CASE("A pair has the blocks that both groups have, and can decide what their number can") {
@@ -619,7 +815,7 @@ TEST_CASE("The means of a headline are of the blocks that both have") {
   of.groups[0].values.push_back(100);  // a block that the other lacks
   of.groups[0].blocks.push_back(20);
   of.groups[1].blocks = {1, 2, 3, 4, 5, 6, 7, 8, 9};
-  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == "A");
+  CHECK(headline(of, by_ranks, compare(of, by_ranks)).best == Names{"A"});
 }
 
 TEST_CASE("A group apart is described, but neither compared nor counted") {

@@ -52,7 +52,7 @@ TEST_CASE("A better solver is named, and its findings are those of the table") {
     solve.position_error_cm = (solve.solver == "A" ? 1 : 10) + 0.01 * solve.run;
   }));
   const Judged& error = metric(of, "error");
-  CHECK(error.headline.best == "A");
+  CHECK(error.headline.best == std::vector<std::string>{"A"});
   REQUIRE(error.findings.size() == 1);
   CHECK(error.findings.front().verdict == Verdict::better);
   CHECK(error.described.front().n == 8);

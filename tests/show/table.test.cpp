@@ -49,6 +49,19 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
   CHECK(json[1]["low"].is_null());
 }
 
+TEST_CASE("an end that an interval excludes says so in every format", "[show]") {
+  const Table table{.caption = "pairs",
+                    .columns = {{"interval"}},
+                    .rows = {{compare::Interval{0, 0.8, true}}, {compare::Interval{0.5, 1, false, true}}, {Cell()}}};
+  for (const auto& text : {to_text(table), to_markdown(table), to_html(table), to_latex(table)}) {
+    CHECK(text.find("above 0 to 0.8") != std::string::npos);
+    CHECK(text.find("0.5 to below 1") != std::string::npos);
+  }
+  CHECK(to_csv(table) == "low,high,excluded\n0.0,0.8,low\n0.5,1.0,high\n,,\n");
+  CHECK(to_json(table)[0]["excluded"] == "low");
+  CHECK(to_json(table)[2]["excluded"].is_null());
+}
+
 TEST_CASE("readers see three digits, units, marks and small p-values", "[show]") {
   CHECK(to_text(with_label("mine")) ==
         "solver   error        printed   interval     p          n    time\n"

@@ -28,6 +28,13 @@ std::vector<double> heavy(double middle) {
   return values;
 }
 
+// `lower` of a hundred lie around the first, the others around the second.
+std::vector<double> two_modes(double first, int lower, double second) {
+  std::vector<double> values;
+  for (int i = 0; i < 100; ++i) values.push_back((i < lower ? first : second) * (1 + 0.001 * i));
+  return values;
+}
+
 std::string table_of_verdicts(const Shown& shown) {
   std::string text;
   for (const compare::Judged& judged : shown.metrics) {
@@ -40,11 +47,19 @@ std::string table_of_verdicts(const Shown& shown) {
 
 }  // namespace
 
-TEST_CASE("what is better where most values are equal says so", "[show]") {
+TEST_CASE("what is better where most values are equal says how often", "[show]") {
   std::vector<double> at_tolerance(60, 0.01), some = at_tolerance;
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const compare::Judged error = judged(errors({{"A", at_tolerance}, {"B", some}}));
-  CHECK(verdict_words(error.findings.front(), error) == "better, though most are equal");
+  CHECK(verdict_words(error.findings.front(), error) == "better");
+  CHECK(amount_words(error.findings.front(), error) == "ahead in 62.5 %");
+}
+
+TEST_CASE("an end of an interval that p excludes says so", "[show]") {
+  Observations unpaired = shares({{"A", solved(0)}, {"B", solved(33, 200)}});
+  unpaired.is_paired = false;
+  const compare::Judged error = of(unpaired).metrics[0];
+  CHECK(amount_words(error.findings.front(), error) == "16.5 points (above 0 to 22.3)");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
@@ -70,11 +85,16 @@ TEST_CASE("one sentence says who is best, or why nobody is", "[show]") {
       of(shares({{"LM", solved(200, 200)}, {"DLS", solved(200, 200)}, {"KDL", solved(200, 200)}})));
   add("none", of(shares({{"LM", solved(0)}, {"DLS", solved(0)}})));
   add("not decided", of(shares({{"LM", solved(18)}, {"DLS", solved(20)}})));
-  add("not decided between two", of(errors({{"A", c}, {"B", a}, {"C", b}, {"D", a}})));
-  add("not decided between the first two", of(errors({{"A", a}, {"B", values_around(1.2, 0.5)}, {"C", b}})));
+  add("two best, of errors", of(errors({{"A", c}, {"B", a}, {"C", b}, {"D", a}})));
+  add("not decided between the first two",
+      of(errors({{"A", a}, {"B", values_around(1.25, 0.5)}, {"C", values_around(1.55, 0.5)}})));
   add("too few", of(errors({{"A", {1, 2, 3}}, {"B", {4, 5, 6}}})));
   add("by means, few decide", of(errors({{"A", heavy(1)}, {"B", b}}), {.test = results::Plan::Test::means}));
   add("usually better", of(errors({{"A", heavy(1)}, {"B", b}})));
+  add("usually better, by the median worse",
+      of(errors({{"A", two_modes(0.5, 48, 5.5)}, {"B", two_modes(1, 55, 10.6)}})));
+  add("two best, of shares",
+      of(shares({{"LM", solved(20)}, {"PSO", solved(4)}, {"DLS", solved(20)}, {"mine", solved(2)}})));
   add("the same", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.001, 0.01)}})));
   add("better by little", of(errors({{"A", values_around(1, 0.01)}, {"B", values_around(1.02, 0.01)}})));
   add("with a control", of(errors({{"A", a}, {"old", b}, {"C", c}}), {.control = "old"}));
