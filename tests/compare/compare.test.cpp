@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -588,6 +589,7 @@ DrawnSet drawn_set(std::mt19937_64& engine) {
   drawn.plan.significance = std::array{0.05, 0.05, 0.01, 0.3}[below(4)];
   drawn.plan.control = below(4) == 0 ? "A" : "";
   const std::size_t kind = below(6);
+  const bool lack_blocks = below(3) == 0;
   for (std::size_t g = 0; g < k; ++g) {
     Group& group = of.groups.emplace_back(Group{.name = std::string(1, static_cast<char>('A' + g))});
     group.values.resize(of.is_paired || below(2) == 0 ? n : 2 + below(n));
@@ -606,9 +608,15 @@ DrawnSet drawn_set(std::mt19937_64& engine) {
       for (int trial = 0; trial < of.trials; ++trial) solved += uniform() < share;
       value = solved / static_cast<double>(of.trials);
     }
-    if (of.is_paired || below(5) > 0) continue;
-    group.values.resize(1);
-    group.copies = static_cast<int>(n);
+    if (!of.is_paired && below(5) == 0) {
+      group.values.resize(1);
+      group.copies = static_cast<int>(n);
+    }
+    if (!of.is_paired || !lack_blocks) continue;
+    group.blocks.resize(n);
+    std::iota(group.blocks.begin(), group.blocks.end(), 0);
+    group.blocks.erase(group.blocks.begin() + static_cast<std::ptrdiff_t>(below(n)));
+    group.values.pop_back();
   }
   return drawn;
 }

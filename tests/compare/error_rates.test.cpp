@@ -128,11 +128,11 @@ int asked_sets() {
 TEST_CASE("more runs find a factor of two more often", "[error_rates]") {
   const int sets = asked_sets() > 0 ? asked_sets() : 20;
   const Row found = rows().back();
-  if (asked_sets() > 0) fmt::print("| found, n = | 10 | 20 | 36 | 45 | 62 | 100 |\n|---|---|---|---|---|---|---|\n");
+  if (asked_sets() > 0) fmt::print("| found, n = | 10 | 20 | 36 | 48 | 65 | 100 |\n|---|---|---|---|---|---|---|\n");
   Random random(1);
   for (const std::size_t k : {2u, 3u, 6u}) {
     std::vector<double> shares;
-    for (const int n : {10, 20, 36, 45, 62, 100}) {
+    for (const int n : {10, 20, 36, 48, 65, 100}) {
       double& share = shares.emplace_back();
       for (int set = 0; set < sets; ++set) share += counted(found, compare(drawn(found, k, n, random), {}), k) / sets;
     }
