@@ -31,7 +31,7 @@ struct Finding {
   std::string first, second;
   Scale scale = Scale::difference;        // of estimate and interval; means have differences
   std::optional<double> estimate = {};    // none if values are lost, or if it would refute the verdict
-  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; has no difference unless p decides
+  std::optional<Interval> interval = {};  // at 1 - significance / tested pairs; without 0 (ratios: 1) if p decides
   std::optional<double> p = {};           // times the tested pairs; below the significance it decides
   std::optional<double> effect = {};      // share of pairs or blocks in which the first is better, equal ones half
   std::string_view test = {};
@@ -43,13 +43,13 @@ struct Finding {
   int needed = 0;  // if too few: how many, in each group, could decide
 };
 
-// What decides the test: groups of which only means are known (printed summaries) have Welch's t. If one solver
-// repeats itself its one value has no spread, so the other's runs are held against it by the sign test. A share of one
-// trial is 0 or 1 and has Fisher's exact test, in blocks McNemar's; a share of several trials is judged by t, because
-// its mean is what is asked. All other numbers go by ranks, or by t where the plan says means. Blocks make each of
-// these paired: signed ranks and the paired t. Ranks of a ratio scale and its differences are of logarithms. Nothing
-// asks how the values are spread: a test chosen by the values that it then judges is wrong more often than it says.
-// Each pair is decided at significance / pairs that data of these sizes can decide (so few values cannot).
+// What decides the test. Groups of which only means are known (printed summaries) have Welch's t. The one value of a
+// solver that repeats itself has no spread, so the other's runs are held against it by the sign test. A share of one
+// trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by t, since its mean is
+// asked. All other numbers go by ranks, or by t where the plan says means; on a ratio scale ranks are of logarithms.
+// Blocks make them paired: signed ranks, the paired t. Nothing asks how the values are spread: a test chosen by the
+// values that it then judges is wrong more often than it says. A pair is decided at the significance divided by the
+// number of pairs that data of these sizes can decide at all.
 //
 // Throws std::invalid_argument if the control is no group. Paired groups have one size without blocks, and ratios are
 // of values above 0, or have a floor above it.

@@ -104,16 +104,17 @@ std::string usual(const Judged& judged) {
   const auto [usually, not_so] =
       of.better == Better::smaller ? std::pair("smaller", "larger") : std::pair("larger", "smaller");
   const std::string medians = two(its.median, theirs.median), means = two(its.mean, theirs.mean);
+  std::string how = "medians " + medians, but = fmt::format("mean is {} ({})", not_so, means);
   if (head.is_median_worse) {
     const Finding& finding = *finding_of(judged, head.usual, head.other);
     const double ahead = finding.first == head.usual ? *finding.effect : 1 - *finding.effect;
-    return fmt::format("{} usually has the {} {} (in {:.0f} % of comparisons with {}), but its median is {} ({})",
-                       head.usual, usually, of.quantity, 100 * ahead, head.other, not_so, medians);
+    how = ahead > 0.5 ? fmt::format("in {:.0f} % of comparisons", 100 * ahead) : "by ranks";
+    but = fmt::format("median is {} ({})", not_so, medians);
+  } else if (2 * its.largest > its.n * its.mean || 2 * theirs.largest > theirs.n * theirs.mean) {
+    but += ": one value decides it";
   }
-  const auto is_one_half = [](const Description& each) { return 2 * each.largest > each.n * each.mean; };
-  return fmt::format("{} usually has the {} {} (median of it and {}: {}), but its mean is {} ({}){}", head.usual,
-                     usually, of.quantity, head.other, medians, not_so, means,
-                     is_one_half(its) || is_one_half(theirs) ? ": one value decides it" : "");
+  return fmt::format("{} usually has {} {} than {} ({}), but its {}", head.usual, usually, of.quantity, head.other, how,
+                     but);
 }
 
 std::string against_control(const Shown& shown) {
