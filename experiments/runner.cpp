@@ -31,19 +31,26 @@ struct Chained {
   Configuration configuration;  // the arm's present configuration
 };
 
-// The work of a study. Runs are the outer loop, solvers the inner one, so that a drift of the machine touches all
-// solvers alike. A chain takes one bit, and more only if the store has some of its points.
+// The work of a study. A chain takes one bit, and more only if the store has some of its points.
 struct Work {
   Work(const Study& of, int repeats, int jobs, Shard of_it = {})
       : study(of), size(size_of(of)), shard(of_it), arm(arm_of(of)), points(of.path->points()) {
     for (const SolverEntry& entry : study.solvers) solve_runners.emplace_back(study, entry, arm, repeats, jobs);
     done.resize(solve_runners.size() * static_cast<std::size_t>(study.runs));
+    for (int run = 1; run <= study.runs; ++run)
+      if (has_any(shard, size, run)) runs.push_back(run);
   }
   Work(const Work&) = delete;  // solve_runners refer to the arm
   Work& operator=(const Work&) = delete;
 
   std::size_t index(std::size_t solver, int run) const {
     return static_cast<std::size_t>(run - 1) * solve_runners.size() + solver;
+  }
+  // The index of the chain that comes next after `begun_chains`. Runs are the outer loop, and solvers take turns at
+  // being first, so that a drift of the machine touches all solvers alike.
+  std::size_t next_index(std::size_t begun_chains) const {
+    const std::size_t place = begun_chains / solve_runners.size();
+    return index((begun_chains + place) % solve_runners.size(), runs[place]);
   }
   const SolveRunner& solve_runner(std::size_t index) const { return solve_runners[index % solve_runners.size()]; }
   int run(std::size_t index) const { return static_cast<int>(index / solve_runners.size()) + 1; }
@@ -68,6 +75,7 @@ struct Work {
   Robot arm;
   int points;  // per run
   std::vector<SolveRunner> solve_runners;
+  std::vector<int> runs;                 // of which the shard has a point
   std::vector<bool> done;                // true for chains that miss nothing
   std::map<std::size_t, Chained> begun;  // chains of which the store has a part
 };
@@ -141,7 +149,7 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
   const auto is_over = [&] { return has_failed || (cancelled != nullptr && *cancelled); };
   const auto work_on = [&](std::size_t index, RunTask& task) {
     const int run = work.run(index);
-    if (work.done[index] || !has_any(work.shard, work.size, run)) return;
+    if (work.done[index]) return;
     Chained chain = work.chain(index);
     int point = work.next_point(chain, run, 1);
     const SolveRunner& solve_runner = work.solve_runner(index);
@@ -162,7 +170,8 @@ void solve_rest(const Work& work, int jobs, const std::atomic<bool>* cancelled, 
     work_together(jobs, [&] {
       RunTask task;
       try {
-        for (std::size_t i = next++; i < work.done.size() && !is_over(); i = next++) work_on(i, task);
+        const std::size_t chains = work.runs.size() * work.solve_runners.size();
+        for (std::size_t i = next++; i < chains && !is_over(); i = next++) work_on(work.next_index(i), task);
       } catch (...) {
         has_failed = true;  // the other workers stop after their present solve
         throw;

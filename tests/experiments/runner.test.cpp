@@ -11,6 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
@@ -231,6 +232,26 @@ TEST_CASE("a study is solved without a store to the same numbers, the points of 
     }
     CHECK(same_numbers(ordered, stored));
   }
+}
+
+TEST_CASE("solvers take turns at being first, run by run, also in a shard", "[runner]") {
+  Study study = small_study();
+  study.runs = 4;
+  std::vector<std::string> order;
+  solve_study(study, 1, [&](const SolveRecord& record) {
+    if (record.point == 1) order.push_back(record.solver);
+  });
+  CHECK(order ==
+        std::vector<std::string>{"IK-BA", "BA", "DE", "BA", "DE", "IK-BA", "DE", "IK-BA", "BA", "IK-BA", "BA", "DE"});
+  ScratchStore scratch;
+  std::atomic<bool> cancelled{false};
+  const auto look = [&](const Progress& now) { cancelled = now.done == 16; };  // one chain after those of run 1
+  run(study, scratch.store, {.progress = look, .cancelled = &cancelled, .shard = {1, 2}});
+  CHECK(scratch.store.solves("small").size() == 16);
+  std::set<std::string> of_run_3;
+  for (const SolveRecord& record : scratch.store.solves("small"))
+    if (record.run == 3) of_run_3.insert(record.solver);
+  CHECK(of_run_3 == std::set<std::string>{"BA"});
 }
 
 TEST_CASE("more runs add only those", "[runner]") {
