@@ -192,14 +192,52 @@ std::vector<Doubt> doubts_of_load(const StudyResults& study) {
   return doubts;
 }
 
+// Those that were solved in other sessions than most.
+std::vector<std::string> measured_apart(const StudyResults& study) {
+  std::map<std::set<int>, std::vector<std::string>> solvers_of;
+  for (const std::string& solver : study.solvers) {
+    std::set<int> sessions;
+    for (const Solve& solve : study.of(solver)) sessions.insert(solve.session);
+    if (!sessions.empty()) solvers_of[sessions].push_back(solver);
+  }
+  const auto size = [](const auto& of) { return of.second.size(); };
+  if (!solvers_of.empty()) solvers_of.erase(std::ranges::max_element(solvers_of, {}, size));
+  std::vector<std::string> apart;
+  for (const auto& [sessions, solvers] : solvers_of) apart.insert(apart.end(), solvers.begin(), solvers.end());
+  return apart;
+}
+
+// Those whose solves are another's, so that only the machine can make their times differ; the control is none.
+std::vector<std::string> copies_of_others(const StudyResults& study) {
+  std::vector<std::string> copies, originals, solvers = study.solvers;
+  std::ranges::stable_partition(solvers,
+                                [&](const std::string& each) { return each == study.definition.plan.control; });
+  for (const std::string& solver : solvers) {
+    const bool is_copy = !study.of(solver).empty() && std::ranges::any_of(originals, [&](const std::string& original) {
+      return have_same_solves(study, original, solver);
+    });
+    (is_copy ? copies : originals).push_back(solver);
+  }
+  return copies;
+}
+
 std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   std::vector<Doubt> doubts = doubts_of_load(study);
   if (!doubts.empty() && doubts.front().who.empty()) return doubts;
-  Doubt programs{.kind = DoubtKind::times_not_comparable, .what = "messages are in them"};
-  for (const std::string& solver : study.solvers) {
-    if (std::ranges::any_of(study.of(solver), is_timed(Timing::process))) programs.who.push_back(solver);
-  }
-  if (!programs.who.empty() && programs.who.size() < study.solvers.size()) doubts.push_back(programs);
+  constexpr std::size_t fewest_turns = 5;  // at being first: fewer leave a drift of the machine in the times
+  const auto takes_turns = [&](const auto& solver) { return runs_of(study.of(solver)).size() >= fewest_turns; };
+  if (study.solvers.size() > 1 && std::ranges::none_of(study.solvers, takes_turns))
+    return {{.kind = DoubtKind::times_not_comparable, .what = "one solver after the other"}};
+  const auto add_of = [&](std::vector<std::string> who, const char* what) {
+    if (!who.empty()) doubts.push_back({.kind = DoubtKind::times_not_comparable, .who = std::move(who), .what = what});
+  };
+  add_of(measured_apart(study), "measured in another session");
+  add_of(copies_of_others(study), "all solves are another's, bit for bit");
+  std::vector<std::string> programs = study.solvers;
+  std::erase_if(programs, [&](const std::string& solver) {
+    return std::ranges::none_of(study.of(solver), is_timed(Timing::process));
+  });
+  if (programs.size() < study.solvers.size()) add_of(std::move(programs), "messages are in them");
   return doubts;
 }
 
@@ -207,6 +245,7 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
 std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   if (study.definition.stop.seconds == 0) return {};
   std::vector<Doubt> doubts = doubts_of_load(study);
+  if (!measured_apart(study).empty()) doubts.push_back({.what = "measured in different sessions"});
   for (Doubt& doubt : doubts) {
     doubt.kind = DoubtKind::seconds_decide;
     if (doubt.who.empty()) doubt.who = study.solvers;
@@ -327,6 +366,12 @@ bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) &
 
 bool are_same(const Solve& one, const Solve& other) {
   return one.target == other.target && one.status == other.status && one.answer == other.answer;
+}
+
+bool have_same_solves(const StudyResults& study, std::string_view solver, std::string_view other) {
+  return std::ranges::equal(study.of(solver), study.of(other), [](const Solve& one, const Solve& two) {
+    return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
+  });
 }
 
 bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {

@@ -234,6 +234,20 @@ TEST_CASE("Times are compared only where they are clean, of one machine, and of 
     if (solve.solver == "B" && solve.run == 1 && solve.point == 1) solve.seconds = 1;
   }));
   CHECK(apart(once).empty());
+  StudyResults twins =
+      study(drawn, [](SolveRecord& solve) { solve.answer_rad = {0.1 * solve.point}; }, {"A", "B", "CC"});
+  CHECK(apart(times(twins)) == "BCC");  // A's time is that of the three
+  twins.definition.plan.control = "B";
+  CHECK(apart(times(twins)) == "ACC");
+  CHECK(apart(observed(twins)).empty());
+  StudyResults later = study(chained, [](SolveRecord& solve) { solve.session = solve.solver == "B" ? 2 : 1; },
+                             {"A", "B", "CC"}, {{.id = 1}, {.id = 2}});
+  CHECK(apart(times(later)) == "B");
+  CHECK(apart(observed(later)).empty());
+  later.definition.stop.seconds = 0.001;  // it ended all
+  CHECK(apart(observed(later)) == "ABCC");
+  CHECK(apart(times(study({.runs = 4}, as_made))) == "AB");  // one after the other
+  CHECK(apart(times(study({.runs = 4}, as_made, {"A"}))).empty());
   const auto in_process = [](const std::string& solvers) {
     return [solvers](SolveRecord& solve) {
       if (solvers.find(solve.solver) != std::string::npos) solve.timing = Timing::process;

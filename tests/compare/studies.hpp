@@ -36,7 +36,7 @@ inline SolveRecord solve_of(const Asked& asked, const std::string& solver, int r
           .run = run,
           .point = point,
           .target_position_m = {target, 0, 0},
-          .answer_rad = {target, 1.0 * run, static_cast<double>(solver.size())},
+          .answer_rad = {target, 1.0 * run, static_cast<double>(solver.front())},
           .position_error_cm = 0.5,
           .variation_deg = 30,
           .evaluations = 100,
