@@ -72,6 +72,7 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
   const auto add = [&](const std::string& label, StudyResults baseline, StudyResults candidate, std::size_t labels) {
     Compared& one = all.emplace_back(Compared{label, gate(std::move(baseline), std::move(candidate), labels)});
     one.shown = show::shown(one.gate.judged);
+    one.shown.share_significance = true;
   };
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
@@ -86,34 +87,55 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
   std::vector<std::string> labels = arguments.labels;
   if (labels.empty()) {
     labels = a.labels();
-    std::erase_if(labels, [&](const std::string& label) {
-      const bool is_missing = std::ranges::count(b.labels(), label) == 0;
-      if (is_missing) warn(fmt::format("the candidate lacks {}, so it is not compared", label));
-      return is_missing;
-    });
+    std::vector<std::string> missing = labels;
+    std::erase_if(missing, [&](const std::string& label) { return std::ranges::count(b.labels(), label) > 0; });
+    if (!missing.empty())
+      throw std::invalid_argument(
+          fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
+                      show::listed(missing)));
   }
-  if (labels.empty()) throw std::invalid_argument("A and B have no label in common; expected at least one");
   for (const std::string& label : labels) add(label, a.side(label, arguments), b.side(label, arguments), labels.size());
   return all;
 }
 
+// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
 std::string verdict_of(const Compared& one) {
-  const std::string of = one.label.empty() ? "" : one.label + ": ";
-  const auto told = [](std::string_view what, const std::vector<std::string>& quantities) {
-    return quantities.empty() ? "" : fmt::format("{}{}", what, show::listed(quantities));
-  };
-  const bool is_apart = one.gate.judged.metrics.front().findings.front().why == Why::apart;
-  const std::string first = is_apart ? "nothing is compared" : "nothing is worse";
-  return fmt::format("{}{}{}{}{}.", of, one.gate.worse.empty() ? first : told("worse in ", one.gate.worse),
-                     one.gate.are_same ? ": all solves are the same, bit for bit" : "",
-                     told("; better in ", one.gate.better), told("; not decided: ", one.gate.not_decided));
+  const Gate& gate = one.gate;
+  const std::vector<std::string>& solvers = gate.judged.study.solvers;
+  const bool is_worse = !gate.worse.empty();
+  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
+  std::vector<std::string> parts;
+  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
+  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
+  return fmt::format("{} is {} {}{}{} ({}).{}", one.label.empty() ? solvers.front() : one.label,
+                     is_worse   ? "worse than"
+                     : is_apart ? "not compared with"
+                                : "not worse than",
+                     one.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
+                     show::listed(parts, ", "), compared_of(gate),
+                     gate.not_decided.empty() ? "" : fmt::format(" Not decided: {}.", show::listed(gate.not_decided)));
+}
+
+// Of all that are the same, bit for bit, in one; empty if none are.
+std::string verdict_of_same(const std::vector<Compared>& all) {
+  std::vector<std::string> names;
+  int solves = 0;
+  for (const auto& [label, gate, shown] : all) {
+    if (!gate.are_same) continue;
+    names.push_back(label.empty() ? show::listed(gate.judged.study.solvers) : label);
+    solves += gate.judged.metrics.back().described.front().n;
+  }
+  if (names.empty()) return "";
+  return fmt::format("{}: all solves are the same, bit for bit ({}).", show::listed(names),
+                     numerics::counted(solves, "solves"));
 }
 
 std::string screen_of(const std::vector<Compared>& all) {
-  std::string text;
+  std::string text = verdict_of_same(all);
+  if (!text.empty()) text += '\n';
   for (const Compared& one : all) {
-    text +=
-        fmt::format("{} {}\n{}", verdict_of(one), sight_of(one.gate), one.gate.are_same ? "" : show::screen(one.shown));
+    if (!one.gate.are_same)
+      text += fmt::format("{}\n{}\n{}", verdict_of(one), sight_of(one.gate), show::screen(one.shown));
   }
   return text;
 }
@@ -121,7 +143,7 @@ std::string screen_of(const std::vector<Compared>& all) {
 // That of a report, with the rows of all labels.
 numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
   numerics::OrderedJson json;
-  std::string headline;
+  std::string headline = verdict_of_same(all);
   for (const Compared& one : all) {
     const std::string& label = one.label.empty() ? one.gate.judged.study.solvers.front() : one.label;
     numerics::OrderedJson of = show::to_json(one.shown);
@@ -129,7 +151,7 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
       for (auto& row : of[rows]) row["label"] = label;
     }
     for (auto& doubt : of["doubts"]) doubt = label + ": " + doubt.get<std::string>();
-    headline += (headline.empty() ? "" : " ") + verdict_of(one);
+    if (!one.gate.are_same) headline += (headline.empty() ? "" : " ") + verdict_of(one);
     for (const auto& [member, value] : of.items()) {
       if (!value.is_array() || !json.contains(member))
         json[member] = value;
@@ -147,8 +169,10 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
 }
 
 std::string markdown_of(const std::vector<Compared>& all) {
-  std::string text;
+  std::string text = show::markdown_text(verdict_of_same(all));
+  if (!text.empty()) text = fmt::format("**{}**\n\n", text);
   for (const Compared& one : all) {
+    if (one.gate.are_same) continue;
     text +=
         fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(one)), sight_of(one.gate),
                     show::to_markdown(show::results_table(one.shown)), show::to_markdown(show::pairs_table(one.shown)));
@@ -182,7 +206,8 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, and not by less than the margin, 4 with --strict something\n"
-      "is not decided. Times are compared only between solves that one command made.");
+      "is not decided, 1 not compared: a mistake, or B lacks what A has. Times are compared only between solves that one\n"
+      "command made.");
   command->callback([arguments, &invocation] {
     const std::vector<Compared> all = compare_all(*arguments);
     std::vector<Gate> gates;

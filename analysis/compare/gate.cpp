@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -17,10 +16,22 @@ namespace {
 
 using namespace results;
 
+// What vanished is not equal.
+void refuse_missing(const StudyResults& baseline, const StudyResults& candidate) {
+  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  std::vector<Solve> missing;
+  std::ranges::set_difference(baseline.solves, candidate.solves, std::back_inserter(missing), {}, place, place);
+  if (missing.empty()) return;
+  const std::string &before = baseline.solvers.front(), &now = candidate.solvers.front();
+  throw std::invalid_argument(
+      fmt::format("not compared: {} lacks {} of the {} solves that {}; complete it with ikbench run, with as many runs",
+                  now, missing.size(), baseline.solves.size(), before == now ? "it had before" : before + " has"));
+}
+
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
   const auto &of_a = one.solves, &of_b = other.solves;
-  const char* differ = of_a.empty() || of_b.empty()               ? "numbers of solves: one has none"
+  const char* differ = of_a.empty()                               ? "numbers of solves: the baseline has none"
                        : a.robot != b.robot || a.arm != b.arm     ? "arms"
                        : a.path != b.path || a.points != b.points ? "targets"
                        : a.search != b.search                     ? "searches"
@@ -73,14 +84,6 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
   return study;
 }
 
-bool are_all_same(const StudyResults& study) {
-  return std::ranges::equal(study.of(study.solvers.front()), study.of(study.solvers.back()),
-                            [](const Solve& one, const Solve& other) {
-                              return one.run == other.run && one.point == other.point && are_same(one, other) &&
-                                     one.evaluations == other.evaluations;
-                            });
-}
-
 // Limits of a solve that the two had, one doubt each.
 std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyResults& candidate,
                                     const StudyResults& both) {
@@ -98,12 +101,6 @@ std::vector<Doubt> doubts_of_limits(const StudyResults& baseline, const StudyRes
   return doubts;
 }
 
-bool have_one_session(const StudyResults& study) {
-  std::set<std::int64_t> of_first, of_second;
-  for (const Solve& solve : study.solves) (solve.solver == 0 ? of_first : of_second).insert(solve.session);
-  return of_first == of_second;
-}
-
 // Of solves, whatever they are of. Where the machine decides who is too late, that is not counted.
 Judged judged_answers(const StudyResults& study, bool machine_decides) {
   Observations of{
@@ -114,6 +111,29 @@ Judged judged_answers(const StudyResults& study, bool machine_decides) {
       group.values.push_back(gave_answer(solve) || (machine_decides && solve.status == results::Status::over_budget));
   }
   return judge(std::move(of), study.definition.plan);
+}
+
+JudgedStudy judged_with_answers(StudyResults study) {
+  JudgedStudy judged = judge(std::move(study));
+  const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
+  const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
+  judged.metrics.push_back(judged_answers(judged.study, machine_decides));
+  return judged;
+}
+
+// So that one of them, of equal solvers, is worse in no more compares than the significance says. Equal values cannot
+// be worse by chance.
+JudgedStudy judged_by_shares(StudyResults study, std::size_t labels) {
+  JudgedStudy whole = judged_with_answers(std::move(study));
+  const auto can_be_worse = [](const Judged& judged) {
+    const Finding& finding = judged.findings.front();
+    return finding.why == Why::tested && !finding.are_all_equal;
+  };
+  const auto shares =
+      static_cast<double>(labels) * static_cast<double>(std::ranges::count_if(whole.metrics, can_be_worse));
+  if (shares < 2) return whole;
+  whole.study.definition.plan.significance /= shares;
+  return judged_with_answers(std::move(whole.study));
 }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
@@ -146,26 +166,12 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
+  refuse_missing(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
-  study.definition.plan.significance /= static_cast<double>(labels);
-  const bool are_times_apart = !have_one_session(study);
-  const bool are_ended_by_clock =
-      std::ranges::any_of(study.solvers, [&](const auto& solver) { return is_ended_by_clock(study, solver); });
-  Gate gate{.are_same = are_all_same(study)};
-  Judged answers = judged_answers(study, are_times_apart && are_ended_by_clock);
-  gate.judged = judge(std::move(study));
+  Gate gate{.are_same = have_same_solves(study, study.solvers.front(), study.solvers.back())};
+  gate.judged = judged_by_shares(std::move(study), labels);
   gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
-  for (Judged& each : gate.judged.metrics) {
-    const bool is_time = each.observations.metric == metric_named("seconds").slug;
-    if (!are_times_apart || (!is_time && !are_ended_by_clock)) continue;
-    for (Group& group : each.observations.groups) group.is_apart = true;
-    each.observations.doubts = {{.kind = is_time ? DoubtKind::times_not_comparable : DoubtKind::seconds_decide,
-                                 .who = is_time ? std::vector<std::string>() : gate.judged.study.solvers,
-                                 .what = "the two were not measured together"}};
-    each = judge(std::move(each.observations), each.plan);
-  }
-  gate.judged.metrics.push_back(std::move(answers));
   for (const Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
     const Finding& finding = judged.findings.front();
@@ -181,22 +187,29 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
     else if (!is_time && !is_equal && finding.why != Why::fact && is_open)
       gate.not_decided.push_back(of.quantity);
   }
+  const Judged& deciding = gate.judged.metrics[gate.judged.deciding];
+  const auto size = [&](std::size_t i) {
+    return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
+  };
+  gate.compared = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
   for (Judged& judged : gate.judged.metrics) {
     for (Group& group : judged.observations.groups) group.values = {};
   }
   return gate;
 }
 
+std::string compared_of(const Gate& gate) {
+  return numerics::counted(gate.compared, gate.judged.study.definition.is_chained() ? "runs" : "targets");
+}
+
 std::string sight_of(const Gate& gate) {
   for (const Judged& each : gate.judged.metrics) {
     if (each.observations.metric != "solved") continue;
     if (each.findings.front().why == Why::apart) return "";
-    if (each.described.back().mean == 0) return "The baseline solved none, so it can see no loss.";
-    const std::string all =
-        numerics::counted(each.described.back().n, gate.judged.study.definition.is_chained() ? "runs" : "targets");
-    return gate.visible_loss
-               ? fmt::format("It can see a loss of {:.2g} points or more in {}.", 100 * *gate.visible_loss, all)
-               : fmt::format("It can see no loss in {}: too few.", all);
+    if (each.described.back().mean == 0) return "The baseline solved none, so no loss would show.";
+    return gate.visible_loss ? fmt::format("A loss of {:.2g} points or more would show in {}.",
+                                           100 * *gate.visible_loss, compared_of(gate))
+                             : fmt::format("No loss would show in {}: too few.", compared_of(gate));
   }
   return "The study has no tolerance, so no target counts as solved.";
 }

@@ -86,15 +86,17 @@ Lines warnings_of(const Shown& shown) {
 std::string screen(const Shown& whole, const std::string& page) {
   const Shown shown = with_short_names(whole, longest_name);
   const Lines head = wrapped(headline(shown), ""), table = table_of(shown), warnings = warnings_of(shown);
-  Lines pairs = pairs_of(shown);
-  const std::size_t others = head.size() + table.size() + warnings.size() + (page.empty() ? 1 : 2);
+  Lines pairs = pairs_of(shown), note;
+  if (const std::string text = chosen_before(shown); shown.decisive().described.size() == 2 && !text.empty())
+    note = wrapped(text, "");
+  const std::size_t others = head.size() + note.size() + table.size() + warnings.size() + (page.empty() ? 1 : 2);
   const std::size_t room = others + 1 < screen_lines ? screen_lines - others : 1;
   if (const std::size_t all = pairs.size(); all > room) {
     pairs.resize(room - 1);
     pairs.push_back(fmt::format("  and {} more pairs", all - pairs.size()));
   }
   std::string text;
-  for (const Lines& part : {head, pairs, Lines{""}, table, warnings}) {
+  for (const Lines& part : {head, pairs, note, Lines{""}, table, warnings}) {
     for (const std::string& line : part) text += line + '\n';
   }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));

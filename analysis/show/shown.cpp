@@ -74,6 +74,8 @@ Shown shown(const JudgedStudy& judged) {
   all.deciding = judged.deciding;
   all.doubts = judged.doubts;
   all.noun = definition.is_chained() || judged.study.points == 1 ? "runs" : "targets";
+  if (std::ranges::any_of(all.metrics, [](const Judged& of) { return of.observations.metric == "evaluations"; }))
+    all.notes.emplace_back("A Jacobian adds no evaluation.");
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

@@ -19,6 +19,7 @@ struct Shown {
   std::vector<compare::Doubt> doubts;  // of all
   std::string noun = "values";         // what observations are
   std::vector<std::string> notes;      // of the table of results
+  bool share_significance = false;     // the metrics: each was chosen before
 
   const compare::Judged& decisive() const { return metrics[deciding]; }
   // Those of all and of each metric, each once; what several metrics have alike, as one.
@@ -43,6 +44,7 @@ const compare::Finding* finding_of(const compare::Judged& judged, std::string_vi
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
 Table results_table(const Shown& shown);  // a row a solver
 Table pairs_table(const Shown& shown);
+std::string chosen_before(const Shown& shown);  // what a verdict on another metric is worth; empty if there is none
 Table descriptives_table(const Shown& shown);
 Table anova_table(const Shown& shown);
 

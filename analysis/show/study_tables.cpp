@@ -140,6 +140,13 @@ Table results_table(const Shown& shown) {
   return table;
 }
 
+std::string chosen_before(const Shown& shown) {
+  if (shown.metrics.size() < 2) return "";
+  if (shown.share_significance) return "Labels and metrics share the significance.";
+  return fmt::format("Only {} was chosen before; other metrics are exploratory.",
+                     shown.decisive().observations.quantity);
+}
+
 Table pairs_table(const Shown& shown) {
   Table table{.name = "pairs",
               .caption = "The first against the second",
@@ -163,9 +170,11 @@ Table pairs_table(const Shown& shown) {
                             verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
     }
   }
+  const std::string chosen = chosen_before(shown);
   table.notes = {
-      "Metrics but the headline's are exploratory. p: times the pairs tested of a metric, whose intervals hold "
-      "together; A12: share of comparisons in which the first is better."};
+      chosen + (chosen.empty() ? "" : " ") +
+      "p: times the pairs tested of a metric, whose intervals hold together; A12: share of comparisons in which the "
+      "first is better."};
   return table;
 }
 

@@ -15,6 +15,8 @@ base=base/store.sqlite again=again/store.sqlite fewer=fewer/store.sqlite
 cp $base before.sqlite
 
 # Two stores: nothing worse, and worse; the other way round nothing is.
+succeeds compare $base $again
+equal "of equal stores" "$out" "IK-BA, BA, DE, PSO, K-ABC and MO-PSO: all solves are the same, bit for bit (144 solves)."
 succeeds compare $base $again --json
 quiet
 json 'of["exit_code"] == 0 and len(of["worse"]) == 6 and not any(of["worse"].values()) and of["files"] == []'
@@ -29,6 +31,16 @@ ends 4 compare $base $fewer --label BA --strict
 ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
 grep -qc '^| error |' verdict.md || fail "no table: $(<verdict.md)"
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
+
+# What the candidate lacks is not compared: labels, unless --label leaves them out, and runs.
+make three --set runs=3
+refused 'lacks 15 of the 24 solves' compare $base three/store.sqlite --label BA
+succeeds compare three/store.sqlite $base --label BA
+cp $again five.sqlite
+sqlite3 five.sqlite "DELETE FROM series WHERE label = 'PSO'"
+refused 'lacks PSO' compare $base five.sqlite
+succeeds compare $base five.sqlite --label BA --label DE
+succeeds compare five.sqlite $base
 
 # Two labels of one store.
 succeeds compare BA IK-BA --store $base --json
@@ -93,6 +105,8 @@ gate 3 worse OUT=crash MARGIN=10%
 equal "answers" "$(column crash/store.sqlite status mine | counted | head -n 1)" "5 crashed"
 ends 3 compare baseline.sqlite crash/store.sqlite --json
 golden compare-crash
+sed 's/^runs = 20/runs = 19/' gate.toml >shorter.toml
+gate 1 failed STUDY=shorter.toml OUT=shorter
 gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true
 [[ $(head -n 1 .out) == ::stop-commands::???* && $(tail -n 1 .out) == "::$(head -n 1 .out | cut -d : -f 5)::" ]] ||
   fail "a label may command the forge: $(<.out)"

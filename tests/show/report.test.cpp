@@ -141,6 +141,22 @@ TEST_CASE("a screen has at most 20 lines, whatever was compared", "[show]") {
   CHECK(of_two.find('\x1b') == std::string::npos);
 }
 
+TEST_CASE("below the pairs of two solvers stands which metric was chosen before", "[show]") {
+  const auto of_two = [](const std::string& metric) {
+    return judged(numbers(metric, metric, "", {{"A", values_around(1, 1)}, {"B", values_around(9, 1)}}));
+  };
+  Shown two = shown({of_two("error"), of_two("effort")}, {});
+  two.deciding = 1;
+  const auto is_told = [](const Shown& shown) { return screen(shown).find(chosen_before(shown)) != std::string::npos; };
+  CHECK(chosen_before(two).starts_with("Only effort "));
+  CHECK(is_told(two));
+  CHECK(pairs_table(two).notes.front().starts_with(chosen_before(two)));
+  two.share_significance = true;
+  CHECK(chosen_before(two).find("effort") == std::string::npos);
+  CHECK(chosen_before(shown({of_two("error")}, {})).empty());
+  CHECK_FALSE(is_told(shown(judged_study())));
+}
+
 TEST_CASE("a report is few files, and replaces those of the report before it", "[show]") {
   const ScratchFolder folder;
   const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
