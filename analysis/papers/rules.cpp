@@ -361,7 +361,7 @@ JudgedClaim at_rounding(const Claim& claim, const Repeated&, const StudyResults&
   return result;
 }
 
-// Not compared if the study's times are not clean.
+// Not compared if the solver's times are not clean. It is held against a limit, not against the others.
 JudgedClaim in_time(const Claim& claim, const Repeated& of, const StudyResults& study) {
   JudgedClaim result = begun(claim);
   const double limit = claim.limit_ms;
@@ -373,7 +373,12 @@ JudgedClaim in_time(const Claim& claim, const Repeated& of, const StudyResults& 
     result.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
   result.number = fmt::format("{} of {} to {:g} cm", own.reached, n, study.definition.stop.tolerance_cm);
   result.holds = Holds::not_compared;
-  if (!observe(study, metric_named("seconds")).doubts.empty()) return result;
+  StudyResults alone = study;
+  const std::span<const Solve> solves = study.of(solver);
+  alone.solvers = {solver};
+  alone.solves.assign(solves.begin(), solves.end());
+  for (Solve& solve : alone.solves) solve.solver = 0;
+  if (!observe(alone, metric_named("seconds")).doubts.empty()) return result;
   result.holds = always_or_on_average(own.both == n, describe(own.ms).median < limit);
   result.number += fmt::format(", {} in time", own.in_time == n ? "all" : fmt::to_string(own.in_time));
   return result;

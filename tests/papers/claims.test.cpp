@@ -117,7 +117,7 @@ TEST_CASE("what changes no bit has no effect, and what moves joints more has one
     const JudgedStudy companion =
         study_of({.name = "slim2023-elongation", .solvers = {"IK-BA", "without the pull"}}, [&](SolveRecord& solve) {
           const double factor = solve.solver == "IK-BA" ? first : second;
-          solve.answer_rad = {0.1 * solve.point, 0.001 * solve.run, 0.05};
+          solve.answer_rad = {0.1 * solve.point, 0.001 * solve.run, 0.01 * 'I'};
           if (factor != 1) solve.answer_rad[0] += 0.1;
           solve.variation_deg = factor * as_printed("IK-BA", "variation_deg", solve.run);
         });
