@@ -134,8 +134,9 @@ std::string screen_of(const std::vector<Compared>& all) {
   std::string text = verdict_of_same(all);
   if (!text.empty()) text += '\n';
   for (const Compared& one : all) {
-    if (!one.gate.are_same)
-      text += fmt::format("{}\n{}\n{}", verdict_of(one), sight_of(one.gate), show::screen(one.shown));
+    if (one.gate.are_same) continue;
+    const std::string sight = sight_of(one.gate);
+    text += fmt::format("{}\n{}{}{}", verdict_of(one), sight, sight.empty() ? "" : "\n", show::screen(one.shown));
   }
   return text;
 }
