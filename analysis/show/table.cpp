@@ -182,8 +182,8 @@ std::string pill(const std::string& verdict) {
 }  // namespace
 
 std::string interval_text(const compare::Interval& of, std::string (*number)(double, int)) {
-  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, 3), of.excludes_high ? "below " : "",
-                     number(of.high, 3));
+  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, 3),
+                     of.excludes_high ? "below " : "", number(of.high, 3));
 }
 
 std::string to_csv(const Table& table) {

@@ -273,8 +273,7 @@ std::string amount_words(const Finding& finding, const Judged& judged) {
     return is_shown ? fmt::format("ahead in {} %", number_text(100 * ahead)) : "";
   }
   std::string text = with_unit(*finding.estimate, unit_of(finding, judged));
-  if (finding.interval)
-    text += fmt::format(" ({})", interval_text(*finding.interval, number_text));
+  if (finding.interval) text += fmt::format(" ({})", interval_text(*finding.interval, number_text));
   return text;
 }
 
