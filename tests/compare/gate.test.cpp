@@ -76,7 +76,7 @@ TEST_CASE("the gate says the smallest loss that its test shows") {
   CHECK(sight_of(paired) == "A loss of 6 points or more would show in 100 targets.");
   const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
   const Gate unpaired = gate_of(version(1, drawn_100), version(2, drawn_100, further));
-  CHECK(*unpaired.visible_loss == Approx(0.19));  // Fisher at 0.05 / 4 metrics: p = 0.0135 of 70 and 52, 0.009 of 51
+  CHECK(*unpaired.visible_loss == Approx(0.18));  // Fisher at 0.05 / 3 metrics: p = 0.0135 of 70 and 52
   Asked few = of_100;
   few.points = 5;
   CHECK_FALSE(gate_of(version(1, few), version(1, few)).visible_loss);
@@ -142,7 +142,7 @@ TEST_CASE("equal solvers are worse in something in at most 5 % of compares") {
   int red = 0;
   for (int i = 0; i < compares; ++i) {
     const Gate gate = gate_of(version(i), version(compares + i));
-    CHECK(gate.judged.study.definition.plan.significance == Approx(0.05 / 3));  // error, joint motion and evaluations
+    CHECK(gate.judged.study.definition.plan.significance == Approx(0.05 / 2));  // joint motion and evaluations
     red += !gate.worse.empty();
   }
   CHECK(red <= compares / 20);
