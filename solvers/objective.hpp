@@ -97,11 +97,7 @@ class Objective {
 
   // Deviation of a configuration from the goal's pose, also if only a position is searched. It judges answers and does
   // not count.
-  Deviation deviation(const robots::ConfigurationRef& q) const {
-    const robots::Pose reached = arm_.forward(q);
-    return {.position = (goal_.target.translation() - reached.translation()).norm(),
-            .angle = robots::rotation_vector(goal_.target.linear() * reached.linear().transpose()).norm()};
-  }
+  Deviation deviation(const robots::ConfigurationRef& q) const;
 
   std::int64_t evaluations() const { return evaluations_; }
 
@@ -110,22 +106,8 @@ class Objective {
   Objective(const robots::Chain& arm, Goal goal, Eigen::Index furthest_ahead)
       : arm_(arm), goal_(std::move(goal)), look_ahead_(furthest_ahead), furthest_ahead_(furthest_ahead) {}
 
-  virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
-    if (goal_.is_pose()) {
-      arm_.pose_errors(q, goal_.target, goal_.rotation_weight, errors);
-    } else {
-      arm_.position_errors(q, goal_.target.translation(), errors);
-    }
-  }
-  virtual Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
-    if (!goal_.is_pose()) return goal_.target.translation() - arm_.position_jacobian(q, jacobian.topRows<3>());
-    const robots::Pose reached = arm_.pose_jacobian(q, jacobian.topRows<6>());
-    jacobian.bottomRows<3>() *= goal_.rotation_weight;
-    Residual residual(6);
-    residual << goal_.target.translation() - reached.translation(),
-        goal_.rotation_weight * robots::rotation_vector(goal_.target.linear() * reached.linear().transpose());
-    return residual;
-  }
+  virtual void evaluate(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors);
+  virtual Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian);
 
  private:
   const robots::Chain& arm_;
