@@ -193,7 +193,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command
       ->add_option("--label", arguments->labels,
-                   "with two stores: this solver alone; repeat for more; default: all that both have")
+                   "with two stores: this solver alone; repeat for more; default: all of A")
       ->allow_extra_args(false)
       ->excludes(store);
   command->add_option("--margin", arguments->margin,
