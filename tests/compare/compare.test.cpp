@@ -562,8 +562,6 @@ TEST_CASE("an interval holds no difference where p does not decide, and excludes
 
 // Properties.
 
-// Properties.
-
 namespace {
 
 // A design and values of any kind: ties, zeros, failures, constants, copies, shares of 0 and 1.

@@ -1,6 +1,6 @@
 // How often the verdicts are wrong, and how often they find what is there: draws sets of which the truth is known,
-// judges them, and prints the shares as the tables of docs/explanation/methods.md. The standard error of a share of 10
-// 000 sets is at most 0.005.
+// judges them, and prints the shares as docs/explanation/methods.md has them. The standard error of a share of 10000
+// sets is at most 0.005.
 //
 //   IKBENCH_SETS=10000 build/check/tests/compare/test_compare '[error_rates]'
 #include <fmt/format.h>
@@ -117,7 +117,7 @@ std::vector<Row> rows() {
   };
 }
 
-// IKBENCH_SETS; 0: not asked.
+// 0: none are asked for.
 int asked_sets() {
   const char* asked = std::getenv("IKBENCH_SETS");
   return asked ? std::atoi(asked) : 0;
