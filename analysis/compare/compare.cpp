@@ -44,8 +44,6 @@ std::size_t size_of(const Group& group) {
   return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
 }
 
-bool is_empty(const Group& group) { return size_of(group) == 0; }
-
 struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
@@ -294,7 +292,7 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   const double alpha = plan.significance / tested_pairs;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
-    if (finding.why == Why::lost || finding.why == Why::apart || is_empty(pair.a) || is_empty(pair.b)) continue;
+    if (finding.why == Why::lost || finding.why == Why::apart || size_of(pair.a) * size_of(pair.b) == 0) continue;
     const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
     const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
     if (are_logs && of.absolute_margin > 0) {
