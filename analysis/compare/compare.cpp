@@ -16,19 +16,23 @@ namespace ikbench::compare {
 namespace {
 
 // What design and plan choose, never the values.
-enum class Method { ranks, signed_ranks, sign, paired_t, mcnemar, welch, fisher };
-constexpr std::array<std::string_view, 7> method_names{"Brunner-Munzel and Mann-Whitney",
+enum class Method { ranks, signed_ranks, sign, sign_and_ranks, paired_t, mcnemar, welch, fisher };
+constexpr std::array<std::string_view, 8> method_names{"Brunner-Munzel and Mann-Whitney",
                                                        "Wilcoxon's signed ranks",
                                                        "sign test",
+                                                       "sign test and Mann-Whitney",
                                                        "paired t",
                                                        "McNemar's exact",
                                                        "Welch's t",
                                                        "Fisher's exact"};
 bool is_one_of(Method method, std::initializer_list<Method> these) { return std::ranges::count(these, method) > 0; }
-bool is_by_ranks(Method method) { return is_one_of(method, {Method::ranks, Method::signed_ranks, Method::sign}); }
+bool is_by_ranks(Method method) {
+  return is_one_of(method, {Method::ranks, Method::signed_ranks, Method::sign, Method::sign_and_ranks});
+}
 bool is_by_t(Method method) { return is_one_of(method, {Method::paired_t, Method::welch}); }
 bool is_by_difference(Method method) {
-  return is_one_of(method, {Method::signed_ranks, Method::sign, Method::paired_t, Method::mcnemar});
+  return is_one_of(method,
+                   {Method::signed_ranks, Method::sign, Method::sign_and_ranks, Method::paired_t, Method::mcnemar});
 }
 
 Method method_of(const Observations& of, const Plan& plan, const Group& a, const Group& b) {
@@ -37,7 +41,8 @@ Method method_of(const Observations& of, const Plan& plan, const Group& a, const
   if (of.scale == Scale::share && of.trials == 1) return of.is_paired ? Method::mcnemar : Method::fisher;
   const bool by_means = of.scale == Scale::share || plan.test == Plan::Test::means;
   if (of.is_paired) return by_means ? Method::paired_t : Method::signed_ranks;
-  return by_means ? Method::welch : Method::ranks;
+  if (by_means) return Method::welch;
+  return a.may_repeat != b.may_repeat ? Method::sign_and_ranks : Method::ranks;
 }
 
 std::size_t size_of(const Group& group) {
@@ -87,8 +92,11 @@ struct Two {
     if (!is_by_difference(pair.method)) return;
     std::vector<double> sizes{0};
     double largest = are_logs ? 1 : 0;
-    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {  // by block; or from the one value of a group
-      const double one = a[a.size() == 1 ? 0 : i], other = b[b.size() == 1 ? 0 : i];
+    const bool is_one_value_of_a = a.size() == 1 || pair.a.may_repeat,
+               is_one_value_of_b = b.size() == 1 || pair.b.may_repeat;
+    const std::size_t runs = is_one_value_of_a ? b.size() : a.size();
+    for (std::size_t i = 0; i < runs; ++i) {  // by block; or from the one value of a group
+      const double one = a[is_one_value_of_a ? 0 : i], other = b[is_one_value_of_b ? 0 : i];
       differences.push_back(one - other);
       sizes.push_back(std::abs(one - other));
       largest = std::max({largest, std::abs(one), std::abs(other)});
@@ -101,8 +109,9 @@ struct Two {
 // The smallest that data of these sizes can give.
 double smallest_p(Method method, std::size_t m, std::size_t n) {
   if (is_by_t(method)) return std::min(m, n) < 3 ? 1 : 0;  // of two values the larger is more than half of their sum
-  if (is_by_difference(method)) return smallest_p_paired(n);
+  if (is_by_difference(method) && method != Method::sign_and_ranks) return smallest_p_paired(n);
   if (std::min(m, n) < 2) return 1;
+  if (method == Method::sign_and_ranks) return std::max(smallest_p_paired(std::max(m, n)), smallest_p_unpaired(m, n));
   // The rarest table of Fisher's test is one, or of groups of one size two.
   return smallest_p_unpaired(m, n) / (method == Method::fisher && m != n ? 2 : 1);
 }
@@ -116,7 +125,11 @@ int runs_that_differ(const Observations& of, const Pair& pair) {
 Tested tested_by(Method method, const Two& two, const Summary& one, const Summary& other, double alpha) {
   if (method == Method::ranks) return rank_test(two.a, two.b, alpha);
   if (method == Method::signed_ranks) return signed_rank_test(two.differences, alpha);
-  if (method == Method::sign) return sign_test(two.differences, alpha);
+  if (is_one_of(method, {Method::sign, Method::sign_and_ranks})) {
+    Tested tested = sign_test(two.differences, alpha);
+    if (method == Method::sign_and_ranks) tested.p = std::max(tested.p, mann_whitney(two.a, two.b));
+    return tested;
+  }
   if (method == Method::paired_t) return t_test(two.differences, alpha);
   if (method == Method::mcnemar) return mcnemar(two.a, two.b, alpha);
   return method == Method::fisher ? fisher(two.a, two.b, alpha) : welch(one, other, alpha);
@@ -229,9 +242,11 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
       if (a->is_apart || b->is_apart) finding.why = Why::apart;
       if (a->lost > 0 || b->lost > 0) finding.why = Why::lost;
       if (finding.why != Why::tested || finding.n == 0) continue;
-      if (pair.method == Method::sign) finding.n = runs_that_differ(of, pair);
-      pair.smallest_p = pair.method == Method::sign ? smallest_p_paired(static_cast<std::size_t>(finding.n))
-                                                    : smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
+      pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
+      if (!is_one_of(pair.method, {Method::sign, Method::sign_and_ranks})) continue;
+      finding.n = runs_that_differ(of, pair);
+      const double by_sign = smallest_p_paired(static_cast<std::size_t>(finding.n));
+      pair.smallest_p = pair.method == Method::sign ? by_sign : std::max(by_sign, pair.smallest_p);
     }
   }
   return pairs;

@@ -44,7 +44,8 @@ struct Finding {
 };
 
 // What decides the test. Groups of which only means are known (printed summaries) have Welch's t. The one value of a
-// solver that repeats itself has no spread, so the other's runs are held against it by the sign test. A share of one
+// solver that repeats itself has no spread, so the other's runs are held against it by the sign test. A file of equal
+// values does not say whether they are copies: the larger p of that and Mann-Whitney's decides. A share of one
 // trial is 0 or 1: Fisher's exact test, in blocks McNemar's. A share of several trials goes by t, since its mean is
 // asked. All other numbers go by ranks, or by t where the plan says means; on a ratio scale ranks are of logarithms.
 // Blocks make them paired: signed ranks, the paired t. Nothing asks how the values are spread: a test chosen by the

@@ -24,12 +24,13 @@ struct Summary {
 
 struct Group {
   std::string name;
-  std::vector<double> values = {};                // finite; where paired, in the order of the blocks
-  std::vector<int> blocks = {};                   // where paired: of each value, rising
-  int lost = 0;                                   // observations without a value: such a group is not compared
-  bool is_apart = false;                          // nor is one that was timed or counted otherwise
-  double at_most = 0;                             // values at or below count as this, the tolerance; 0: none
-  int copies = 0;                                 // runs that all gave the one value, because the solver repeats itself
+  std::vector<double> values = {};  // finite; where paired, in the order of the blocks
+  std::vector<int> blocks = {};     // where paired: of each value, rising
+  int lost = 0;                     // observations without a value: such a group is not compared
+  bool is_apart = false;            // nor is one that was timed or counted otherwise
+  double at_most = 0;               // values at or below count as this, the tolerance; 0: none
+  bool may_repeat = false;          // all values are equal, and nobody knows whether the solver repeats itself
+  int copies = 0;                   // runs that all gave the one value, because the solver repeats itself
   std::optional<Summary> summary = std::nullopt;  // in place of values
 };
 

@@ -304,21 +304,6 @@ bool is_constant(const Group& group) {
   return group.values.size() > 1 && std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
 }
 
-// Joins the equal values of a solver whose answers, by this quantity, are equal too.
-void join_copies(const Observations& answers, Observations& of) {
-  if (of.is_paired || of.scale == Scale::share) return;
-  for (std::size_t i = 0; i < of.groups.size(); ++i) {
-    Group& group = of.groups[i];
-    if (!is_constant(group) || !is_constant(answers.groups[i])) continue;
-    group.copies = static_cast<int>(group.values.size());
-    group.values.erase(group.values.begin() + 1, group.values.end());
-    of.doubts.push_back({.kind = DoubtKind::repeats_itself,
-                         .who = {group.name},
-                         .count = static_cast<double>(group.copies),
-                         .what = "value"});
-  }
-}
-
 }  // namespace
 
 Quantities read(std::string_view text, std::string_view source, const Request& request) {
@@ -347,12 +332,7 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     }
     fill(layout, items, of);
     settle(items, of, quantities.notes);
-    Observations answers = of;
-    if (metric) {
-      answers.groups.clear();
-      fill(layout, items_of(sheet, layout, {sheet.column("position_error_cm")}), answers);
-    }
-    join_copies(answers, of);
+    for (Group& group : of.groups) group.may_repeat = is_constant(group);
     quantities.observed.push_back(std::move(of));
   }
   return quantities;

@@ -560,6 +560,26 @@ TEST_CASE("an interval holds no difference where p does not decide, and excludes
   CHECK(blocks.interval->high == Approx(0.8));
 }
 
+TEST_CASE("of equal values that may be copies the larger p of two readings decides", "[compare]") {
+  const auto found_of = [](std::vector<double> equal, std::vector<double> others) {
+    const bool are_both_equal = std::ranges::count(others, others.front()) == std::ssize(others);
+    Observations of = groups_of({std::move(equal), std::move(others)});
+    of.groups[0].may_repeat = true;
+    of.groups[1].may_repeat = are_both_equal;
+    return only(compare(of, by_ranks));
+  };
+  std::vector<double> most_equal(94, 0.01);
+  for (int i = 1; i <= 6; ++i) most_equal.push_back(0.01 + 0.01 * i);
+  const Finding few_against_many = found_of(std::vector(6, 0.01), most_equal);
+  CHECK(*few_against_many.p == Approx(0.550).epsilon(0.001));  // Mann-Whitney; the sign test alone says 0.031
+  CHECK(few_against_many.verdict == Verdict::undecided);
+  std::vector<double> spread;
+  for (int i = 0; i < 20; ++i) spread.push_back(1.5 + 0.1 * i);
+  CHECK(*found_of(std::vector(20, 1.0), spread).p == Approx(1.91e-6).epsilon(0.002));  // the sign test
+  CHECK(*found_of(std::vector(10, 1.0), std::vector(10, 2.0)).p == Approx(1.08e-5).epsilon(0.003));
+  CHECK(found_of(std::vector(3, 1.0), std::vector(3, 2.0)).why == Why::too_few);
+}
+
 // Properties.
 
 namespace {
@@ -606,6 +626,7 @@ DrawnSet drawn_set(std::mt19937_64& engine) {
       for (int trial = 0; trial < of.trials; ++trial) solved += uniform() < share;
       value = solved / static_cast<double>(of.trials);
     }
+    if (!of.is_paired) group.may_repeat = std::ranges::count(group.values, group.values[0]) == std::ssize(group.values);
     if (!of.is_paired && below(5) == 0) {
       group.values.resize(1);
       group.copies = static_cast<int>(n);
