@@ -31,8 +31,7 @@ constexpr std::pair<std::string_view, std::size_t> own_places[]{{"ik_bat", 0},
                                                                 {"levenberg_marquardt", 4},
                                                                 {"kdl_lma", 3},
                                                                 {"kdl_newton", 6},
-                                                                {"nlopt", 2},
-                                                                {"pagmo", 4}};
+                                                                {"nlopt", 2}};
 
 std::optional<std::size_t> own_place(std::string_view algorithm) {
   for (const auto& [name, place] : own_places) {

@@ -1,6 +1,5 @@
-// A solve of the paper (population 50, 200 iterations): by our six solvers, by the same as an engineer would write them
-// from the papers (candidate after candidate, products of 4x4 matrices, the standard library's random numbers), and by
-// pagmo's where it has the method.
+// A solve of the paper (population 50, 200 iterations): by our six solvers, and by the same as an engineer would write
+// them from the papers (candidate after candidate, products of 4x4 matrices, the standard library's random numbers).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -261,9 +260,9 @@ void textbook(benchmark::State& state, void solve(Search&)) {
   count(state, error, evaluations);
 }
 
-void registered(benchmark::State& state, const char* name, const Settings& settings = {}) {
+void registered(benchmark::State& state, const char* name) {
   const Reach reach;
-  const std::unique_ptr<Solver> solver = solvers::solver(name).make(settings);
+  const std::unique_ptr<Solver> solver = solvers::solver(name).make({});
   numerics::Random random{numerics::Key(1)};
   double error = 0, evaluations = 0;
   for (auto _ : state) {
@@ -326,13 +325,6 @@ void growth(benchmark::State& state) {
   count(state, 0, evaluations);
 }
 
-void pagmo(benchmark::State& state, const char* algorithm) {
-  if (std::ranges::count(missing_peers(), "pagmo", &MissingPeer::name) > 0)
-    state.SkipWithError("pagmo is not built in (./setup --with-peers)");
-  else
-    registered(state, "pagmo", {{"algorithm", algorithm}});
-}
-
 #define MEASURE(function, name, argument, by) \
   BENCHMARK_CAPTURE(function, name, argument)->Name("solvers/" #name "/" by)->Unit(benchmark::kMicrosecond)
 #define SOLVER(name, ...)                              \
@@ -345,9 +337,6 @@ SOLVER(differential_evolution, .uniforms = 4, .uniforms_of_joints = 1);
 SOLVER(particle_swarm, .uniforms_of_joints = 2);
 SOLVER(k_artificial_bee_colony, .evaluations = 2, .uniforms = 5);
 SOLVER(multi_objective_swarm, .uniforms = 2, .uniforms_of_joints = 2);
-MEASURE(pagmo, differential_evolution, "de", "pagmo");
-MEASURE(pagmo, particle_swarm, "pso", "pagmo");
-MEASURE(pagmo, k_artificial_bee_colony, "bee_colony", "pagmo");
 BENCHMARK(growth)->Args({4, 50})->Args({32, 50})->Args({7, 50})->Args({7, 5000})->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -14,13 +14,3 @@ if(NLOPT_INCLUDE_DIR AND NLOPT_LIBRARY)
   target_include_directories(ikbench_peer_nlopt SYSTEM INTERFACE ${NLOPT_INCLUDE_DIR})
   target_link_libraries(ikbench_peer_nlopt INTERFACE ${NLOPT_LIBRARY})
 endif()
-
-# pagmo's own configuration fails where what its headers include is missing.
-find_package(Boost QUIET COMPONENTS serialization)
-if(Boost_SERIALIZATION_FOUND)
-  find_package(pagmo QUIET)
-endif()
-if(pagmo_FOUND)
-  add_library(ikbench_peer_pagmo INTERFACE)
-  target_link_libraries(ikbench_peer_pagmo INTERFACE Pagmo::pagmo)
-endif()

@@ -54,7 +54,7 @@ TEST_CASE("no solver's answer is held at half a turn from the start", "[endless]
       an_entry("PSO", "particle_swarm", "") + an_entry("K-ABC", "k_artificial_bee_colony", "") +
       an_entry("MO-PSO", "multi_objective_swarm", "") + an_entry("KDL", "kdl_newton", "") +
       an_entry("SLSQP", "nlopt", "restarts = \"random\"") + an_entry("BOBYQA", "nlopt", "algorithm = \"bobyqa\"") +
-      an_entry("CRS2", "nlopt", "algorithm = \"crs2_lm\"") + an_entry("GWO", "pagmo", "algorithm = \"gwo\""));
+      an_entry("CRS2", "nlopt", "algorithm = \"crs2_lm\""));
   const Robot arm = arm_of(study);
   std::map<std::string, int> held, beyond;
   solve_study(study, 1, [&](const SolveRecord& solve) {

@@ -67,8 +67,7 @@ TEST_CASE("a built-in solver has one colour in every study, whatever its label a
       last{{"x", "x"}, {"DE", "differential_evolution"}, {"bats", "ik_bat"}};
   CHECK(colour_in(alone, "IK-BA") == "#1E8CF8");
   CHECK(colour_in(last, "bats") == "#1E8CF8");
-  for (const std::string name :
-       {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_lma", "nlopt", "pagmo"}) {
+  for (const std::string name : {"bat", "particle_swarm", "damped_least_squares", "newton", "kdl_lma", "nlopt"}) {
     CAPTURE(name);
     const std::vector<NamedSolver> first{{"a", name}}, second{{"b", "unknown"}, {"c", name}};
     CHECK(colour_in(first, "a") == colour_in(second, "c"));
