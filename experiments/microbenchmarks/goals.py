@@ -15,8 +15,8 @@ ENOUGH = 7  # repetitions
 NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 SOLVERS = {"ik_bat": "IK-BA", "bat": "BA", "particle_swarm": "PSO", "differential_evolution": "DE",
            "k_artificial_bee_colony": "K-ABC", "multi_objective_swarm": "MO-PSO"}
-NAMES = {"floor": "what it needs at least", "ours": "ours", "textbook": "textbook"}
-COLOURS = {"floor": "#999999", "ours": "#0072b2", "textbook": "#e69f00"}
+NAMES = {"floor": "what it needs at least", "ours": "ours"}
+COLOURS = {"floor": "#999999", "ours": "#0072b2"}
 
 
 def read(files):
