@@ -15,7 +15,6 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
-#include "cli/robot.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
@@ -125,11 +124,6 @@ show::Table robot_list() {
   return table;
 }
 
-Listed robot_details(const std::string& name) {
-  const Robot arm = is_arm_file(name) ? load_robot(name) : robot(name);
-  return {robot_text(arm), robot_json(arm)};
-}
-
 show::Table study_list() {
   show::Table table{
       .name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
@@ -206,7 +200,10 @@ show::Table instruction_set_list() {
 
 Listed listed(const std::string& kind, const std::string& name) {
   if (kind == "solvers") return name.empty() ? listed(solver_list()) : solver_details(name);
-  if (kind == "robots") return name.empty() ? listed(robot_list()) : robot_details(name);
+  if (kind == "robots") {
+    if (!name.empty()) throw std::invalid_argument(fmt::format("an arm is shown by: ikbench robot {}", name));
+    return listed(robot_list());
+  }
   if (kind == "paths") return name.empty() ? listed(path_list()) : path_details(name);
   if (kind == "columns") return rows_or_one(column_list(), "column", name);
   if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
@@ -227,8 +224,9 @@ void add_list(CLI::App& app, Invocation&) {
   const std::vector<std::string> kinds{"solvers", "robots",  "studies",         "paths",
                                        "columns", "metrics", "instruction-sets"};
   command->add_option("KIND", arguments->kind, fmt::format("{}; default: these names", fmt::join(kinds, ", ")));
-  command->add_option("NAME", arguments->name,
-                      "show this one in full; a study or a path is printed as TOML, ready to edit");
+  command->add_option(
+      "NAME", arguments->name,
+      "show this one in full; a study or a path is printed as TOML, ready to edit; an arm: ikbench robot");
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"

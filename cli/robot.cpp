@@ -1,6 +1,4 @@
 // ikbench robot: shows an arm of the library, of an arm file or of a URDF file, and its tool's pose.
-#include "cli/robot.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -155,8 +153,6 @@ Figure picture(const Robot& arm, const Configuration& q, const std::string& capt
   return path({.name = "robot", .caption = caption}, rows);
 }
 
-}  // namespace
-
 std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
@@ -168,16 +164,17 @@ std::string robot_text(const Robot& arm) {
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }
 
-numerics::OrderedJson robot_json(const Robot& arm) {
-  numerics::OrderedJson json{
-      {"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
-  const numerics::OrderedJson definition = parsed_ordered_json(experiments::to_json(arm));
+OrderedJson robot_json(const Robot& arm) {
+  OrderedJson json{{"name", arm.name}, {"summary", arm.summary}, {"source", arm.source}, {"joints", arm.joints()}};
+  const OrderedJson definition = parsed_ordered_json(experiments::to_json(arm));
   for (const auto& [key, value] : definition.items()) json[key] = value;
   const double reach = arm.chain.reach().radius;
-  json["reach_m"] = std::isfinite(reach) ? numerics::OrderedJson(reach) : numerics::OrderedJson(nullptr);
+  json["reach_m"] = std::isfinite(reach) ? OrderedJson(reach) : OrderedJson(nullptr);
   json["has_spherical_wrist"] = SphericalWrist::fits(arm.chain);
   return json;
 }
+
+}  // namespace
 
 void add_robot(CLI::App& app, Invocation&) {
   auto arguments = std::make_shared<RobotArguments>();
@@ -233,7 +230,7 @@ void add_robot(CLI::App& app, Invocation&) {
       const Configuration in_units = q.cwiseQuotient(experiments::joint_units(arm.chain));
       const Frame tool = frame_of(arm.chain.forward(q));
       const Eigen::Vector3d rpy_deg = tool.rpy / degree;
-      numerics::OrderedJson json = robot_json(arm);
+      OrderedJson json = robot_json(arm);
       json["at"] = std::vector<double>(in_units.begin(), in_units.end());
       json["tool_at"] = {{"position_m", std::vector<double>(tool.position.begin(), tool.position.end())},
                          {"rpy_deg", std::vector<double>(rpy_deg.begin(), rpy_deg.end())}};

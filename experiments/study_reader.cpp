@@ -532,7 +532,7 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
     const double outside = std::max(arm.limits.lower[j] - study.initial[j], study.initial[j] - arm.limits.upper[j]);
     refuse_if(outside > 0, "initial_deg",
               fmt::format("initial_deg is {:g} {} outside the limits of joint {}, but limits is \"enforced\"; see: "
-                          "ikbench list robots {}",
+                          "ikbench robot {}",
                           outside / units[j], units[j] == 1 ? "m" : "deg", j + 1, arm.name));
   }
   refuse_if(

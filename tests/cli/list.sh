@@ -9,8 +9,9 @@ for kind in solvers robots studies paths columns metrics instruction-sets; do
   names=$(grep -E '^[a-z]' .out | cut -d' ' -f1)
   succeeds list $kind --json
   json "[list(row.values())[0] for row in of] == '''$names'''.split() and len(of) > 0"
+  [ $kind = robots ] && show=(robot) || show=(list $kind)
   for name in $names; do
-    succeeds list $kind "$name"
+    succeeds "${show[@]}" "$name"
     has "$out" "$name"
     quiet
   done
@@ -32,7 +33,8 @@ for keyword in $(sed -n 's/.*keywords = {\(.*\)}/\1/p' "$root/docs/references.bi
   grep -q "^$keyword " all || [[ -e $root/analysis/papers/$keyword.toml ]] || fail "references.bib names $keyword"
 done
 
-succeeds list robots kuka_iiwa14 --json
+refused "ikbench robot ur5e" list robots ur5e
+succeeds robot kuka_iiwa14 --json
 json '[round(link["d_m"], 6) for link in of["links"]] == [0.36, 0, 0.42, 0, 0.4, 0, 0.126]' # the manufacturer's
 succeeds list studies slim2023 --json
 json 'of["runs"] == 20 and of["analysis"]["test"] == "means"'

@@ -494,7 +494,7 @@ TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[st
        {enforced + solver_entry + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
        {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + solver_entry,
         "my.toml:2:15: ",
-        {"0.5 deg outside the limits of joint 2", "ikbench list robots kuka_iiwa14"}},
+        {"0.5 deg outside the limits of joint 2", "ikbench robot kuka_iiwa14"}},
        {"limits = \"strict\"\n" + solver_entry, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
        {"start = \"zero\"\n" + solver_entry, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
   CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits == Limits::enforced);
