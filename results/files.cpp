@@ -40,17 +40,6 @@ struct WriteFailed {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Gives a new file the owner and permissions of the one that it replaces. If the system refuses the group, the new
-// group gets no permissions of the old one.
-void pass_on(const struct stat& former, int descriptor) {
-  const uid_t same = static_cast<uid_t>(-1);
-  mode_t mode = former.st_mode & 07777;
-  if (::fchown(descriptor, former.st_uid, former.st_gid) != 0 && ::fchown(descriptor, same, former.st_gid) != 0) {
-    mode &= ~static_cast<mode_t>(S_IRWXG);
-  }
-  ::fchmod(descriptor, mode);
-}
-
 void write_text(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -74,9 +63,9 @@ std::error_code closed(int descriptor, std::error_code error) {
   return ::close(descriptor) != 0 && !error ? last_error() : error;
 }
 
-// Writes into a device, a file whose folder takes no new one, or a new file.
-std::error_code write_into(const fs::path& file, const Contents& contents) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+// Writes into a device, a file whose folder takes no new one, or a new file; `how` is O_TRUNC or O_APPEND.
+std::error_code write_into(const fs::path& file, const Contents& contents, int how = O_TRUNC) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | how | O_CLOEXEC, 0666);
   if (descriptor < 0) return last_error();
   try {
     return closed(descriptor, write_all(descriptor, contents));
@@ -119,33 +108,21 @@ std::error_code replace(const fs::path& file, const Contents& contents, const st
     fs::remove(half, ignored);
     throw;
   }
-  if (former != nullptr) pass_on(*former, descriptor);
+  if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
   error = closed(descriptor, error);
   if (!error) fs::rename(half, file, error);
   if (error) fs::remove(half, ignored);
   return error;
 }
 
-// The descriptor under which the shell has the file or pipe open, perhaps for appending: standard output, or another
-// as in `exec 3>>log`, named /dev/fd/3.
-std::optional<int> open_already(const struct stat& file) {
-  constexpr int most = 256;
-  for (int descriptor = 0; descriptor < most; ++descriptor) {
-    struct stat open {};
-    if (::fstat(descriptor, &open) != 0 || open.st_dev != file.st_dev || open.st_ino != file.st_ino) continue;
-    if ((::fcntl(descriptor, F_GETFL) & O_ACCMODE) != O_RDONLY) return descriptor;
-  }
-  return std::nullopt;
-}
-
 std::error_code write_where_it_leads(const fs::path& file, const Contents& contents) {
   struct stat there {};
+  if (file.native().starts_with("/dev/std") || file.native().starts_with("/dev/fd/")) {  // perhaps of `>>log`
+    std::fflush(nullptr);                                                                // earlier prints come first
+    return write_into(file, contents, O_APPEND);
+  }
   if (::lstat(file.c_str(), &there) != 0) return replace(file, contents, nullptr);
   if (::stat(file.c_str(), &there) != 0 || S_ISCHR(there.st_mode)) return write_into(file, contents);
-  if (const std::optional<int> descriptor = open_already(there)) {
-    std::fflush(nullptr);  // earlier prints come first
-    return write_all(*descriptor, contents);
-  }
   if (!S_ISREG(there.st_mode))
     throw std::invalid_argument(fmt::format("'{}' is no regular file; choose another", file.string()));
   if (::access(file.c_str(), W_OK) != 0) return last_error();

@@ -9,18 +9,18 @@
 
 namespace ikbench::results {
 
-// Creates the folder if it is missing. Keeps the owner and the permissions of a replaced file. Replaces a link, a pipe
-// or a device, and opens none, since somebody else may have put it into a folder of results. Removes the litter there.
-// Throws std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's
-// reason; and std::invalid_argument if the file is an input (numerics/inputs.hpp).
+// Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
+// and opens none, since somebody else may have put it into a folder of results. Removes the litter there. Throws
+// std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's reason; and
+// std::invalid_argument if the file is an input (numerics/inputs.hpp).
 void write_file(const std::filesystem::path& file, std::string_view text);
 // The same in parts, which `contents` writes one after another. If it throws, a file that would be replaced stays as it
 // was.
 using Write = std::function<void(std::string_view)>;
 using Contents = std::function<void(const Write&)>;
 void write_file(const std::filesystem::path& file, const Contents& contents);
-// The same two for a file that the user named: they follow links, and write into devices, files and pipes that the
-// shell has open, and a file whose folder takes no new one.
+// The same two for a file that the user named: they follow links, and write into devices, what the shell has open as
+// /dev/stdout or /dev/fd/3, and a file whose folder takes no new one.
 void write_through(const std::filesystem::path& file, std::string_view text);
 void write_through(const std::filesystem::path& file, const Contents& contents);
 // Writes a folder that is whole or absent; an existing one must be empty. `fill` writes into another folder, which then
