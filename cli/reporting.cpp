@@ -26,7 +26,7 @@
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
-#include "results/same_solves.hpp"
+#include "results/merge.hpp"
 
 namespace ikbench::cli {
 

@@ -4,11 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "results/store.hpp"
 
 namespace ikbench::results {
+
+// The first field in which two definitions (JSON, as the store has them) ask for different solves, with both values:
+// "seed is 1 and 2"; empty if there is none. The number of runs may differ.
+std::string difference_in_solves(const std::string& definition, const std::string& other);
 
 struct Merged {
   std::int64_t added = 0;

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "results/fingerprint.hpp"
-#include "results/same_solves.hpp"
 #include "tests/catch.hpp"
 #include "tests/results/processes.hpp"
 #include "tests/results/samples.hpp"
