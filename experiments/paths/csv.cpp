@@ -1,20 +1,180 @@
 // Poses from a CSV file beside the study.
-#include <fmt/core.h>
+#include "results/csv.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <utility>
 
+#include "experiments/orientation.hpp"
 #include "experiments/path.hpp"
-#include "experiments/pose_csv.hpp"
 #include "numerics/inputs.hpp"
+#include "numerics/names.hpp"
+#include "numerics/number.hpp"
+#include "numerics/units.hpp"
 
 namespace ikbench::experiments {
 
 using namespace numerics;
 using namespace robots;
+using namespace results;
 
 namespace {
+
+constexpr std::string_view expected_columns =
+    "x, y and z with _m, _cm or _mm, such as x_cm; and qw, qx, qy, qz, or roll, pitch and yaw with _deg or _rad, or r11, "
+    "r12, r13, r21 ... r33";
+constexpr std::size_t most_rows = 100'000;
+
+constexpr std::array<std::string_view, 3> position_names{"x", "y", "z"}, rpy_names{"roll", "pitch", "yaw"};
+constexpr std::array<std::string_view, 4> quaternion_names{"qw", "qx", "qy", "qz"};
+constexpr std::array<std::string_view, 9> matrix_names{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
+
+using EndOfName = std::pair<std::string_view, double>;  // the end of a column's name, and the unit that it means
+using Units = std::span<const EndOfName>;
+constexpr std::array length_units{EndOfName{"_m", 1}, EndOfName{"_cm", centimetre}, EndOfName{"_mm", 1e-3}};
+constexpr std::array angle_units{EndOfName{"_deg", degree}, EndOfName{"_rad", 1}};
+constexpr std::array no_unit{EndOfName{"", 1}};
+
+struct Column {
+  std::size_t place;
+  double unit;
+  std::string_view name;
+};
+
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+// Quotes a text for a message.
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  text = text.substr(0, longest);
+  return is_plain(text) ? fmt::format("\"{}\"", text) : "bytes that are no text";
+}
+
+class Table {
+ public:
+  // Begins at the names of the columns.
+  Table(std::string_view text, std::string_view file) : csv_(parse_csv(text, file)), file_(file) {}
+
+  // Goes to the next row; false after the last.
+  bool next() {
+    if (row_ == csv_.rows.size()) return false;
+    ++row_;
+    return true;
+  }
+
+  std::size_t columns() const { return csv_.header.size(); }
+  std::string_view cell(std::size_t place) const {
+    return without_blanks((row_ == 0 ? csv_.header : csv_.rows[row_ - 1])[place]);
+  }
+  [[noreturn]] void refuse(std::string_view what) const {
+    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, row_ == 0 ? 1 : csv_.lines[row_ - 1], what));
+  }
+
+  double number(const Column& column) const {
+    const std::optional<double> value = number_from(cell(column.place));
+    constexpr double most = 1e6;
+    if (value && std::fabs(*value) <= most) return *value * column.unit;
+    refuse(fmt::format("column {} ({}) is {}; expected a number from -1e6 to 1e6", column.place + 1, column.name,
+                       shown(cell(column.place))));
+  }
+
+ private:
+  CsvTable csv_;
+  std::string_view file_;
+  std::size_t row_ = 0;  // from 1; 0: the header
+};
+
+// Finds the columns of a group; none if the header has none of them. A group must be complete.
+template <std::size_t count>
+std::vector<Column> columns_of(const std::array<std::string_view, count>& names, Units units, const Table& table,
+                               std::vector<bool>& used) {
+  std::vector<Column> found;
+  std::vector<std::string_view> missing;
+  for (const std::string_view name : names) {
+    const std::size_t before = found.size();
+    for (std::size_t place = 0; place < table.columns(); ++place) {
+      for (const auto& [ending, unit] : units) {
+        if (table.cell(place) != std::string(name) + std::string(ending)) continue;
+        if (found.size() > before) table.refuse(fmt::format("there are two columns for {}; expected one", name));
+        found.push_back({place, unit, table.cell(place)});
+        used[place] = true;
+      }
+    }
+    if (found.size() == before) missing.push_back(name);
+  }
+  if (!found.empty() && !missing.empty()) {
+    table.refuse(fmt::format("the column for {} is missing; expected {}", fmt::join(missing, ", "), expected_columns));
+  }
+  return found;
+}
+
+struct Columns {
+  std::vector<Column> position, quaternion, rpy, matrix;
+};
+
+Columns columns_in(const Table& table) {
+  std::vector<bool> used(table.columns(), false);
+  Columns columns{.position = columns_of(position_names, length_units, table, used),
+                  .quaternion = columns_of(quaternion_names, no_unit, table, used),
+                  .rpy = columns_of(rpy_names, angle_units, table, used),
+                  .matrix = columns_of(matrix_names, no_unit, table, used)};
+  if (const auto unknown = std::ranges::find(used, false); unknown != used.end()) {
+    const auto place = static_cast<std::size_t>(unknown - used.begin());
+    table.refuse(fmt::format("column {} is {}; expected {}", place + 1, shown(table.cell(place)), expected_columns));
+  }
+  if (columns.position.empty()) table.refuse(fmt::format("there is no position; expected {}", expected_columns));
+  if (!columns.quaternion.empty() + !columns.rpy.empty() + !columns.matrix.empty() > 1) {
+    table.refuse("there are several kinds of rotation; expected a quaternion, or roll, pitch and yaw, or a matrix");
+  }
+  return columns;
+}
+
+template <class Numbers>
+Numbers numbers_in(const std::vector<Column>& columns, const Table& table) {
+  Numbers values;
+  for (std::size_t i = 0; i < columns.size(); ++i) values[static_cast<Eigen::Index>(i)] = table.number(columns[i]);
+  return values;
+}
+
+Eigen::Matrix3d rotation_in(const Columns& columns, const Table& table) {
+  if (!columns.quaternion.empty()) {
+    const auto q = numbers_in<Eigen::Vector4d>(columns.quaternion, table);
+    constexpr double tolerance = 0.01;
+    if (!(std::fabs(q.norm() - 1) <= tolerance)) {
+      table.refuse(fmt::format("the quaternion has the length {:.6g}; expected 1", q.norm()));
+    }
+    const Eigen::Vector4d unit = q / q.norm();
+    return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
+  }
+  if (!columns.rpy.empty()) return rotation_from_rpy(numbers_in<Eigen::Vector3d>(columns.rpy, table));
+  if (columns.matrix.empty()) return rotation(Tool::down);
+  const auto elements = numbers_in<Eigen::Matrix<double, 9, 1>>(columns.matrix, table);
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(elements.data());
+  constexpr double tolerance = 1e-3, exact = 1e-9;
+  if (!R.isUnitary(tolerance) || R.determinant() < 0) {
+    table.refuse("r11 ... r33 are no rotation matrix; expected one, row by row, to 1e-3");
+  }
+  if (R.isUnitary(exact)) return R;
+  Eigen::Matrix3d made_exact;  // Gram and Schmidt
+  made_exact.col(0) = R.col(0) / R.col(0).norm();
+  const Eigen::Vector3d across = R.col(1) - made_exact.col(0) * made_exact.col(0).dot(R.col(1));
+  made_exact.col(1) = across / across.norm();
+  made_exact.col(2) = made_exact.col(0).cross(made_exact.col(1));
+  return made_exact;
+}
 
 class CsvPath final : public PathKind {
  public:
@@ -64,6 +224,21 @@ class CsvPath final : public PathKind {
 };
 
 }  // namespace
+
+std::vector<Pose> poses_from_csv(std::string_view text, std::string_view file) {
+  Table table(text, file);
+  const Columns columns = columns_in(table);
+  std::vector<Pose> poses;
+  while (table.next()) {
+    if (poses.size() == most_rows) table.refuse(fmt::format("expected at most {} poses", most_rows));
+    Pose pose = Pose::Identity();
+    pose.linear() = rotation_in(columns, table);
+    pose.translation() = numbers_in<Eigen::Vector3d>(columns.position, table);
+    poses.push_back(pose);
+  }
+  if (poses.empty()) table.refuse("there is no pose; expected a line for each, below the names of the columns");
+  return poses;
+}
 
 std::unique_ptr<PathKind> csv_path() { return std::make_unique<CsvPath>(); }
 

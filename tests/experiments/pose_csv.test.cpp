@@ -1,12 +1,11 @@
 // Poses from CSV files: by hand, and from arbitrary files.
-#include "experiments/pose_csv.hpp"
-
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
+#include "experiments/path.hpp"
 #include "experiments/study_writer.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
