@@ -94,7 +94,19 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
           fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
                       show::listed(missing)));
   }
-  for (const std::string& label : labels) add(label, a.side(label, arguments), b.side(label, arguments), labels.size());
+  struct Sides {
+    StudyResults baseline, candidate;
+  };
+  std::vector<Sides> sides;
+  std::size_t changed = 0;  // the others are equal for sure, and need no share of the significance
+  for (const std::string& label : labels) {
+    if (std::ranges::count(labels, label) > 1)
+      throw std::invalid_argument(fmt::format("the label {} is given twice", label));
+    const Sides& both = sides.emplace_back(Sides{a.side(label, arguments), b.side(label, arguments)});
+    changed += !have_same_solves(both.baseline.solves, both.candidate.solves);
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    add(labels[i], std::move(sides[i].baseline), std::move(sides[i].candidate), std::max<std::size_t>(1, changed));
   return all;
 }
 

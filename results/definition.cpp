@@ -61,6 +61,8 @@ Definition definition_of(std::string_view json) {
   arm.text("tip_link", of.tip_link);
   arm.texts("notes", of.arm_notes);
   of.arm = text_of(all.value("arm", Json()));
+  for (const char* key : {"initial_deg", "near_deg", "rotation_weight_m"}) of.task += text_of(all.value(key, Json()));
+  if (of.draws_targets) of.task += text_of(all.value("path", Json()));
   list_fields(figures, of.style);
   if (const toml::table* const colours = figures.subtable("colours")) {
     TomlReader colour = figures.nested(*colours, "figures.colours.");

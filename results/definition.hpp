@@ -27,6 +27,7 @@ struct Definition {
   std::vector<std::string> missing_solvers;  // of the published study
   int out_of_reach = 0;                      // targets that no configuration reaches
   std::string arm;                           // JSON, as robots/robot.hpp reads it
+  std::string task;                          // JSON: starts, the weight of a rotation, and how targets are drawn
   Plan plan;
   FigureStyle style;
 

@@ -36,6 +36,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
                        : a.path != b.path || a.points != b.points ? "targets"
                        : a.search != b.search                     ? "searches"
                        : a.start != b.start                       ? "starts"
+                       : a.task != b.task                         ? "paths, starts or weights of a rotation"
                        : a.limits != b.limits                     ? "treatments of joint limits"
                        : a.stop.tolerance_cm != b.stop.tolerance_cm || a.stop.tolerance_deg != b.stop.tolerance_deg
                            ? "tolerances"
@@ -157,7 +158,7 @@ std::optional<double> visible_loss(const Judged& judged) {
     if (values[i] == 0) continue;
     values[i] = 0;
     const Finding finding = compare(of, judged.plan).front();
-    if (finding.verdict == Verdict::worse) return -*finding.estimate;
+    if (finding.verdict == Verdict::worse && finding.estimate) return -*finding.estimate;
   }
   return std::nullopt;
 }
@@ -168,19 +169,26 @@ Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
   refuse_missing(baseline, candidate);
   StudyResults study = study_of_both(baseline, candidate);
-  Gate gate{.are_same = have_same_solves(study, study.solvers.front(), study.solvers.back())};
+  Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
   gate.judged = judged_by_shares(std::move(study), labels);
   gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
-  for (const Judged& judged : gate.judged.metrics) {
+  for (Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
-    const Finding& finding = judged.findings.front();
+    Finding& finding = judged.findings.front();
+    if (is_lost_for_sure(judged)) {
+      finding.verdict = Verdict::worse;
+      finding.why = Why::fact;
+      finding.is_within_margin = false;
+      finding.p.reset();
+      finding.interval.reset();
+    }
     const bool is_time = of.metric == metric_named("seconds").slug;
     if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
     const bool is_open = finding.verdict == Verdict::undecided || finding.verdict == Verdict::not_tested;
     const bool is_equal = gate.are_same || (finding.are_all_equal &&
                                             (of.is_paired || of.scale != Scale::share || of.metric == "answers"));
-    if (is_lost_for_sure(judged) || (finding.verdict == Verdict::worse && !finding.is_within_margin))
+    if (finding.verdict == Verdict::worse && !finding.is_within_margin)
       gate.worse.push_back(of.quantity);
     else if (finding.verdict == Verdict::better && !finding.is_within_margin)
       gate.better.push_back(of.quantity);

@@ -214,7 +214,7 @@ std::vector<std::string> copies_of_others(const StudyResults& study) {
                                 [&](const std::string& each) { return each == study.definition.plan.control; });
   for (const std::string& solver : solvers) {
     const bool is_copy = !study.of(solver).empty() && std::ranges::any_of(originals, [&](const std::string& original) {
-      return have_same_solves(study, original, solver);
+      return have_same_solves(study.of(original), study.of(solver));
     });
     (is_copy ? copies : originals).push_back(solver);
   }
@@ -368,8 +368,8 @@ bool are_same(const Solve& one, const Solve& other) {
   return one.target == other.target && one.status == other.status && one.answer == other.answer;
 }
 
-bool have_same_solves(const StudyResults& study, std::string_view solver, std::string_view other) {
-  return std::ranges::equal(study.of(solver), study.of(other), [](const Solve& one, const Solve& two) {
+bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others) {
+  return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
     return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
   });
 }

@@ -1,6 +1,7 @@
 // The one door from solves to numbers that are compared: what is odd becomes a doubt here, and what passes is finite.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "analysis/compare/doubt.hpp"
@@ -12,8 +13,8 @@ namespace ikbench::compare {
 bool gave_answer(const Solve& solve);
 // The same target, outcome and answer, bit for bit.
 bool are_same(const Solve& one, const Solve& other);
-// All solves of the two are the same, bit for bit, and took as many evaluations.
-bool have_same_solves(const StudyResults& study, std::string_view solver, std::string_view other);
+// All solves are the same, bit for bit, and took as many evaluations.
+bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others);
 // Some solve took the seconds that the study gives.
 bool is_ended_by_clock(const StudyResults& study, std::string_view solver);
 

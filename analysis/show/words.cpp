@@ -85,8 +85,9 @@ std::string all_or_none(const Shown& shown) {
     return std::ranges::all_of(judged.described, [=](const Description& its) { return its.mean == share; });
   };
   const std::string who = all_of(judged);
-  const std::string what =
-      counts(judged) ? "all " + numerics::counted(judged.described.front().n, shown.noun) : "every target";
+  const int n = judged.described.front().n;
+  const bool have_one_n = std::ranges::count(judged.described, n, &Description::n) == std::ssize(judged.described);
+  const std::string what = counts(judged) && have_one_n ? "all " + numerics::counted(n, shown.noun) : "every target";
   if (all_have(100)) return fmt::format("{}{} solved {}", who, judged.described.size() == 2 ? " both" : "", what);
   return all_have(0) ? fmt::format("{} solved no target", who) : "";
 }
@@ -133,7 +134,9 @@ std::string against_control(const Shown& shown) {
 std::string not_tested(const Shown& shown) {
   const Judged& judged = shown.decisive();
   const Finding& finding = judged.findings.front();
-  switch (finding.why) {
+  const bool have_one_reason =
+      std::ranges::count(judged.findings, finding.why, &Finding::why) == std::ssize(judged.findings);
+  switch (have_one_reason ? finding.why : Why::tested) {
     case Why::too_few:
       return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, shown.noun),
                          finding.needed, numbers_of(shown, true));
@@ -252,7 +255,7 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
     case Why::apart:
       return "not compared";
     case Why::fact:
-      return words + ": both repeat themselves";
+      return words + ": a fact, without chance";
     case Why::too_few:
       return fmt::format("{}: it takes {}", words, finding.needed);
     case Why::few_decide:

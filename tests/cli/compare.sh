@@ -32,6 +32,9 @@ ends 3 compare $base $fewer --label BA --label K-ABC --strict -o verdict.md
 grep -qc '^| error |' verdict.md || fail "no table: $(<verdict.md)"
 equal "metrics of two labels in verdict.md" "$(grep -c '^| error |' verdict.md)" 2
 
+# No label is counted twice.
+refused twice compare $base $again --label BA --label BA
+
 # What the candidate lacks is not compared: labels, unless --label leaves them out, and runs.
 make three --set runs=3
 refused 'lacks 15 of the 24 solves' compare $base three/store.sqlite --label BA
@@ -52,6 +55,8 @@ cmp $base before.sqlite || fail "compare changed the store"
 drawn=(slim2023-time --set runs=6 --set path.points=2 --set stop.iterations=10 --no-report)
 for seed in 1 2; do succeeds run "${drawn[@]}" --set seed=$seed --out drawn-$seed; done
 succeeds compare drawn-1/store.sqlite drawn-2/store.sqlite
+succeeds run "${drawn[@]}" --set path.set=edge --out drawn-edge
+refused paths compare drawn-1/store.sqlite drawn-edge/store.sqlite
 make longer --set path.points=4
 make farther --set path.radius_cm=21
 make turned --set 'initial_deg=[1,0,0,0,0,0,0]' --set start=initial
