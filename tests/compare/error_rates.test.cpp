@@ -125,19 +125,21 @@ int asked_sets() {
 
 }  // namespace
 
-TEST_CASE("more runs find a factor of two more often", "[error_rates]") {
-  const int sets = asked_sets() > 0 ? asked_sets() : 20;
+TEST_CASE("36, 48 and 65 runs find a factor of two of 2, 3 and 6 solvers with a power of 80 %", "[error_rates]") {
+  const int sets = asked_sets();
+  if (sets == 0) return;
   const Row found = rows().back();
-  if (asked_sets() > 0) fmt::print("| found, n = | 10 | 20 | 36 | 48 | 65 | 100 |\n|---|---|---|---|---|---|---|\n");
+  fmt::print("| found, n = | 10 | 20 | 36 | 48 | 65 | 100 |\n|---|---|---|---|---|---|---|\n");
   Random random(1);
+  std::size_t enough = 2;
   for (const std::size_t k : {2u, 3u, 6u}) {
     std::vector<double> shares;
     for (const int n : {10, 20, 36, 48, 65, 100}) {
       double& share = shares.emplace_back();
       for (int set = 0; set < sets; ++set) share += counted(found, compare(drawn(found, k, n, random), {}), k) / sets;
     }
-    CHECK(shares.back() > shares.front());
-    if (asked_sets() > 0) fmt::print("| {} solvers | {:.3f} |\n", k, fmt::join(shares, " | "));
+    CHECK(shares[enough++] == Approx(0.8).margin(0.02));
+    fmt::print("| {} solvers | {:.3f} |\n", k, fmt::join(shares, " | "));
   }
 }
 
