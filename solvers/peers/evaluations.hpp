@@ -40,9 +40,13 @@ class Evaluations {
   // A number that a library can rank, even if the error is not finite.
   double error(const robots::ConfigurationRef& q) {
     const double error = objective_.error(q);
+    found(q, error);
+    return std::isfinite(error) ? error : no_error;
+  }
+  // What was evaluated elsewhere.
+  void found(const robots::ConfigurationRef& q, double error) {
     if (solve_.best.improve(q, error) && problem_.improvements != nullptr)
       problem_.improvements->add(objective_.evaluations(), error);
-    return std::isfinite(error) ? error : no_error;
   }
   bool is_over() {
     is_over_ = is_over_ || left() <= 0 || tolerance_.is_reached(solve_.best) ||

@@ -1,10 +1,8 @@
 // NLopt (Johnson 2007) minimizes our objective: half the square of the residual for algorithms that use a slope, else
 // the error. One step is one call of the library, which ends by itself or by the study's budgets and tolerances.
-#include <fmt/core.h>
-#include <nlopt.h>
+#include "solvers/peers/nlopt.hpp"
 
 #include <limits>
-#include <memory>
 
 #include "solvers/bounds.hpp"
 #include "solvers/peers/evaluations.hpp"
@@ -16,8 +14,6 @@ using namespace numerics;
 using namespace robots;
 
 namespace {
-
-using NloptHandle = std::unique_ptr<nlopt_opt_s, decltype([](nlopt_opt opt) { nlopt_destroy(opt); })>;
 
 class NloptSolver final : public Solver {
  public:
@@ -145,12 +141,6 @@ class NloptSolver final : public Solver {
   Eigen::MatrixXd jacobian_;
   int calls_ = 0;
 };
-
-std::string nlopt_version_text() {
-  int major = 0, minor = 0, fix = 0;
-  nlopt_version(&major, &minor, &fix);
-  return fmt::format("NLopt {}.{}.{}", major, minor, fix);
-}
 
 }  // namespace
 

@@ -1,0 +1,101 @@
+// TRAC-IK 1.4.6 (Beeson and Ames 2015): KDL's rule with restarts (`newton`) beside sequential quadratic programming
+// (NLopt's SLSQP) on the squared twist that is left, both restarted at random; the first to converge ends the solve.
+// The authors have a thread for each and a clock. Here a step of Newton's and an evaluation of SLSQP take turns in one
+// thread, at most the study's iterations of each. SLSQP gets the exact slope in place of differences.
+#include <limits>
+
+#include "solvers/bounds.hpp"
+#include "solvers/peers/evaluations.hpp"
+#include "solvers/peers/nlopt.hpp"
+#include "solvers/registry.hpp"
+#include "solvers/twist.hpp"
+
+namespace ikbench::solvers {
+
+namespace {
+
+using namespace robots;
+
+class TracIk final : public Solver {
+ public:
+  struct Options {
+    void list(OptionList&) {}
+  };
+  explicit TracIk(Options) : newton_(solver("newton").make({{"restarts", "random"}, {"bounds", "wrap"}})) {}
+
+  void start(const Problem& problem, Objective& objective, numerics::Random& random) override {
+    solve_.start(problem, objective);
+    newton_->start(problem, objective, random);
+    jacobian_.resize(objective.rows(), problem.joints());
+    calls_ = steps_ = 0;
+  }
+
+  // One call of SLSQP.
+  void step(Objective& objective, numerics::Random& random) override {
+    if (solve_.has_ended) return;
+    const Problem& problem = solve_.problem;
+    Configuration q = problem.start.cwiseMax(problem.lower).cwiseMin(problem.upper);
+    if (calls_++ > 0) draw_one_within_limits(problem, random, q);
+    Evaluations evaluations(solve_, objective);
+    const JointLimits limits = finite_limits(problem);
+    const NloptHandle opt(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(q.size())));
+    Call call{*this, evaluations, random, opt.get()};
+    nlopt_set_min_objective(opt.get(), take_turns, &call);
+    nlopt_set_lower_bounds(opt.get(), limits.lower.data());
+    nlopt_set_upper_bounds(opt.get(), limits.upper.data());
+    nlopt_set_xtol_abs1(opt.get(), std::numeric_limits<float>::epsilon());
+    double reached = 0;
+    nlopt_optimize(opt.get(), q.data(), &reached);
+    solve_.has_ended = is_over(evaluations);
+  }
+
+  const Best& best() const override { return solve_.best; }
+  bool finished() const override { return solve_.has_ended; }
+
+ private:
+  struct Call {
+    TracIk& solver;
+    Evaluations& evaluations;
+    numerics::Random& random;
+    nlopt_opt opt;
+  };
+
+  bool is_over(Evaluations& evaluations) const {
+    return evaluations.is_over() || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
+  }
+
+  // A step of Newton's, then the squared twist and its slope for SLSQP.
+  static double take_turns(unsigned joints, const double* x, double* gradient, void* data) {
+    auto& [solver, evaluations, random, opt] = *static_cast<Call*>(data);
+    if (!solver.is_over(evaluations)) {
+      solver.newton_->step(evaluations.objective(), random);
+      ++solver.steps_;
+      evaluations.found(solver.newton_->best().q, solver.newton_->best().error);
+    }
+    const Eigen::Map<const Eigen::VectorXd> q(x, joints);
+    if (!solver.is_over(evaluations)) evaluations.error(q);
+    if (gradient != nullptr) Eigen::Map<Eigen::VectorXd>(gradient, joints).setZero();
+    if (solver.is_over(evaluations)) return nlopt_force_stop(opt), Evaluations::no_error;
+    const Residual to_go = linearize_twist(evaluations.objective(), q, solver.jacobian_);
+    if (!to_go.allFinite() || !solver.jacobian_.allFinite()) return Evaluations::no_error;
+    if (gradient != nullptr)  // half of the slope, as theirs
+      Eigen::Map<Eigen::VectorXd>(gradient, joints) = -solver.jacobian_.transpose() * to_go;
+    return to_go.squaredNorm();
+  }
+
+  LibrarySolve solve_;
+  std::unique_ptr<Solver> newton_;
+  Eigen::MatrixXd jacobian_;
+  int calls_ = 0, steps_ = 0;
+};
+
+}  // namespace
+
+SolverInfo trac_ik() {
+  SolverInfo info = solver_info<TracIk>("trac_ik", "TRAC-IK: Newton with restarts beside NLopt's SLSQP",
+                                        "Beeson and Ames 2015; TRAC-IK 1.4.6");
+  info.library = nlopt_version_text();
+  return info;
+}
+
+}  // namespace ikbench::solvers
