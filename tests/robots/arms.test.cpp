@@ -40,7 +40,27 @@ TEST_CASE("the tool of an arm of the library is where its maker's description ha
        {0.439231475192, 1.006319406, -0.122509615264},
        1e-11},
       {"abb_irb120", {0.374, 0, 0.63}, {0.38913603944, 0.0525535201507, 0.413067627577}, 1e-11},
-      {"kinova_jaco2", {0, 0.0642618693987, 0.361078920702}, {0.0944506624006, 0.092128789487, 0.35269673066}, 1e-9}};
+      {"kinova_jaco2", {0, 0.0642618693987, 0.361078920702}, {0.0944506624006, 0.092128789487, 0.35269673066}, 1e-9},
+      {"abb_yumi_left",
+       {0.564597461108, -0.000648653529, 0.417406962563},
+       {0.401782943301, 0.0343770744665, 0.227231606267},
+       1e-9},
+      {"atlas_2013_left", {0.1406, 0.9137, 0.2517}, {0.117582449915, 0.852113214013, 0.476990680087}, 1e-9},
+      {"atlas_2015_left", {0.1406, 0.94115, 0.21659}, {0.108749621057, 0.890464216136, 0.443128130737}, 1e-9},
+      {"fanuc_m430ia2f", {0, -0.095, 1.405}, {0.391699662939, -0.056175930011, 1.30609835922}, 1e-9},
+      {"franka_panda_2018", {0.088, 0, 0.926}, {0.0850806553505, 0.063708128769, 0.975173649017}, 1e-9},
+      {"kinova_jaco2_limited",
+       {0, 0.0642618693971, 0.361078920703},
+       {0.0944506624005, 0.0921287894855, 0.352696730661},
+       1e-9},
+      {"kuka_iiwa14_experimental", {0, 0, 1.306}, {0.041296034747, -0.00418945574711, 1.27866651754}, 1e-9},
+      {"motoman_csda10f_right",
+       {0.194270902852, -1.16003405625, 1.19944629988},
+       {0.233377491607, -1.06577999084, 1.27990779977},
+       1e-9},
+      {"motoman_mh180", {2.14, 0, 2.1}, {2.20302812543, 0.263257864675, 1.09620655447}, 1e-9},
+      {"pr2_right", {0.821, -0.188, 0}, {0.750593420241, -0.0755629801087, -0.255246170575}, 1e-9},
+      {"schunk_lwa4d", {0, 0, 0.891}, {0.237117069964, 0.0611488562715, 0.829161339877}, 1e-9}};
   for (const Tool& tool : tools) {
     const Chain chain = robot(tool.arm).chain;
     CAPTURE(tool.arm, chain.position(tenths(chain.joints())).transpose());
@@ -57,13 +77,14 @@ TEST_CASE("the Puma 560 and the Stanford arm of the library are where Corke's to
         1e-12);
 }
 
-TEST_CASE("of the library, the KUKA arms, the IRB 120, the Puma and the Stanford arm have a spherical wrist",
-          "[arms]") {
+TEST_CASE("arms of the library whose last three axes meet have a spherical wrist", "[arms]") {
   std::vector<std::string> found;
   for (const Robot& arm : all_robots()) {
     if (SphericalWrist::fits(arm.chain)) found.push_back(arm.name);
   }
-  CHECK(found == std::vector<std::string>{"abb_irb120", "kuka_iiwa14", "kuka_iiwa7", "puma560", "stanford"});
+  CHECK(found == std::vector<std::string>{"abb_irb120", "atlas_2015_left", "kuka_iiwa14", "kuka_iiwa14_experimental",
+                                          "kuka_iiwa7", "motoman_mh180", "pr2_right", "puma560", "schunk_lwa4d",
+                                          "stanford"});
 }
 
 TEST_CASE("a joint that turns without end has no limits, and is drawn from half a turn each way of where it is",

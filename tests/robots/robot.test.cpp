@@ -21,11 +21,8 @@ TEST_CASE("every robot is found by its name, names its source, and has limits fo
 }
 
 TEST_CASE("a misspelt robot is told the nearest name", "[robot]") {
-  CHECK_THROWS_WITH(
-      robot("kuka_iiwa"),
-      "unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa7\"? There are: abb_irb120, baxter_left, dobot_magician, "
-      "franka_fr3, franka_panda, kinova_gen3, kinova_jaco2, kuka_iiwa14, kuka_iiwa7, planar_2, planar_3, puma560, "
-      "stanford, ur10e, ur3e, ur5, ur5e");
+  CHECK_THROWS_WITH(robot("kuka_iiwa"), Catch::StartsWith("unknown robot \"kuka_iiwa\"; did you mean \"kuka_iiwa7\"? "
+                                                          "There are: abb_irb120, abb_yumi_left, "));
   CHECK_THROWS_AS(robot(""), std::invalid_argument);
 }
 
