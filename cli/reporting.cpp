@@ -75,6 +75,7 @@ const KindOfFigures kinds_of_figures[]{
     {{"error-by-iteration", "error-by-point"}, "medians and quartiles"},
     {{"solved-by-evaluations"}, "share of targets solved within a number of evaluations"},
     {{"differences"}, "pairs of solvers, with intervals, and who is better"},
+    {{"printed"}, "shares solved minus those that a paper prints"},
     {{"path", "joints"}, "targets and arm; joint angles along the path"},
     {{"figure-5", "figure-18", "multiverse"}, "those of slim2023, 5 to 18"}};
 

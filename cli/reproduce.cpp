@@ -22,6 +22,7 @@
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "results/fingerprint.hpp"
+#include "solvers/registry.hpp"
 
 namespace ikbench::cli {
 
@@ -42,24 +43,46 @@ struct Arguments {
   ReportArguments report;
 };
 
-// How many equal the references, which every machine should give, and which differ.
-std::string fingerprints_of(const Store& store, const std::vector<std::string>& studies) {
+Overrides overridden_runs(const Arguments& arguments) {
+  return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
+}
+
+// Those that the paper names, and where it has a table of arms, the first on each further arm.
+std::vector<Study> studies_of(const Paper& paper, const Arguments& arguments) {
+  std::vector<Study> studies;
+  const auto add = [&](const std::string& name, Overrides overrides) {
+    overrides.push_back(fmt::format("seed={}", arguments.seed));
+    if (std::ranges::count(paper.runs, name) > 0)
+      std::ranges::copy(overridden_runs(arguments), std::back_inserter(overrides));
+    studies.push_back(load_study(name, overrides));
+  };
+  const std::string& first = paper.studies.front();
+  for (const std::string& name : paper.studies) add(name, {});
+  for (const auto& [arm, row] : paper.rates.rows) {
+    if (arm != studies.front().robot) add(first, {fmt::format("name={}-{}", first, arm), "robot=" + arm});
+  }
+  return studies;
+}
+
+// How many equal the references, which every machine should give, and which differ. Solvers of libraries have no
+// reference: their bits are the library's.
+std::string fingerprints_of(const Store& store, const std::vector<Study>& studies,
+                            const std::vector<Study>& as_built_in) {
   std::vector<std::string> different;
   std::size_t compared = 0;
-  for (const std::string& name : studies) {
-    const bool is_as_built_in = store.study(name).definition == to_json(load_study(name));
-    const std::string_view reference = is_as_built_in ? reference_fingerprint(name) : "";
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    const std::string& name = studies[i].name;
+    const std::string_view reference =
+        to_json(studies[i]) == to_json(as_built_in[i]) ? reference_fingerprint(name) : "";
     if (reference.empty()) continue;
     ++compared;
-    if (fingerprint(store, store.study(name)).text != reference) different.push_back(name);
+    StudyEntry entry = store.study(name);
+    std::erase_if(entry.series, [](const Series& each) { return !solvers::solver(each.algorithm).library.empty(); });
+    if (fingerprint(store, std::move(entry)).text != reference) different.push_back(name);
   }
   if (compared == 0) return "Fingerprints: no reference for this seed and number of runs";
   return fmt::format("Fingerprints: {} of {} equal the reference{}{}", compared - different.size(), compared,
                      different.empty() ? "" : "; different: ", fmt::join(different, ", "));
-}
-
-Overrides overridden_runs(const Arguments& arguments) {
-  return arguments.runs == 0 ? Overrides() : Overrides{fmt::format("runs={}", arguments.runs)};
 }
 
 // It measures no time, so all processors may work. Nothing if it was stopped, which it says.
@@ -103,7 +126,7 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
   show::Table means = papers::means_table(repeated);
   if (means.rows.empty()) {
     means = papers::rates_table(repeated);
-    show_table(means, arguments);
+    show_table(papers::rates_table(repeated, false), arguments);
   }
 
   const figures::Look look = figures::look_of(all.front().study.entry.series, style);
@@ -125,14 +148,18 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
     std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
                   [](const compare::Judged& each) { return each.observations.metric == "evaluations"; });
   }
+  if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
+  if (!paper.rates.rows.empty())
+    reported.additions.push_back({show::Heading{"Ours and the printed"}, papers::rates_figure(repeated)});
   reported.claims = papers::claims_section(claims);
   if (!readings.claims.empty()) {
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.figure, readings.table});
   }
-  announce(reported, folder, arguments.report, style,
-           fmt::format("{}{}\n", papers::screen(sentences, claims), fingerprints_of(store, paper.studies)));
+  announce(
+      reported, folder, arguments.report, style,
+      fmt::format("{}{}\n", papers::screen(sentences, claims), fingerprints_of(store, studies, studies_of(paper, {}))));
 }
 
 }  // namespace
@@ -168,18 +195,14 @@ void add_reproduce(CLI::App& app, Invocation& invocation) {
     const std::filesystem::path folder =
         arguments->run.out.empty() ? default_folder(paper.studies.front()) : std::filesystem::path(arguments->run.out);
     const auto stop = [&] { invocation.exit_code = cancelled_exit_code(); };
-    std::vector<Study> studies;
-    for (const std::string& name : paper.studies) {
-      Overrides overrides{fmt::format("seed={}", arguments->seed)};
-      if (std::ranges::count(paper.runs, name) > 0)
-        std::ranges::copy(overridden_runs(*arguments), std::back_inserter(overrides));
-      const Study& study = studies.emplace_back(load_study(name, overrides));
+    const std::vector<Study> studies = studies_of(paper, *arguments);
+    for (const Study& study : studies) {
       if (!run_study(study, folder, {.jobs = arguments->run.jobs, .command = invocation.command})) return stop();
-      if (studies.size() > 1) continue;
+      if (&study != &studies.front()) continue;
       // The report judges it again, for another command may have written into the store by then.
       const EndOnSignal signals(stopped);
       const Store store(store_in(folder), Store::Mode::read);
-      const compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(name)));
+      const compare::JudgedStudy judged = compare::judge(checked_study(store, store.study(study.name)));
       show_table(papers::means_table({paper, judged}), *arguments);
     }
     const auto readings = judged_readings(*arguments, paper, folder);

@@ -199,13 +199,14 @@ auto find_solver(const Study& study, const std::string& label) {
 }
 
 // The settings in which a study differs from the original. These may differ freely: name, title, seed, trace, repeats,
-// the analysis, and further solvers.
+// the analysis, further solvers, and the arm where each has random targets of its own, as a row of a table.
 std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> found;
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/repeats" || pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
+                         pointer == "/repeats" || (pointer == "/robot" && original.path->name() == "random") ||
+                         pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);
     std::replace(key.begin(), key.end(), '/', '.');

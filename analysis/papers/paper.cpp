@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/figures/plots.hpp"
 #include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
@@ -70,7 +71,7 @@ Rates read_rates(TomlReader reader) {
   reader.text("table", rates.table, "");
   reader.text("note", rates.note, "");
   reader.number("level", rates.level, 1, {0.5, 0.9999}, "");
-  reader.whole("iterations", rates.iterations, {1, 1'000'000}, "");
+  reader.texts("picked", rates.picked, "");
   read_texts(reader, "rows", rates.rows);
   read_texts(reader, "columns", rates.columns);
   reader.refuse_unknown_keys();
@@ -84,25 +85,20 @@ std::vector<Paper> read_all() {
   return all;
 }
 
-Rate rate_of(const StudyResults& study, const std::string& solver, double printed, const Rates& rates) {
+Rate rate_of(const StudyResults& study, const std::string& solver, double printed, double n_printed, double level) {
   Rate rate{.solver = solver, .printed = printed};
-  const auto n = static_cast<double>(study.of(solver).size());
-  if (n == 0) return rate;
-  std::vector<std::int64_t> iterations;  // of what is solved
-  for (const Solve& solve : study.of(solver)) {
-    if (solve.status == results::Status::ok) iterations.push_back(solve.iterations);
-  }
-  std::ranges::sort(iterations);
-  rate.share = static_cast<double>(iterations.size()) / n;
-  rate.interval = wilson(*rate.share, n, 1 - rates.level);
-  for (int most = 1; most <= rates.iterations; ++most) {
-    const auto solved = std::ranges::upper_bound(iterations, most) - iterations.begin();
-    const Interval of = wilson(static_cast<double>(solved) / n, n, 1 - rates.level);
-    if (printed < of.low || printed > of.high) continue;
-    if (rate.first == 0) rate.first = most;
-    rate.last = most;
-  }
+  const std::span<const Solve> solves = study.of(solver);
+  if (solves.empty()) return rate;
+  const auto n = static_cast<double>(solves.size());
+  rate.share = static_cast<double>(std::ranges::count(solves, results::Status::ok, &Solve::status)) / n;
+  const Interval difference = newcombe(*rate.share, n, printed, n_printed, 1 - level);
+  rate.interval = {std::max(0.0, printed + difference.low), std::min(1.0, printed + difference.high)};
   return rate;
+}
+
+// "Jaco2 31 % (printed 26.23)"
+std::string beside_words(const RatesOfArm& arm, const Rate& rate) {
+  return fmt::format("{} {:.1f} % (printed {:.2f})", arm.arm, 100 * *rate.share, 100 * rate.printed);
 }
 
 }  // namespace
@@ -190,18 +186,41 @@ std::vector<RatesOfArm> rates_of(const Repeated& of) {
   const Rates& plan = of.paper.rates;
   std::vector<RatesOfArm> arms;
   const results::CsvTable printed = printed_table(of.paper.name, plan.table);
-  for (const JudgedStudy* each : of.all()) {
-    const StudyResults& study = each->study;
-    const auto arm = plan.rows.find(study.definition.robot);
-    if (arm == plan.rows.end() || study.solves.empty()) continue;
-    for (std::size_t row = 0; row < printed.rows.size(); ++row) {
-      if (printed.rows[row][printed.column("arm")] != arm->second) continue;
-      RatesOfArm& rates = arms.emplace_back(RatesOfArm{.arm = arm->second});
+  for (std::size_t row = 0; row < printed.rows.size(); ++row) {
+    for (const JudgedStudy* each : of.all()) {
+      const StudyResults& study = each->study;
+      const auto arm = plan.rows.find(study.definition.robot);
+      if (arm == plan.rows.end() || printed.rows[row][printed.column("arm")] != arm->second) continue;
+      RatesOfArm& rates = arms.emplace_back(
+          RatesOfArm{.arm = arm->second, .is_picked = std::ranges::find(plan.picked, arm->first) != plan.picked.end()});
       for (const auto& [solver, column] : plan.columns)
-        rates.rates.push_back(rate_of(study, solver, printed.number(row, column) / 100, plan));
+        rates.rates.push_back(
+            rate_of(study, solver, printed.number(row, column) / 100, printed.number(row, "n"), plan.level));
     }
   }
   return arms;
+}
+
+std::vector<std::string> rates_sentences(const Repeated& of) {
+  std::vector<std::string> counts, sentences;
+  const std::vector<RatesOfArm> arms = of.paper.rates.level > 0 ? rates_of(of) : std::vector<RatesOfArm>();
+  for (const auto& [solver, column] : of.paper.rates.columns) {
+    std::vector<std::string> others;
+    std::size_t all = 0;
+    for (const RatesOfArm& arm : arms) {
+      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
+      if (!rate.share) continue;
+      ++all;
+      if (!rate.is_as_printed()) others.push_back(beside_words(arm, rate));
+    }
+    if (all == 0) continue;
+    const std::string count = fmt::format("on {} of {}", all - others.size(), all);
+    counts.push_back(counts.empty() ? fmt::format("{}'s printed rates repeat {} arms", solver, count)
+                                    : fmt::format("{}'s {}", solver, count));
+    if (!others.empty()) sentences.push_back(fmt::format("{} not on: {}.", solver, show::listed(others, ", ")));
+  }
+  if (!counts.empty()) sentences.insert(sentences.begin(), fmt::format("{}.", show::listed(counts, ", ")));
+  return sentences;
 }
 
 std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, const PrintedRow* row) {
@@ -243,21 +262,53 @@ show::Table means_table(const Repeated& of) {
   return table;
 }
 
-show::Table rates_table(const Repeated& of) {
+show::Table rates_table(const Repeated& of, bool has_intervals) {
   const Rates& plan = of.paper.rates;
   show::Table table{.name = plan.table, .caption = "Solved targets, as printed and here", .columns = {{"arm"}}};
-  for (const auto& [solver, column] : plan.columns) table.columns.push_back({solver, "%"});
+  for (const auto& [solver, column] : plan.columns) {
+    table.columns.push_back({solver, "%"});
+    if (has_intervals) table.columns.push_back({solver + " interval"});
+  }
   for (const RatesOfArm& arm : rates_of(of)) {
-    auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm});
-    for (const Rate& rate : arm.rates)
+    auto& row = table.rows.emplace_back(std::vector<show::Cell>{arm.arm + (arm.is_picked ? " *" : "")});
+    for (const Rate& rate : arm.rates) {
+      const Interval& of_ours = rate.interval;
       row.emplace_back(show::Printed{100 * rate.share.value_or(unknown), fmt::format("{:.2f}", 100 * rate.printed),
                                      !rate.share            ? ""
                                      : rate.is_as_printed() ? "~"
                                                             : "x"});
+      if (!has_intervals) continue;
+      row.push_back(rate.share ? show::Cell(fmt::format("{:.1f}-{:.1f}", 100 * of_ours.low, 100 * of_ours.high))
+                               : show::Cell());
+    }
   }
-  table.notes.emplace_back("~ the printed share is in the interval of ours; x it is not");
+  table.notes.push_back(fmt::format(
+      "~ the printed share is in the {:g} % interval of ours, by the targets of both; x it is not", 100 * plan.level));
+  if (!plan.picked.empty())
+    table.notes.emplace_back("* of several files or sides of the arm, that with the nearest shares");
   if (!plan.note.empty()) table.notes.push_back(plan.note);
   return table;
+}
+
+figures::Figure rates_figure(const Repeated& of) {
+  std::vector<figures::IntervalRow> rows;
+  const std::vector<RatesOfArm> arms = rates_of(of);
+  for (const auto& [solver, column] : of.paper.rates.columns) {
+    for (const RatesOfArm& arm : arms) {
+      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
+      if (!rate.share) continue;
+      const auto minus_printed = [&](double share) { return 100 * (share - rate.printed); };
+      rows.push_back({.label = fmt::format("{}: {}", solver, arm.arm),
+                      .estimate = minus_printed(*rate.share),
+                      .low = minus_printed(rate.interval.low),
+                      .high = minus_printed(rate.interval.high),
+                      .verdict = rate.is_as_printed() ? "as printed" : "not as printed",
+                      .style = rate.is_as_printed() ? 0 : 1});
+    }
+  }
+  return differences(
+      {"printed", "Share solved minus the printed one, with its interval.", "ours minus printed", "points"}, rows,
+      false);
 }
 
 }  // namespace ikbench::papers

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/compare/judge.hpp"
+#include "analysis/figures/figure.hpp"
 #include "analysis/papers/published.hpp"
 
 namespace ikbench::papers {
@@ -40,7 +41,7 @@ struct Claim {
 struct Rates {
   std::string table = {}, note = {};
   double level = 0;                                 // of intervals; 0: there is no such table
-  int iterations = 0;                               // up to how many are tried for a printed share
+  std::vector<std::string> picked = {};             // arms whose file or side was chosen by their shares
   std::map<std::string, std::string> rows = {};     // name of our arm to that in its column `arm`
   std::map<std::string, std::string> columns = {};  // solver to column
 };
@@ -77,18 +78,19 @@ struct Timed {
 };
 Timed timed(const compare::StudyResults& study, std::string_view solver, double limit_ms);
 
-// A solver's share of solved targets on an arm.
+// A solver's share of solved targets on an arm. The interval is ours, as wide as that of the difference of the two
+// shares: it has the printed one where the two do not differ.
 struct Rate {
   std::string solver;
   double printed = 0;
   std::optional<double> share = {};  // none: not solved here
   compare::Interval interval = {};
-  int first = 0, last = 0;  // numbers of iterations, from and to, whose interval has the printed share; 0: none
 
   bool is_as_printed() const { return interval.low <= printed && printed <= interval.high; }
 };
 struct RatesOfArm {
   std::string arm;  // as printed
+  bool is_picked = false;
   std::vector<Rate> rates = {};
 };
 
@@ -103,8 +105,10 @@ struct Repeated {
   const compare::JudgedStudy* part(std::string_view part) const;
 };
 
-// The arms of all studies that the printed table has.
+// The arms of all studies that the printed table has, in its order.
 std::vector<RatesOfArm> rates_of(const Repeated& of);
+// "KDL's printed rates repeat on 11 of 13 arms, KDL-RR's on 12.", then who fails where; none if none is printed.
+std::vector<std::string> rates_sentences(const Repeated& of);
 
 // A solver's statistics beside a printed row, with signs. Times are in ms and have no sign, for machines differ.
 std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
@@ -114,7 +118,9 @@ constexpr std::string_view meaning_of_signs =
 
 // Means beside the printed ones, a row a solver.
 show::Table means_table(const Repeated& of);
-// The same of shares solved; without rows if none is printed.
-show::Table rates_table(const Repeated& of);
+// The same of shares solved; without rows if none is printed. The intervals make it too wide for a screen.
+show::Table rates_table(const Repeated& of, bool has_intervals = true);
+// Ours minus the printed ones, with their intervals.
+figures::Figure rates_figure(const Repeated& of);
 
 }  // namespace ikbench::papers

@@ -392,32 +392,22 @@ Found of_solves(const Claim& claim, const Repeated& of) {
   return {judge(claim, of, judged->study)};
 }
 
-// All rates of an arm belong to one number of iterations, which is not printed. So one depends on that number only if
-// it can be the other's, too.
-JudgedClaim rate_as_printed(const Claim& claim, const RatesOfArm& arm, const Rate& rate) {
-  const auto other =
-      std::ranges::find_if(arm.rates, [&](const Rate& each) { return each.share && each.solver != rate.solver; });
-  const bool can_depend = rate.first > 0;
-  const bool depends = can_depend && (other == arm.rates.end() || other->first == 0 ||
-                                      (rate.first <= other->last && other->first <= rate.last));
-  JudgedClaim result = begun(claim);
-  result.id = fmt::format("{}-{}-{}", claim.id, rate.solver, arm.arm);
-  result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", rate.solver), fmt::arg("arm", arm.arm),
-                                fmt::arg("share", fmt::format("{:.2f} %", 100 * rate.printed)));
-  result.holds = always_or_on_average(rate.is_as_printed(), depends);
-  result.number = fmt::format("{:.1f} against {:.2f} %", 100 * *rate.share, 100 * rate.printed);
-  if (can_depend) result.evidence = fmt::format("As printed within {} to {} iterations.", rate.first, rate.last);
-  if (can_depend && !depends)
-    result.evidence += fmt::format(" The other rate takes {} to {}.", other->first, other->last);
-  return result;
-}
-
+// A claim of each solver, over all arms.
 Found as_printed(const Claim& claim, const Repeated& of) {
   Found found;
-  for (const RatesOfArm& arm : rates_of(of)) {
-    for (const Rate& rate : arm.rates) {
-      if (rate.share) found.push_back(rate_as_printed(claim, arm, rate));
+  const std::vector<RatesOfArm> arms = rates_of(of);
+  for (const auto& [solver, column] : of.paper.rates.columns) {
+    std::vector<Holds> repeats;
+    for (const RatesOfArm& arm : arms) {
+      const Rate& rate = *std::ranges::find(arm.rates, solver, &Rate::solver);
+      if (rate.share) repeats.push_back(always_or_on_average(rate.is_as_printed(), false));
     }
+    if (repeats.empty()) continue;
+    JudgedClaim& result = found.emplace_back(begun(claim));
+    result.id = fmt::format("{}-{}", claim.id, solver);
+    result.sentence = fmt::format(fmt::runtime(claim.sentence), fmt::arg("solver", solver));
+    result.holds = holds_of(repeats);
+    result.number = fmt::format("on {} of {} arms", std::ranges::count(repeats, Holds::holds), repeats.size());
   }
   return found;
 }
