@@ -29,7 +29,7 @@ namespace {
 
 struct MultiverseArguments {
   std::string paper, out;
-  std::vector<std::string> dimensions, figures;
+  std::vector<std::string> dimensions;
   Overrides overrides;
   int seeds = 1, jobs = 1;
   bool list = false, small = false, is_json = false;
@@ -72,7 +72,7 @@ compare::Group group_of(const std::vector<double>& runs) {
 Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& means) {
   Multiverse multiverse{.dimensions = plan.dimensions, .solvers = plan.solvers, .studies = {}};
   for (const MultiversePlan::OfStudy& each : plan.studies) {
-    multiverse.studies.push_back({.chosen = each.chosen, .weight = each.weight, .solvers = {}});
+    multiverse.studies.push_back({.chosen = each.chosen, .solvers = {}});
     for (const std::vector<MultiversePlan::ChosenSolver>& of_solver : each.solvers) {
       auto& solver = multiverse.studies.back().solvers.emplace_back();
       for (const MultiversePlan::ChosenSolver& from : of_solver) {
@@ -108,12 +108,11 @@ std::string dimension_list(const Study& study, const std::vector<Dimension>& all
 
 void tell(const papers::JudgedMultiverse& judged, const MultiverseArguments& arguments,
           const std::filesystem::path& folder) {
-  for (const char* name : {"tables", "figures"}) refuse_link(folder / name);
+  refuse_link(folder / "tables");
   show::write_table(judged.table, folder / "tables", program_name());
-  draw(judged.figure, folder / "figures", {.render = are_drawn(arguments.figures)});
   if (arguments.is_json) return show_json(show::to_json(judged.table));
   fmt::print("{}", printable(show::to_text(judged.table)));
-  fmt::print("Table and figure: {}\n", printable(folder.string()));
+  fmt::print("Table: {}\n", printable((folder / "tables" / "multiverse.csv").string()));
 }
 
 void solve_and_tell(const papers::Paper& paper, const MultiverseArguments& arguments,
@@ -174,9 +173,8 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   command
       ->add_option("--out", arguments->out,
-                   "folder for tables and figure, which also keeps what is solved; default: out/PAPER-multiverse")
+                   "folder for the table, which also keeps what is solved; default: out/PAPER-multiverse")
       ->check(not_empty());
-  command->add_option("--figures", arguments->figures, "none: do not draw the figure")->check(CLI::IsMember({"none"}));
   add_json_option(*command, arguments->is_json);
   command->footer(
       "Examples:\n"
@@ -184,7 +182,7 @@ void add_multiverse(CLI::App& app, Invocation& invocation) {
       "  ikbench multiverse slim2023 --small --seeds 2 --out out/small\n"
       "  ikbench multiverse slim2023 --dimensions bounds,population,wrist_branch\n\n"
       "A reading is one choice for every question. Each solver is solved once for each of its own choices; claims are\n"
-      "counted over all combinations. After Ctrl-C the same command continues.");
+      "judged in all combinations. After Ctrl-C the same command continues.");
   command->callback([arguments, &invocation] {
     const papers::Paper& paper = papers::paper_named(arguments->paper);
     const std::vector<Dimension> all = dimensions(arguments->paper);

@@ -77,7 +77,7 @@ const KindOfFigures kinds_of_figures[]{
     {{"differences"}, "pairs of solvers, with intervals, and who is better"},
     {{"printed"}, "shares solved minus those that a paper prints"},
     {{"path", "joints"}, "targets and arm; joint angles along the path"},
-    {{"figure-5", "figure-18", "multiverse"}, "those of slim2023, 5 to 18"}};
+    {{"figure-5", "figure-18"}, "those of slim2023, 5 to 18"}};
 
 bool is_meant(const std::string& figure, const std::string& name) {
   return figure == name || figure.starts_with(name + "-");
@@ -116,9 +116,9 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
   if (!unknown.empty()) throw std::invalid_argument(unknown_name("figure", *unknown.begin(), there));
 }
 
-}  // namespace
-
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
+
+}  // namespace
 
 void add_report_options(CLI::App& command, ReportArguments& arguments) {
   command.add_option("--figures", arguments.figures, "draw only these: error,solved; none: draw nothing")

@@ -28,7 +28,6 @@ struct ReportArguments {
   std::string style = {};                 // a file; its keys replace those of the study's [figures]
 };
 
-bool are_drawn(const std::vector<std::string>& names);
 void add_report_options(CLI::App& command, ReportArguments& arguments);
 // Of a study of these labels, with the style file, if there is one. Throws std::invalid_argument for what cannot be
 // drawn. Call it before anything is solved.

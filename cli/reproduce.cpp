@@ -122,7 +122,7 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
   const FigureStyle style = styled(store.study(paper.studies.front()), arguments.report);
   papers::Repeated repeated{.paper = paper, .study = all.front()};
   for (std::size_t i = 1; i < all.size(); ++i) repeated.companions.push_back(&all[i]);
-  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.claims);
+  const std::vector<papers::JudgedClaim> claims = papers::judged_claims(repeated, readings.conditions());
   show::Table means = papers::means_table(repeated);
   if (means.rows.empty()) {
     means = papers::rates_table(repeated);
@@ -142,7 +142,7 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
   if (is_slim2023) {
     if (const compare::JudgedStudy* const dobot = repeated.part("dobot"))
       of_circle = slim2023::figures_of(*dobot, figures::look_of(dobot->study.entry.series, style));
-    sentences = slim2023::sentences(claims);
+    sentences = slim2023::sentences(claims, papers::explained_by(repeated), readings.expected);
     reported.additions = slim2023::sections(repeated, of_circle);
     reported.has_own_numbers = true;
     std::erase_if(reported.shown.metrics,  // the paper has none; a warning says who takes twice as many
@@ -155,7 +155,7 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
     reported.additions.push_back({show::Heading{"Ours and the printed"}, papers::rates_figure(repeated)});
   reported.claims = papers::claims_section(claims);
   if (!readings.claims.empty()) {
-    reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.figure, readings.table});
+    reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});
   }
   announce(
       reported, folder, arguments.report, style,

@@ -35,31 +35,25 @@ void refuse_too_many(const std::vector<Dimension>& dimensions, std::string_view 
                                           dimensions.size(), most, what));
 }
 
-// Choices with their weight: the alternatives of a dimension share the weight of the earlier choices equally.
-struct Branch {
-  Chosen chosen = {};
-  double weight = 1;
-};
-
 // Lists all choices that are possible together.
 struct Combinations {
   const std::vector<Dimension>& dimensions;
 
   // The choices in the dimensions of one owner (a solver, or "" for the study), given others, which are not repeated.
-  std::vector<Branch> of(std::string_view owner, const Chosen& given) const {
-    std::vector<Branch> all{{}};
+  std::vector<Chosen> of(std::string_view owner, const Chosen& given) const {
+    std::vector<Chosen> all{{}};
     for (std::size_t d = 0; d < dimensions.size(); ++d) {
       if (dimensions[d].solver != owner) continue;
-      std::vector<Branch> larger;
-      for (const Branch& branch : all) {
-        const Chosen possible = alternatives(d, given, branch.chosen);
+      std::vector<Chosen> larger;
+      for (const Chosen& chosen : all) {
+        const Chosen possible = alternatives(d, given, chosen);
         if (possible.size() < 2) {  // nothing to choose
-          larger.push_back(branch);
+          larger.push_back(chosen);
           continue;
         }
         for (const Choice& each : possible) {
-          larger.push_back({branch.chosen, branch.weight / static_cast<double>(possible.size())});
-          larger.back().chosen.push_back(each);
+          larger.push_back(chosen);
+          larger.back().push_back(each);
         }
         refuse_too_many(dimensions, "choices", static_cast<double>(larger.size()), most_combinations);
       }
@@ -121,10 +115,10 @@ MultiverseSize size_of(const std::vector<Dimension>& dimensions, const std::vect
   const Combinations combinations{dimensions};
   MultiverseSize size;
   double readings = 0;
-  for (const Branch& branch : combinations.of("", {})) {
+  for (const Chosen& chosen : combinations.of("", {})) {
     double of_solvers = 1;
     for (const std::string& solver : solvers) {
-      const std::size_t own = combinations.of(solver, branch.chosen).size();
+      const std::size_t own = combinations.of(solver, chosen).size();
       size.series += static_cast<std::int64_t>(own);
       of_solvers *= static_cast<double>(own);
     }
@@ -144,18 +138,17 @@ MultiversePlan plan_multiverse(const std::string& name, const std::vector<Dimens
   size_of(dimensions, plan.solvers);
   const Combinations combinations{dimensions};
   SeriesList needed;
-  for (const auto& [chosen, weight] : combinations.of("", {})) {
+  for (const Chosen& chosen : combinations.of("", {})) {
     MultiversePlan::OfStudy& of_study = plan.studies.emplace_back();
     of_study.chosen = chosen;
-    of_study.weight = weight;
     Overrides all = request.overrides;
     add_overrides(all, dimensions, chosen);
     for (std::size_t s = 0; s < plan.solvers.size(); ++s) {
       std::vector<MultiversePlan::ChosenSolver>& of_solver = of_study.solvers.emplace_back();
-      for (const Branch& own : combinations.of(plan.solvers[s], chosen)) {
-        of_solver.push_back({.chosen = own.chosen, .parts = {}});
+      for (const Chosen& own : combinations.of(plan.solvers[s], chosen)) {
+        of_solver.push_back({.chosen = own, .parts = {}});
         Overrides of_own = all;
-        add_overrides(of_own, dimensions, own.chosen);
+        add_overrides(of_own, dimensions, own);
         Study study = load_study(name, of_own);
         for (int seed = 1; seed <= request.seeds; ++seed) {
           if (request.cancelled != nullptr && *request.cancelled) return plan;

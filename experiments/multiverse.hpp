@@ -13,8 +13,7 @@ namespace ikbench::experiments {
 
 // A reading is one choice for the study and one for each solver. Given the study's choice, solvers are independent, so
 // each is solved by itself, never a reading as a whole. A dimension is a choice only if an alternative besides its
-// default is possible (Alternative::except). The default comes first. The alternatives of a dimension share the weight
-// of the earlier choices equally, so that a detail of only one alternative changes nothing for the others.
+// default is possible (Alternative::except). The default comes first.
 struct MultiversePlan {
   struct ChosenSolver {
     results::Chosen chosen;
@@ -22,7 +21,6 @@ struct MultiversePlan {
   };
   struct OfStudy {
     results::Chosen chosen;
-    double weight = 1;                               // all weights sum to 1
     std::vector<std::vector<ChosenSolver>> solvers;  // in the order of `solvers`
   };
   std::vector<results::Dimension> dimensions;

@@ -88,18 +88,4 @@ struct Dot {
 };
 Figure overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots);
 
-// The specification curve of a multiverse (Simonsohn, Simmons and Nelson, Nature Human Behaviour 4 (2020) 1208): sorted
-// estimates, and below each its choices.
-struct Specification {
-  double estimate, low, high;        // a ratio, with its interval
-  int side;                          // of the verdict: -1 below 1, 1 above, 0 not decided
-  std::vector<std::size_t> choices;  // a place in each group
-};
-struct Specifications {
-  std::vector<std::vector<std::string>> groups;  // the alternatives of each question
-  std::vector<Specification> all;
-  std::string below, above;  // what the sides mean
-};
-Figure specifications(const About& about, const Specifications& rows);
-
 }  // namespace ikbench::figures

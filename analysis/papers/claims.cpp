@@ -21,17 +21,11 @@ namespace {
 constexpr std::array<std::string_view, 6> verdicts{"holds",       "holds in part", "fails",
                                                    "not decided", "not compared",  "not tested"};
 
-// It holds here, but not by every reading.
-bool holds_by_default(const JudgedClaim& claim) {
-  return claim.holds == Holds::holds && claim.shares.all.part(claim.shares.all.holds) < 1;
-}
-
 std::vector<JudgedClaim> grouped(const std::vector<JudgedClaim>& claims, bool are_ours) {
   std::vector<JudgedClaim> group;
   std::ranges::copy_if(claims, std::back_inserter(group),
                        [=](const JudgedClaim& claim) { return claim.is_ours == are_ours; });
-  std::ranges::stable_sort(group, {},
-                           [](const JudgedClaim& claim) { return std::pair(claim.holds, holds_by_default(claim)); });
+  std::ranges::stable_sort(group, {}, &JudgedClaim::holds);
   return group;
 }
 
@@ -49,17 +43,14 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
                                 {"number"},
                                 {"by the printed numbers"},
                                 {"by the other reading"},
-                                {"holds in", "% of readings"},
+                                {"of all readings it fails"},
                                 {"where"},
                                 {"why"}}};
   const auto cell = [](std::string text) { return text.empty() ? show::Cell() : show::Cell(std::move(text)); };
   for (const JudgedClaim& claim : claims) {
-    const Shares& shares = claim.shares.all;
-    table.rows.push_back({fmt::format("{}{}", name_of(claim.holds), holds_by_default(claim) ? " by default" : ""),
-                          claim.sentence, cell(claim.number), cell(words_of(claim.printed, "")),
-                          cell(words_of(claim.otherwise, claim.number_otherwise)),
-                          shares.all() > 0 ? show::Cell(100 * shares.part(shares.holds)) : show::Cell(),
-                          cell(claim.section), cell(claim.evidence)});
+    table.rows.push_back({std::string(name_of(claim.holds)), claim.sentence, cell(claim.number),
+                          cell(words_of(claim.printed, "")), cell(words_of(claim.otherwise, claim.number_otherwise)),
+                          cell(claim.condition.fails), cell(claim.section), cell(claim.evidence)});
     if (claim.holds == Holds::not_compared && table.notes.empty())
       table.notes.emplace_back("not compared: times of another program and machine. Here are ratios of our medians.");
   }
@@ -70,13 +61,7 @@ show::Table claims_table(const std::vector<JudgedClaim>& claims, bool are_ours) 
 
 std::string_view name_of(Holds holds) { return verdicts[static_cast<std::size_t>(holds)]; }
 
-void Shares::add(const Shares& more, double weight) {
-  holds += weight * more.holds;
-  fails += weight * more.fails;
-  undecided += weight * more.undecided;
-}
-
-std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<SharesOfClaim>& shares) {
+std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Condition>& conditions) {
   const JudgedStudy* const other = of.part(of.paper.other_reading);
   const std::vector<JudgedClaim> otherwise =
       other == nullptr ? std::vector<JudgedClaim>() : judged_claims({.paper = of.paper, .study = *other});
@@ -90,8 +75,8 @@ std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Sha
     }
     for (JudgedClaim& judged : found) {
       if (!claim.note.empty()) judged.evidence += (judged.evidence.empty() ? "" : " ") + claim.note;
-      if (const auto own = std::ranges::find(shares, judged.id, &SharesOfClaim::id); own != shares.end())
-        judged.shares = *own;
+      if (const auto own = std::ranges::find(conditions, judged.id, &Condition::id); own != conditions.end())
+        judged.condition = *own;
       const JudgedClaim* const same = claim_named(otherwise, judged.id);
       if (same != nullptr && is_judged(same->holds)) {
         judged.otherwise = same->holds;
@@ -106,23 +91,6 @@ std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Sha
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id) {
   const auto found = std::ranges::find(claims, id, &JudgedClaim::id);
   return found == claims.end() ? nullptr : &*found;
-}
-
-std::string percent(double share) {
-  if (share > 0 && share < 0.005) return "< 1 %";
-  if (share < 1 && share > 0.995) return "> 99 %";
-  return fmt::format("{:.0f} %", 100 * share);
-}
-
-std::string shares_words(const JudgedClaim& claim) {
-  const auto& [id, all, near] = claim.shares;
-  if (all.all() == 0) return "";
-  std::string words =
-      fmt::format("holds in {} and fails in {}", percent(all.part(all.holds)), percent(all.part(all.fails)));
-  if (near.all() > 0)
-    words +=
-        fmt::format("; near the print in {} and {}", percent(near.part(near.holds)), percent(near.part(near.fails)));
-  return words;
 }
 
 std::string tally_words(const std::vector<JudgedClaim>& claims) {
@@ -160,28 +128,19 @@ std::string screen(const std::vector<std::string>& sentences, const std::vector<
     text += fmt::format("{}\n", fmt::join(show::wrapped(words, indent, first), "\n"));
   };
   for (const std::string& sentence : sentences) add(sentence);
-  std::size_t width = 0;  // of numbers
-  for (const JudgedClaim& claim : claims) width = std::max(width, show::character_count(claim.number));
   for (const bool are_ours : {false, true}) {
     std::vector<std::vector<std::string>> rows;
     std::string last;                             // verdict
     std::map<Holds, std::string> without_number;  // sentences
-    const std::vector<JudgedClaim> group = grouped(claims, are_ours);
-    const bool has_shares = std::ranges::any_of(group, [](const auto& each) { return each.shares.all.all() > 0; });
-    for (const JudgedClaim& claim : group) {
+    for (const JudgedClaim& claim : grouped(claims, are_ours)) {
       if (!is_judged(claim.holds)) {
         std::string& all = without_number[claim.holds];
         all += (all.empty() ? "" : "; ") + claim.sentence;
         continue;
       }
-      const Shares& shares = claim.shares.all;
-      const std::string verdict(holds_by_default(claim) ? "by default" : name_of(claim.holds));
-      const std::string share = percent(shares.part(shares.holds));
-      if (has_shares && rows.empty())
-        rows.push_back({"", "claim", fmt::format("here{:>{}}", "in readings", width + 3)});
+      const std::string verdict(name_of(claim.holds));
       const bool is_new = std::exchange(last, verdict) != verdict;
-      rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46),
-                      shares.all() > 0 ? fmt::format("{:{}}{:>7}", claim.number, width, share) : claim.number});
+      rows.push_back({is_new ? verdict : "", show::shortened(claim.sentence, 46), claim.number});
     }
     if (!rows.empty() || !without_number.empty()) text += are_ours ? "Our own questions:\n" : "\n";
     text += show::aligned(rows, 2);

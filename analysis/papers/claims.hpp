@@ -16,17 +16,11 @@ enum class Holds { holds, in_part, fails, undecided, not_compared, not_tested };
 std::string_view name_of(Holds holds);
 constexpr bool is_judged(Holds holds) { return holds != Holds::not_compared && holds != Holds::not_tested; }
 
-// Shares of all readings of what a paper leaves open.
-struct Shares {
-  double holds = 0, fails = 0, undecided = 0;
-
-  double all() const { return holds + fails + undecided; }
-  double part(double share) const { return all() > 0 ? share / all() : compare::unknown; }
-  void add(const Shares& more, double weight = 1);
-};
-struct SharesOfClaim {
-  std::string id;
-  Shares all, near = {};  // near: of the readings that are near the print
+// With which answers to what a paper leaves open a claim fails.
+struct Condition {
+  std::string id;         // of the claim
+  std::string fails;      // "only where bounds=initial", "nowhere"
+  std::string told = {};  // the same in words, with numbers; empty if no two answers tell it
 };
 
 struct JudgedClaim {
@@ -37,18 +31,16 @@ struct JudgedClaim {
   std::string number = {};              // the most telling one: "0.0017 cm, K-ABC 0.21"
   std::string rival = {};               // its part of the best rival: "K-ABC 0.21"
   std::string evidence = {};            // what tables do not say, in at most two sentences
-  SharesOfClaim shares = {};            // of no reading if they are not known
+  Condition condition = {};             // empty if readings were not tried
   std::optional<Holds> otherwise = {};  // by the paper's other reading
   std::string number_otherwise = {};
 };
 
 // In the order of the paper's file. A claim that the report cannot judge is not tested; our own questions, and claims
 // that are made of each solver, are left out instead.
-std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<SharesOfClaim>& shares = {});
+std::vector<JudgedClaim> judged_claims(const Repeated& of, const std::vector<Condition>& conditions = {});
 
 const JudgedClaim* claim_named(const std::vector<JudgedClaim>& claims, std::string_view id);  // null if it is not there
-std::string percent(double share);                   // "61 %"; "< 1 %" and "> 99 %" if it is not quite 0 or 1
-std::string shares_words(const JudgedClaim& claim);  // "holds in 20 %, fails in 36 %"; empty if not known
 std::string tally_words(const std::vector<JudgedClaim>& claims);  // "3 claims: holds 2, fails 1."
 
 // The sentences, which paper it is, and the table.

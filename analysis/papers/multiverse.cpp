@@ -4,19 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bitset>
-#include <boost/math/distributions/normal.hpp>
-#include <cmath>
 #include <map>
-#include <random>
 #include <utility>
 
-#include "analysis/figures/plots.hpp"
 #include "analysis/papers/rules.hpp"
+#include "analysis/show/text.hpp"
 
 namespace ikbench::papers {
 
 using namespace compare;
+using results::Choice;
 using results::Chosen;
 using results::Dimension;
 
@@ -25,11 +22,8 @@ namespace {
 using ChosenSolver = Multiverse::ChosenSolver;
 using OfStudy = Multiverse::OfStudy;
 using Names = std::vector<std::string>;
-// Which printed numbers: those of error, then those of variation.
-using Explained = std::bitset<metrics_of_readings.size() * statistics.size()>;
-// By the choice of the study, by solver, by its own choice.
-using ExplainedReadings = std::vector<std::vector<std::vector<Explained>>>;
-using PrintedMetrics = std::array<PrintedRows, metrics_of_readings.size()>;
+
+bool contains(const auto& all, const auto& one) { return std::ranges::find(all, one) != all.end(); }
 
 std::size_t place_of(const Names& all, std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(all, name) - all.begin());
@@ -41,19 +35,13 @@ double readings_of(const OfStudy& study) {
   return product;
 }
 
-// The shares of a claim.
-
 // If it is that a solver is better in error, variation or their spread.
 bool hangs_on_reading(const Claim& claim) {
   return claim.rule != nullptr && claim.rule->name == "better" && claim.metrics.size() == 1 && claim.study.empty() &&
-         std::ranges::find(metrics_of_readings, claim.metrics.front()->column) != metrics_of_readings.end();
+         contains(metrics_of_readings, claim.metrics.front()->column);
 }
 
-struct Counted {
-  SharesOfClaim shares;
-  std::string sentence;
-  std::vector<std::vector<Shares>> alternatives;  // by dimension; of the readings that make the choice
-};
+std::size_t metric_of(const Claim& claim) { return claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1; }
 
 // Of each pair alone, by Welch's t, at its part of the significance, as a report judges a pair of these solvers.
 Plan plan_of_pairs(const Plan& plan, std::size_t solvers) {
@@ -72,53 +60,16 @@ Verdict verdict_of(const Group& own, const Group& theirs, const Claim& claim, co
   return compare::compare(claim.of == Of::spread ? deviations(of) : of, plan).front().verdict;
 }
 
-// A choice of a solver: how the claim's solvers do against it.
-struct Option {
-  const Chosen& chosen;
+// How the claim's solvers, by one choice of the study and of each of them, do against each choice of each rival.
+struct Against {
+  const Chosen* chosen;
   Holds holds;
-  std::size_t explained;
 };
-using Options = std::vector<std::vector<Option>>;  // by solver
-
-// Numbers of readings by how many printed numbers they explain; without `by_explained` all are the first.
-std::vector<Shares> counted(const Options& options, bool by_explained) {
-  std::vector<Shares> counts{{.holds = 1}};
-  for (const std::vector<Option>& of_solver : options) {
-    std::vector<Shares> next(counts.size() + (by_explained ? Explained().size() : 0));
-    for (const Option& each : of_solver) {
-      for (std::size_t i = 0; i < counts.size(); ++i) {
-        const auto& [holds, fails, undecided] = counts[i];
-        next[i + (by_explained ? each.explained : 0)].add(each.holds == Holds::holds ? counts[i]
-                                                          : each.holds == Holds::fails
-                                                              ? Shares{.fails = counts[i].all()}
-                                                              : Shares{.fails = fails, .undecided = holds + undecided});
-      }
-    }
-    counts = std::move(next);
-  }
-  return counts;
-}
-
-// Adds the readings of one choice of the study and of each of the claim's solvers.
-void add(Counted& into, const Options& options, const Chosen& of_study, double weight, int near) {
-  const Shares all = counted(options, false).front();
-  into.shares.all.add(all, weight);
-  const std::vector<Shares> by_explained = near > 0 ? counted(options, true) : std::vector<Shares>();
-  for (auto i = static_cast<std::size_t>(near); i < by_explained.size(); ++i)
-    into.shares.near.add(by_explained[i], weight);
-  for (const auto& [dimension, alternative] : of_study) into.alternatives[dimension][alternative].add(all, weight);
-  for (std::size_t s = 0; s < options.size(); ++s) {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<Option>> by_choice;
-    for (const Option& each : options[s]) {
-      for (const auto& [dimension, alternative] : each.chosen) by_choice[{dimension, alternative}].push_back(each);
-    }
-    for (const auto& [choice, of_solver] : by_choice) {
-      Options restricted;
-      for (std::size_t i = 0; i < options.size(); ++i) restricted.push_back(i == s ? of_solver : options[i]);
-      into.alternatives[choice.first][choice.second].add(counted(restricted, false).front(), weight);
-    }
-  }
-}
+struct Part {
+  Chosen chosen;
+  std::vector<std::vector<Against>> rivals;
+  double others;  // choices of solvers that the claim is not about
+};
 
 // One of the combinations of the choices of these solvers: by solver, its choice; none after the last.
 using OwnChoices = std::map<std::size_t, std::size_t>;
@@ -132,24 +83,19 @@ OwnChoices combination(const OfStudy& study, const std::vector<std::size_t>& sol
 }
 
 // None if a solver of the claim is missing.
-std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& claim, const results::Plan& plan,
-                                   const ExplainedReadings& explained, int near) {
+std::vector<Part> parts_of(const Multiverse& multiverse, const Claim& claim, const results::Plan& plan) {
   const Names& solvers = multiverse.solvers;
-  const std::size_t k = solvers.size(), seeds = multiverse.studies[0].solvers[0][0].means[0].size();
-  const std::size_t metric = claim.metrics.front()->column == metrics_of_readings[0] ? 0 : 1;
+  const std::size_t k = solvers.size(), metric = metric_of(claim);
   std::vector<std::size_t> own, rivals;
   for (const std::string& solver : claim.solvers) own.push_back(place_of(solvers, solver));
   for (const std::string& solver : claim.against.empty() ? solvers : claim.against) {
-    if (std::ranges::find(claim.solvers, solver) == claim.solvers.end()) rivals.push_back(place_of(solvers, solver));
+    if (!contains(claim.solvers, solver)) rivals.push_back(place_of(solvers, solver));
   }
-  const auto has = [](const auto& all, std::size_t s) { return std::ranges::find(all, s) != all.end(); };
-  if (has(own, k) || has(rivals, k)) return {};
+  if (contains(own, k) || contains(rivals, k)) return {};
   const Plan of_pair = plan_of_pairs(plan, k);
-  Counted result{.shares = {.id = claim.id, .all = {}}, .sentence = claim.sentence, .alternatives = {}};
-  for (const Dimension& each : multiverse.dimensions) result.alternatives.emplace_back(each.alternatives.size());
-  for (std::size_t g = 0; g < multiverse.studies.size(); ++g) {
-    const OfStudy& study = multiverse.studies[g];
-    for (std::size_t seed = 0; seed < seeds; ++seed) {
+  std::vector<Part> parts;
+  for (const OfStudy& study : multiverse.studies) {
+    for (std::size_t seed = 0; seed < study.solvers[0][0].means[0].size(); ++seed) {
       std::map<std::pair<const ChosenSolver*, const ChosenSolver*>, Verdict> known;
       const auto verdict = [&](const ChosenSolver& one, const ChosenSolver& other) {
         const auto [found, is_new] = known.try_emplace({&one, &other});
@@ -158,214 +104,218 @@ std::optional<Counted> count_claim(const Multiverse& multiverse, const Claim& cl
       };
       OwnChoices chosen;
       for (std::size_t number = 0; !(chosen = combination(study, own, number)).empty(); ++number) {
-        Options options(k);
-        for (std::size_t s = 0; s < k; ++s) {
-          for (std::size_t c = 0; c < study.solvers[s].size(); ++c) {
-            if (chosen.contains(s) && chosen.at(s) != c) continue;
-            const ChosenSolver& theirs = study.solvers[s][c];
+        Part& part = parts.emplace_back(Part{study.chosen, {}, readings_of(study)});
+        for (const auto& [solver, choice] : chosen) {
+          const Chosen& more = study.solvers[solver][choice].chosen;
+          part.chosen.insert(part.chosen.end(), more.begin(), more.end());
+          part.others /= static_cast<double>(study.solvers[solver].size());
+        }
+        for (const std::size_t rival : rivals) {
+          part.others /= static_cast<double>(study.solvers[rival].size());
+          std::vector<Against>& against = part.rivals.emplace_back();
+          for (const ChosenSolver& theirs : study.solvers[rival]) {
             Tally tally;
-            for (const auto& [solver, choice] : chosen) {
-              if (has(rivals, s)) tally.add(verdict(study.solvers[solver][choice], theirs));
-            }
-            options[s].push_back({theirs.chosen, holds_of(tally), explained.empty() ? 0 : explained[g][s][c].count()});
+            for (const auto& [solver, choice] : chosen) tally.add(verdict(study.solvers[solver][choice], theirs));
+            against.push_back({&theirs.chosen, holds_of(tally)});
           }
         }
-        add(result, options, study.chosen, study.weight / readings_of(study) / static_cast<double>(seeds), near);
       }
     }
   }
+  return parts;
+}
+
+bool has_any(const Chosen& chosen, const Chosen& answers) {
+  return std::ranges::any_of(answers, [&](const Choice& each) { return contains(chosen, each); });
+}
+
+// The readings of a part that have none of these answers.
+Readings count(const Part& part, const Chosen& without) {
+  if (has_any(part.chosen, without)) return {};
+  double all = part.others, hold = all, fail_not = all;
+  for (const std::vector<Against>& rival : part.rivals) {
+    double options = 0, better = 0, worse = 0;
+    for (const auto& [chosen, holds] : rival) {
+      if (has_any(*chosen, without)) continue;
+      ++options;
+      better += holds == Holds::holds;
+      worse += holds == Holds::fails;
+    }
+    all *= options;
+    hold *= better;
+    fail_not *= options - worse;
+  }
+  return {hold, all - fail_not, fail_not - hold};
+}
+
+// Conditions.
+
+using Outcome = double Readings::*;
+bool happens(const std::vector<Part>& parts, Outcome outcome, const Chosen& without) {
+  return std::ranges::any_of(parts, [&](const Part& part) { return count(part, without).*outcome > 0; });
+}
+
+// All but the defaults.
+Chosen answers_of(const Multiverse& multiverse) {
+  Chosen answers;
+  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
+    for (std::size_t a = 1; a < multiverse.dimensions[d].alternatives.size(); ++a) answers.push_back({d, a});
+  }
+  return answers;
+}
+
+// The smallest sets of one or two answers, other than defaults, without which it never happens.
+std::vector<Chosen> smallest_sets(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
+  const Chosen answers = answers_of(multiverse);
+  std::vector<Chosen> found;
+  for (const Choice& one : answers) {
+    if (!happens(parts, outcome, {one})) found.push_back({one});
+  }
+  if (!found.empty()) return found;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    for (std::size_t j = i + 1; j < answers.size(); ++j) {
+      if (!happens(parts, outcome, {answers[i], answers[j]})) found.push_back({answers[i], answers[j]});
+    }
+  }
+  return found;
+}
+
+// The default reading, but for this answer: the last choice that has no other answer, as the default comes first.
+bool is_default_but(const Chosen& chosen, const Choice& answer) {
+  return std::ranges::all_of(chosen, [&](const Choice& each) { return each.alternative == 0 || each == answer; });
+}
+
+// "IK-BA 0.0017 cm, PSO 2.1e-06" by the default reading but for this answer: the mean over all seeds of the claim's
+// solver and its best rival.
+std::string numbers_with(const Multiverse& multiverse, const Claim& claim, const Choice& answer) {
+  const OfStudy* study = nullptr;
+  for (const OfStudy& each : multiverse.studies) {
+    if (is_default_but(each.chosen, answer)) study = &each;
+  }
+  std::string own, rival;
+  double best = 0;
+  for (std::size_t s = 0; s < multiverse.solvers.size(); ++s) {
+    const std::string& solver = multiverse.solvers[s];
+    if (!contains(claim.solvers, solver) && !claim.against.empty() && !contains(claim.against, solver)) continue;
+    const ChosenSolver* choice = nullptr;
+    for (const ChosenSolver& each : study->solvers[s]) {
+      if (is_default_but(each.chosen, answer)) choice = &each;
+    }
+    Group all;
+    for (const Group& seed : choice->means[metric_of(claim)]) {
+      all.values.insert(all.values.end(), seed.values.begin(), seed.values.end());
+      all.lost += seed.lost;
+    }
+    const Description its = describe(all);
+    const double number = claim.of == Of::spread ? its.sd : its.mean;
+    const std::string words = fmt::format("{} {}", solver, show::number_text(number));
+    if (solver == claim.solvers.front()) own = fmt::format("{} {}", words, claim.metrics.front()->unit);
+    if (contains(claim.solvers, solver) || all.lost > 0 || (!rival.empty() && number >= best)) continue;
+    best = number;
+    rival = words;
+  }
+  return fmt::format("{}, {}", own, rival);
+}
+
+// "only where bounds=initial or BA.best_of=evaluated"
+std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
+  if (!happens(parts, outcome, {})) return "nowhere";
+  if (happens(parts, outcome, answers_of(multiverse))) return "also by default";
+  Names sets;
+  std::string_view between = " and ";
+  for (const Chosen& each : smallest_sets(multiverse, parts, outcome)) {
+    Names answers;
+    for (const auto& [dimension, alternative] : each)
+      answers.push_back(multiverse.dimensions[dimension].alternatives[alternative].set);
+    sets.push_back(fmt::format("{}", fmt::join(answers, " or ")));
+    if (each.size() > 1) between = ", and only where ";
+  }
+  if (sets.empty()) return "no two answers tell where";
+  return fmt::format("only where {}", fmt::join(sets, between));
+}
+
+// "no solver is clamped (IK-BA 0.0017 cm, PSO 2.1e-06)"
+std::string told(const Multiverse& multiverse, const Claim& claim, const std::vector<Part>& parts) {
+  Names words;
+  const std::vector<Chosen> sets = smallest_sets(multiverse, parts, &Readings::fails);
+  if (sets.size() != 1) return "";
+  for (const Choice& each : sets.front())
+    words.push_back(fmt::format("{} ({})", multiverse.dimensions[each.dimension].alternatives[each.alternative].where,
+                                numbers_with(multiverse, claim, each)));
+  return fmt::format("{}", fmt::join(words, " or "));
+}
+
+InReadings judged_claim(const Multiverse& multiverse, const Claim& claim, const std::vector<Part>& parts) {
+  InReadings result{.condition = {.id = claim.id, .fails = where(multiverse, parts, &Readings::fails)}, .count = {}};
+  for (const Part& part : parts) {
+    const Readings more = count(part, {});
+    result.count.holds += more.holds;
+    result.count.fails += more.fails;
+    result.count.undecided += more.undecided;
+  }
+  if (result.count.fails > 0) result.condition.told = told(multiverse, claim, parts);
   return result;
 }
 
-// The largest difference between alternatives in the share that holds.
-double difference(const std::vector<Shares>& alternatives) {
-  double least = 1, most = 0;
-  for (const Shares& each : alternatives) {
-    if (each.all() == 0) continue;
-    least = std::min(least, each.holds / each.all());
-    most = std::max(most, each.holds / each.all());
-  }
-  return std::max(0.0, most - least);
-}
-
-// "who obeys limits: 0 % where no solver is clamped, 28 % where all but IK-BA are"
-std::string words_of(const Dimension& dimension, const std::vector<Shares>& alternatives) {
-  Names words;
-  for (std::size_t a = 0; a < alternatives.size(); ++a) {
-    const Shares& each = alternatives[a];
-    if (each.all() > 0)
-      words.push_back(fmt::format("{} where {}", percent(each.holds / each.all()), dimension.alternatives[a].where));
-  }
-  return fmt::format("{}: {}", dimension.open, fmt::join(words, ", "));
-}
-
-show::Table table_of(const Multiverse& multiverse, const std::vector<Counted>& claims) {
-  show::Table table{.name = "multiverse", .caption = "The claims in every reading", .columns = {{"claim"}}};
-  for (const std::string near : {"", "near: "}) {
-    for (const Holds part : {Holds::holds, Holds::fails, Holds::undecided})
-      table.columns.push_back({near + std::string(name_of(part)), "%"});
-  }
-  table.columns.push_back({"decided most by"});
-  double readings = 0;
-  for (const OfStudy& study : multiverse.studies) readings += readings_of(study);
-  for (const auto& [shares, sentence, alternatives] : claims) {
-    auto& row = table.rows.emplace_back(std::vector<show::Cell>{sentence});
-    for (const Shares* of : {&shares.all, &shares.near}) {
-      for (const double part : {of->holds, of->fails, of->undecided})
-        if (row.emplace_back(); of->all() > 0) row.back() = 100 * part / of->all();
-    }
-    const auto most = std::ranges::max_element(alternatives, {}, difference);
-    const bool is_decided = most != alternatives.end() && difference(*most) > 0;
-    const auto place = static_cast<std::size_t>(most - alternatives.begin());
-    if (row.emplace_back(); is_decided) row.back() = words_of(multiverse.dimensions[place], *most);
-  }
-  table.notes = {fmt::format(
-      "{:.0f} readings, all counted: {} choices for the study, each with every combination of the solvers' own. Each pair "
-      "is judged alone, at significance / pairs.",
-      readings, multiverse.studies.size())};
-  return table;
-}
-
-// The printed numbers.
-
-// The runs of all seeds; none if some are lost.
-std::vector<double> pooled(const ChosenSolver& own, std::size_t metric) {
-  std::vector<double> all;
-  for (const Group& seed : own.means[metric]) {
-    if (seed.lost > 0) return {};
-    all.insert(all.end(), seed.values.begin(), seed.values.end());
-  }
-  return all;
-}
-
-// A number is explained if it lies, but for its rounding, in the range that 95 % of studies with as many runs would
-// have.
-ExplainedReadings explained_in(const Multiverse& multiverse, const PrintedMetrics& printed) {
-  std::map<std::vector<double>, std::optional<Ranges>> known;  // many readings share a series
-  ExplainedReadings explained;
-  for (const OfStudy& study : multiverse.studies) {
-    explained.emplace_back(study.solvers.size());
-    for (std::size_t s = 0; s < study.solvers.size(); ++s) {
-      for (const ChosenSolver& own : study.solvers[s]) {
-        Explained& its = explained.back()[s].emplace_back();
-        for (std::size_t m = 0; m < printed.size(); ++m) {
-          const PrintedRow* const row = row_of(printed[m], multiverse.solvers[s]);
-          if (row == nullptr) continue;
-          const auto [found, is_new] = known.try_emplace(pooled(own, m));
-          if (is_new) found->second = predicted_ranges(found->first, row->numbers.n);
+// Of the default reading's numbers by one seed, those in the ranges of another.
+std::optional<double> expected_by_chance(const Paper& paper, const Multiverse& multiverse) {
+  double inside = 0;
+  const std::vector<std::vector<ChosenSolver>>& solvers = multiverse.studies[0].solvers;
+  const std::size_t seeds = solvers[0][0].means[0].size();
+  for (std::size_t m = 0; m < metrics_of_readings.size() && !paper.means.empty(); ++m) {
+    const PrintedRows printed = printed_means(paper.name, paper.means, metrics_of_readings[m]);
+    for (std::size_t s = 0; s < solvers.size(); ++s) {
+      const PrintedRow* const row = row_of(printed, multiverse.solvers[s]);
+      if (row == nullptr) continue;
+      const std::vector<Group>& own = solvers[s][0].means[m];
+      for (std::size_t seed = 0; seed < seeds; ++seed) {
+        const auto ranges = predicted_ranges(own[seed].values, row->numbers.n);
+        if (!ranges || own[seed].values.size() != static_cast<std::size_t>(row->numbers.n)) return {};
+        for (std::size_t other = 0; other < seeds; ++other) {
+          if (other == seed) continue;
+          const Description its = describe(own[other]);
           for (std::size_t i = 0; i < statistics.size(); ++i) {
-            its[m * statistics.size() + i] = found->second && can_be((*found->second)[i], row->digits[i]);
+            const double number = its.*statistics[i].of;
+            inside += (*ranges)[i].low <= number && number <= (*ranges)[i].high;
           }
         }
       }
     }
   }
-  return explained;
-}
-
-// Readings drawn at random by their weights, the same each time; a seed of each. The side is the verdict of the claim
-// that the solver is the most accurate, and the interval has the level at which claims judge a pair.
-figures::Figure curve(const Multiverse& multiverse, const std::string& solver, const Plan& plan) {
-  constexpr std::size_t drawn = 150;
-  const std::size_t own = place_of(multiverse.solvers, solver);
-  figures::Specifications rows{
-      .groups = {}, .all = {}, .below = solver + " is more accurate than all", .above = "a rival is more accurate"};
-  const Plan of_pair = plan_of_pairs(plan, multiverse.solvers.size());
-  const double z = boost::math::quantile(boost::math::complement(boost::math::normal(), of_pair.significance / 2));
-  Claim claim;
-  claim.metrics = {&metric_named(metrics_of_readings[0])};
-  std::map<std::size_t, std::size_t> groups;  // by dimension
-  for (std::size_t d = 0; d < multiverse.dimensions.size(); ++d) {
-    const Dimension& dimension = multiverse.dimensions[d];
-    if (!dimension.solver.empty() && dimension.solver != solver) continue;
-    groups.emplace(d, groups.size());
-    rows.groups.emplace_back();
-    for (const auto& alternative : dimension.alternatives) rows.groups.back().push_back(alternative.set);
-  }
-  rows.groups.emplace_back();
-  for (const std::string& name : multiverse.solvers) {
-    if (name != solver) rows.groups.back().push_back("best rival: " + name);
-  }
-  std::mt19937_64 engine(1);
-  double before = 0;
-  auto study = multiverse.studies.begin();
-  for (std::size_t i = 0; i < drawn; ++i) {
-    while (study + 1 != multiverse.studies.end() && before + study->weight < (static_cast<double>(i) + 0.5) / drawn)
-      before += (study++)->weight;
-    std::vector<Summary> means;
-    std::vector<Group> errors;
-    std::vector<std::size_t> choices(groups.size() + 1);
-    Chosen chosen = study->chosen;
-    for (const std::vector<ChosenSolver>& of_solver : study->solvers) {
-      const ChosenSolver& each = of_solver[engine() % of_solver.size()];
-      if (means.size() == own) chosen.insert(chosen.end(), each.chosen.begin(), each.chosen.end());
-      errors.push_back(each.means[0][i % each.means[0].size()]);
-      means.push_back(errors.back().lost > 0 ? Summary() : summarise(errors.back().values));
-    }
-    Tally tally;
-    std::size_t rival = own;
-    for (std::size_t s = 0; s < means.size(); ++s) {
-      const bool is_smaller = rival == own || means[s].mean < means[rival].mean;
-      if (s != own && means[s].mean > 0 && is_smaller) rival = s;
-      if (s != own) tally.add(verdict_of(errors[own], errors[s], claim, of_pair));
-    }
-    if (rival == own || means[own].mean == 0) continue;
-    choices.back() = rival < own ? rival : rival - 1;
-    for (const auto& [dimension, alternative] : chosen) choices[groups.at(dimension)] = alternative;
-    const auto error = [](const Summary& of) { return of.sd / std::sqrt(of.n) / of.mean; };
-    const double ratio = means[own].mean / means[rival].mean;
-    const double factor = std::exp(z * std::hypot(error(means[own]), error(means[rival])));
-    rows.all.push_back({ratio, ratio / factor, ratio * factor, tally.worse > 0 ? 1 : tally.open > 0 ? 0 : -1, choices});
-  }
-  std::ranges::stable_sort(rows.all, {}, &figures::Specification::estimate);
-  return figures::specifications(
-      {.name = "multiverse",
-       .caption = fmt::format(
-           "Mean error of {} by that of its best rival in {} readings drawn by their weights, with "
-           "intervals of {:.1f} %. Colours: whether it is more accurate than all, each pair judged at {:g} / "
-           "{:g} as in the table, by the difference of means, which may be open where the ratio is far from "
-           "1. Below: the choices of each.",
-           solver, rows.all.size(), 100 * (1 - of_pair.significance), plan.significance,
-           plan.significance / of_pair.significance),
-       .quantity = fmt::format("mean error of {} / of its best rival", solver)},
-      rows);
+  if (inside == 0) return {};
+  return inside / static_cast<double>(seeds * (seeds - 1));
 }
 
 }  // namespace
 
+std::vector<Condition> JudgedMultiverse::conditions() const {
+  std::vector<Condition> all;
+  for (const InReadings& each : claims) all.push_back(each.condition);
+  return all;
+}
+
 JudgedMultiverse judged(const Paper& paper, const Multiverse& multiverse, const results::Plan& plan) {
-  PrintedMetrics printed;
-  std::size_t numbers = 0;
-  int printed_runs = 0;
-  for (std::size_t m = 0; m < printed.size() && !paper.means.empty(); ++m) {
-    printed[m] = printed_means(paper.name, paper.means, metrics_of_readings[m]);
-    for (const PrintedRow& row : printed[m]) {
-      if (place_of(multiverse.solvers, row.solver) == multiverse.solvers.size()) continue;
-      numbers += statistics.size();
-      printed_runs = row.numbers.n;
-    }
-  }
-  const Group& first = multiverse.studies[0].solvers[0][0].means[0].front();
-  const int runs = static_cast<int>(first.values.size()) + first.lost;
-  const bool can_compare = numbers > 0 && runs == printed_runs;
-  const ExplainedReadings explained = can_compare ? explained_in(multiverse, printed) : ExplainedReadings();
-  std::vector<Counted> claims;
-  JudgedMultiverse result{.claims = {}, .table = {}, .figure = curve(multiverse, paper.solver, plan)};
+  JudgedMultiverse result{
+      .claims = {},
+      .table = {.name = "multiverse",
+                .caption = "The claims in every reading",
+                .columns = {{"claim"}, {"holds"}, {"fails"}, {"not decided"}, {"it fails"}, {"it is not decided"}}},
+      .expected = expected_by_chance(paper, multiverse)};
   for (const Claim& claim : paper.claims) {
     if (!hangs_on_reading(claim)) continue;
-    auto counts = count_claim(multiverse, claim, plan, explained, can_compare ? paper.near : 0);
-    if (!counts) continue;
-    result.claims.push_back(counts->shares);
-    claims.push_back(std::move(*counts));
+    const std::vector<Part> parts = parts_of(multiverse, claim, plan);
+    if (parts.empty()) continue;
+    const auto& [condition, count] = result.claims.emplace_back(judged_claim(multiverse, claim, parts));
+    const auto whole = [](double number) { return static_cast<std::int64_t>(number); };
+    result.table.rows.push_back({claim.sentence, whole(count.holds), whole(count.fails), whole(count.undecided),
+                                 condition.fails, where(multiverse, parts, &Readings::undecided)});
   }
-  result.table = table_of(multiverse, claims);
-  if (can_compare && !claims.empty())
-    result.table.notes.push_back(
-        fmt::format("near: readings that explain at least {} of the {} printed numbers, {} of all.", paper.near,
-                    numbers, percent(result.claims.front().near.all())));
-  if (numbers > 0 && !can_compare)
-    result.table.notes.push_back(
-        fmt::format("The paper has {} runs, this has {}: not compared with print.", printed_runs, runs));
+  double readings = 0;
+  for (const OfStudy& study : multiverse.studies) readings += readings_of(study);
+  result.table.notes = {fmt::format(
+      "{:.0f} readings, each with seeds 1 to {}. Each pair is judged alone, at significance / pairs. Counts depend on "
+      "which answers are listed; they are no probabilities.",
+      readings, multiverse.studies[0].solvers[0][0].means[0].size())};
   return result;
 }
 

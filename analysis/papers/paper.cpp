@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "analysis/figures/plots.hpp"
-#include "analysis/papers/multiverse.hpp"
 #include "analysis/papers/rules.hpp"
 #include "analysis/show/text.hpp"
 #include "numerics/embedded_file.hpp"
@@ -52,7 +51,6 @@ Claim read_claim(TomlReader reader, const std::string& papers_own) {
   reader.texts("solvers", claim.solvers, "");
   reader.texts("against", claim.against, "");
   reader.texts("metrics", metrics, "");
-  reader.number("limit_ms", claim.limit_ms, 1, {0, 1e9}, "");
   reader.refuse_unknown_keys();
   if (claim.id.empty() || claim.sentence.empty() || claim.decides.empty())
     throw reader.mistake("", "a claim without id, sentence or decides");
@@ -130,7 +128,6 @@ Paper read_paper(std::string_view name, std::string_view toml, std::string_view 
     reader.text(key, *field, "");
   reader.texts("studies", paper.studies, "");
   reader.texts("runs", paper.runs, "");
-  reader.whole("near", paper.near, {0, 1000}, "");
   if (const toml::table* const rates = reader.subtable("rates"))
     paper.rates = read_rates(reader.nested(*rates, "rates."));
   const std::vector<const toml::table*> claims = reader.tables("claims", 1000, "1 to 1000 tables [[claims]]");
@@ -238,6 +235,22 @@ std::vector<show::Cell> beside(const Judged& judged, const std::string& solver, 
       printed->sign = agrees(number, printed->printed) ? '=' : can_be((*ranges)[s], printed->printed) ? '~' : 'x';
   }
   return cells;
+}
+
+Explained explained_by(const Repeated& of) {
+  Explained count;
+  for (const Judged& judged : of.study.metrics) {
+    const auto metric = std::ranges::find(metrics(), judged.observations.metric, &Metric::slug);
+    for (const PrintedRow& row : printed_rows(of.paper, *metric)) {
+      for (const show::Cell& cell : beside(judged, row.solver, &row)) {
+        const auto* const printed = std::get_if<show::Printed>(&cell);
+        if (printed == nullptr || printed->sign.empty()) continue;
+        ++count.all;
+        count.explained += printed->sign != "x";
+      }
+    }
+  }
+  return count;
 }
 
 std::string unit_beside(const Metric& metric) { return metric.unit == "s" ? "ms" : std::string(metric.unit); }

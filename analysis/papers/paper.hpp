@@ -33,8 +33,7 @@ struct Claim {
   std::string study = {};  // "limits": of the companion NAME-limits
   From from = From::both;
   std::string table = {};  // of printed times
-  double limit_ms = 0;
-  std::string note = {};  // added to the evidence
+  std::string note = {};   // added to the evidence
 };
 
 // A printed table of shares solved [%], a row an arm.
@@ -54,7 +53,6 @@ struct Paper {
   std::string solver = {};                // that it proposes
   std::string means = {};                 // its table of means; empty: none is printed
   std::string other_reading = {};         // "all-joints": the companion by it
-  int near = 0;                           // a reading is near the print if it explains so many printed numbers
   Rates rates = {};
   std::vector<Claim> claims = {};
 };
@@ -114,7 +112,12 @@ std::vector<std::string> rates_sentences(const Repeated& of);
 std::vector<show::Cell> beside(const compare::Judged& judged, const std::string& solver, const PrintedRow* row);
 std::string unit_beside(const compare::Metric& metric);
 constexpr std::string_view meaning_of_signs =
-    "= as printed, to the last digit; ~ within the range of 95 % of studies with as many runs; x neither";
+    "= as printed, to the last digit; ~ within the range of 92 % of studies with as many runs; x neither";
+// How many of the printed numbers have the sign = or ~, of how many with a sign.
+struct Explained {
+  std::size_t explained = 0, all = 0;
+};
+Explained explained_by(const Repeated& of);
 
 // Means beside the printed ones, a row a solver.
 show::Table means_table(const Repeated& of);

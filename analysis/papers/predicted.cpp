@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "analysis/papers/multiverse.hpp"
+#include "analysis/papers/published.hpp"
 
 namespace ikbench::papers {
 namespace {

@@ -232,36 +232,6 @@ Found better(const Claim& claim, const Repeated& of) {
   return {result};
 }
 
-// Of each pair in this order.
-Tally ordered(const Judged& judged, const Names& order) {
-  Tally pairs;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size(); ++j) pairs.add(verdict_between(judged, order[i], order[j]));
-  }
-  return pairs;
-}
-
-// In part: most pairs.
-Holds holds_mostly(const Tally& pairs) {
-  if (2 * pairs.better > pairs.all()) return always_or_on_average(pairs.better == pairs.all(), true);
-  return pairs.worse > pairs.better ? Holds::fails : Holds::undecided;
-}
-
-Found order(const Claim& claim, const Repeated& of) {
-  const Metric& metric = *claim.metrics.front();
-  const std::optional<Judged> here = judged_here(claim, of, metric), printed = judged_print(claim, of, metric);
-  if (!here || !printed) return {};
-  const Names in_print = rivals_of(*printed, {}), ours = rivals_of(*here, {});
-  const Tally pairs = ordered(*here, in_print);
-  JudgedClaim result = begun(claim);
-  result.holds = holds_mostly(pairs);
-  result.printed = holds_mostly(ordered(*printed, in_print));
-  result.number = fmt::format("{} of {} pairs", pairs.better, pairs.all());
-  result.evidence =
-      fmt::format("By our means: {}; shown in the reverse order: {}.", fmt::join(ours, " < "), pairs.worse);
-  return {result};
-}
-
 // Against each other solver: better in some metric and worse in none, or the other way round.
 Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
   Tally tally;
@@ -278,29 +248,23 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
 Found ahead(const Claim& claim, const Repeated& of) {
   const std::string& solver = claim.solvers.front();
   std::vector<Judged> here, in_print;
-  Names left_out;
   for (const Metric* metric : claim.metrics) {
     std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
     if (!found || !printed) return {};
-    if (std::ranges::all_of(found->findings, [](const Finding& each) { return each.why == Why::apart; }))
-      left_out.emplace_back(metric->name);
     here.push_back(std::move(*found));
     in_print.push_back(std::move(*printed));
   }
   const Tally ours = dominance(here, solver), theirs = dominance(in_print, solver);
   JudgedClaim result = begun(claim);
   result.holds = holds_of(ours);
-  if (!left_out.empty() && result.holds == Holds::holds) result.holds = Holds::in_part;
   result.printed = holds_of(theirs);
   result.number = fmt::format("ahead of {} of {}", ours.better, ours.all());
   result.evidence = fmt::format("In print it is ahead of {}.", theirs.better);
-  if (!left_out.empty()) result.evidence += fmt::format(" Here {} is not compared.", show::listed(left_out));
   return {result};
 }
 
 Found differ(const Claim& claim, const Repeated& of) {
   std::vector<Holds> here, in_print;
-  Names not_tested;
   for (const Metric* metric : claim.metrics) {
     const std::optional<Judged> found = judged_here(claim, of, *metric), printed = judged_print(claim, of, *metric);
     if (!found) return {};
@@ -310,40 +274,21 @@ Found differ(const Claim& claim, const Repeated& of) {
     };
     here.push_back(verdict(found->anova));
     if (printed) in_print.push_back(verdict(printed->anova));
-    if (!found->anova) not_tested.emplace_back(metric->name);
   }
   JudgedClaim result = begun(claim);
   result.holds = holds_of(here);
   if (!in_print.empty()) result.printed = holds_of(in_print);
   result.number = fmt::format("{} of {} differ", std::ranges::count(here, Holds::holds), here.size());
-  if (!not_tested.empty()) {
-    result.number += fmt::format(", {} untested", not_tested.size());
-    result.evidence = fmt::format("Not tested: {}.", show::listed(not_tested));
-  }
   return {result};
 }
 
-// Counts of solves.
-
-JudgedClaim inside_limits(const Claim& claim, const Repeated&, const StudyResults& study) {
-  JudgedClaim result = begun(claim);
-  const std::span<const Solve> solves = study.of(claim.solvers.front());
-  std::size_t outside = 0;
-  double worst = 0;
-  for (const Solve& solve : solves) {
-    outside += solve.is_outside_limits;
-    worst = std::max(worst, solve.limit_violation_deg);
-  }
-  result.holds = always_or_on_average(outside == 0, false);
-  result.number = fmt::format("{} of {} outside", outside, solves.size());
-  result.evidence = fmt::format("The worst joint is outside by {} deg.", number_text(worst));
-  return result;
-}
-
 // At most ten times the spacing of doubles at the farthest target.
-JudgedClaim at_rounding(const Claim& claim, const Repeated&, const StudyResults& study) {
-  JudgedClaim result = begun(claim);
+Found at_rounding(const Claim& claim, const Repeated& of) {
+  const JudgedStudy* const judged = study_of(claim, of);
   const std::string& solver = claim.solvers.front();
+  if (judged == nullptr || judged->study.of(solver).empty()) return {};
+  const StudyResults& study = judged->study;
+  JudgedClaim result = begun(claim);
   double farthest_cm = 0;
   for (const results::SolveRecord& solve : study.first_run_of(solver)) {
     double square = 0;
@@ -358,38 +303,7 @@ JudgedClaim at_rounding(const Claim& claim, const Repeated&, const StudyResults&
   result.number = fmt::format("mean {} cm", number_text(mean));
   result.evidence = fmt::format("The largest is {} cm; ten times the spacing of doubles is {} cm there.",
                                 number_text(largest), number_text(most));
-  return result;
-}
-
-// Not compared if the solver's times are not clean. It is held against a limit, not against the others.
-JudgedClaim in_time(const Claim& claim, const Repeated& of, const StudyResults& study) {
-  JudgedClaim result = begun(claim);
-  const double limit = claim.limit_ms;
-  const std::string& solver = claim.solvers.front();
-  const Timed own = timed(study, solver, limit);
-  const auto n = std::ssize(own.ms.values);
-  const PrintedRows rows = printed_times(of.paper.name, claim.table);
-  if (const PrintedRow* printed = row_of(rows, solver))
-    result.printed = always_or_on_average(printed->numbers.largest < limit, printed->numbers.mean < limit);
-  result.number = fmt::format("{} of {} to {:g} cm", own.reached, n, study.definition.stop.tolerance_cm);
-  result.holds = Holds::not_compared;
-  StudyResults alone = study;
-  const std::span<const Solve> solves = study.of(solver);
-  alone.solvers = {solver};
-  alone.solves.assign(solves.begin(), solves.end());
-  for (Solve& solve : alone.solves) solve.solver = 0;
-  if (!observe(alone, metric_named("seconds")).doubts.empty()) return result;
-  result.holds = always_or_on_average(own.both == n, describe(own.ms).median < limit);
-  result.number += fmt::format(", {} in time", own.in_time == n ? "all" : fmt::to_string(own.in_time));
-  return result;
-}
-
-// Judges them if there are any.
-template <JudgedClaim (*judge)(const Claim&, const Repeated&, const StudyResults&)>
-Found of_solves(const Claim& claim, const Repeated& of) {
-  const JudgedStudy* const judged = study_of(claim, of);
-  if (judged == nullptr || judged->study.of(claim.solvers.front()).empty()) return {};
-  return {judge(claim, of, judged->study)};
+  return {result};
 }
 
 // A claim of each solver, over all arms.
@@ -439,13 +353,10 @@ Found ratios(const Claim& claim, const Repeated& of) {
 }
 
 constexpr Rule all_rules[]{{"better", better},
-                           {"order", order},
                            {"ahead", ahead},
                            {"differ", differ},
                            {"ratios", ratios},
-                           {"inside_limits", of_solves<inside_limits>, false},
-                           {"in_time", of_solves<in_time>, false},
-                           {"at_rounding", of_solves<at_rounding>, false},
+                           {"at_rounding", at_rounding, false},
                            {"as_printed", as_printed, false}};
 
 }  // namespace

@@ -18,10 +18,9 @@ struct Rule {
   Found (*judge)(const Claim& claim, const Repeated& of);
   bool is_of_metrics = true;
 };
-// better: its solvers are better than the others in each metric. order: each pair is in the printed order. ahead: its
-// solver is better than each other in some metric, and worse in none. differ: all differ, by one-way ANOVA. ratios: of
-// times, which are not compared. inside_limits, in_time, at_rounding: all of its solver's solves are. as_printed: each
-// printed share of solved targets is ours.
+// better: its solvers are better than the others in each metric. ahead: its solver is better than each other in some
+// metric, and worse in none. differ: all differ, by one-way ANOVA. ratios: of times, which are not compared.
+// at_rounding: all of its solver's errors are. as_printed: each printed share of solved targets is ours.
 numerics::Choices<const Rule*> rules();
 
 JudgedClaim begun(const Claim& claim);  // without a verdict

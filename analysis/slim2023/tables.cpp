@@ -136,28 +136,47 @@ std::optional<Table> table_8(const Repeated& of) {
   return table;
 }
 
-std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims) {
-  const auto words = [](Holds holds, const std::string& number) {
-    const bool is_open = holds == Holds::undecided || !is_judged(holds);
-    return fmt::format("{}{} ({})", is_open ? "is " : "", name_of(holds), number);
-  };
-  const JudgedClaim* const most = claim_named(claims, "most_accurate");
-  if (most == nullptr || most->number.empty()) return {};
-  std::string first = fmt::format("\"{}\" {}", most->sentence, words(most->holds, most->number));
-  if (most->otherwise)
-    first += fmt::format(" if the joints before the wrist are searched, and {} if all seven are",
-                         words(*most->otherwise, most->number_otherwise));
-  std::vector<std::string> all{first + '.'};
-  if (const std::string shares = shares_words(*most); !shares.empty())
-    all.push_back(fmt::format("Over the readings that were tried it {}.", shares));
-  std::vector<std::string> better;
-  for (const auto& [id, when] :
-       {std::pair("better_than_classical", ""), std::pair("accurate_none_clamped", ", if no solver is clamped"),
-        std::pair("accurate_inside_limits", ", if all limits are enforced")}) {
-    const JudgedClaim* const claim = claim_named(claims, id);
-    if (claim && claim->holds == Holds::fails) better.push_back(fmt::format("{} cm{}", claim->rival, when));
-  }
-  if (!better.empty()) all.push_back(fmt::format("Better than it: {}.", show::listed(better, "; ")));
+namespace {
+
+std::string first_sentence(Holds conclusion, const Explained& numbers) {
+  const std::string_view words = conclusion == Holds::holds     ? "repeats in its conclusion, and in"
+                                 : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
+                                 : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
+                                                              : "is not shown to repeat in its conclusion; it does in";
+  return fmt::format("Slim et al. 2023 {} {} of its {} numbers.", words, numbers.explained, numbers.all);
+}
+
+bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
+
+}  // namespace
+
+std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const Explained& numbers,
+                                   const std::optional<double>& expected) {
+  const JudgedClaim *const best = claim_named(claims, "best_compromise"),
+                           *const accurate = claim_named(claims, "most_accurate"),
+                           *const classical = claim_named(claims, "better_than_classical");
+  if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
+  std::vector<std::string> all{first_sentence(best->holds, numbers)};
+  if (expected) all.front() += fmt::format(" Of the same program about {:.0f} would be.", *expected);
+  std::string words =
+      fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
+  if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
+    words =
+        "IK-BA has the \"best compromise\", as the paper concludes: the least error, and with MO-PSO the least joint "
+        "motion";
+  all.push_back(words + '.');
+  words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds == Holds::undecided ? "is " : "",
+                      name_of(accurate->holds), accurate->number);
+  const Condition& condition = accurate->condition;
+  if (!condition.told.empty())
+    words +=
+        fmt::format(". Of the readings that were tried it fails only where {}; elsewhere it holds or is not decided",
+                    condition.told);
+  else if (!condition.fails.empty())
+    words += fmt::format(". Of the readings that were tried it fails {}", condition.fails);
+  all.push_back(words + '.');
+  if (classical != nullptr && classical->holds == Holds::fails)
+    all.push_back(fmt::format("Better than it, and not in the paper: {} cm.", classical->rival));
   return all;
 }
 

@@ -29,8 +29,10 @@ std::vector<show::Table> anova_tables(const papers::Repeated& of);
 std::optional<show::Table> table_7(const papers::Repeated& of);
 std::optional<show::Table> table_8(const papers::Repeated& of);
 
-// Is IK-BA the most accurate? By which reading? What beats it? At most three, of which each has its numbers.
-std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims);
+// Does the paper's conclusion repeat, and how many of its numbers? On what does it depend that IK-BA is the most
+// accurate?
+std::vector<std::string> sentences(const std::vector<papers::JudgedClaim>& claims, const papers::Explained& numbers,
+                                   const std::optional<double>& expected = {});
 
 // Further sections of the report; `figures_of_circle` stand by Table 8.
 std::vector<show::Blocks> sections(const papers::Repeated& of,

@@ -41,8 +41,6 @@ std::vector<Figure> every_kind(const std::string& label) {
       path(named("above"), {.targets = {{1, 2, 3}}, .reached_label = label, .is_from_above = true}),
       joints(named("joints"), {{label, 1, {{10, 20}, {15, 95}}}, {label, 2}}, {{label, -90, 90}, {label}}),
       overview(named("overview"), label, {{label, 1, 10, 0.5, 20, 0.1}, {label, 2, nowhere, nowhere}}),
-      specifications(named("specifications"),
-                     {{{label, "b"}, {"c"}}, {{0.5, 0.1, 0.9, -1, {0, 0}}, {2, 1.5, 4, 1, {1, 0}}}, label, label}),
   };
 }
 
@@ -126,18 +124,6 @@ TEST_CASE("joints have a panel each, and angles outside the limits are told", "[
   const Figure outside = joints(error_in("j"), {{"A", 1, {{91, 0}}}, {"B", 2, {{0, 0}}}}, columns);
   CHECK(contains(outside.caption, "Rings: outside the limits."));
   CHECK(contains(outside.settings, "(b) B"));
-}
-
-TEST_CASE("the specification curve has the side of each verdict and the row of each choice", "[plots]") {
-  const Figure figure = specifications(
-      error_in("s"),
-      {{{"a", "b"}, {"c"}}, {{0.1, 0.01, 0.5, -1, {1, 0}}, {10, 0.5, 100, 0, {0, 0}}}, "below", "above"});
-  // log10 from -2 to 2 on rows 1 to 13; the groups' rows are -1.45, -2.45 and -3.9.
-  CHECK(figure.data ==
-        "# share of readings before it [%]; ratio, low, high; their rows; side of the verdict: -1 below 1, 1 above\n"
-        "25 0.1 0.01 0.5 4 1 6.096910013008056 -1\n75 10 0.5 100 10 6.096910013008056 13 0\n\n\n"
-        "# share of readings before it [%], row of a choice, side of its verdict\n"
-        "25 -2.45 -1\n25 -3.9000000000000004 -1\n75 -1.45 0\n75 -3.9000000000000004 0\n");
 }
 
 TEST_CASE("an axis is logarithmic from a factor of 30 on, and says what lies at its edge", "[plots]") {
