@@ -204,8 +204,9 @@ std::vector<std::string> departures(const Study& study, const Study& original) {
   std::vector<std::string> found;
   const auto ours = definition(study).flatten(), theirs = definition(original).flatten();
   for (const auto& [pointer, value] : theirs.items()) {
+    const bool of_arm = pointer == "/robot" || pointer.starts_with("/initial_deg");  // which its limits may move
     const bool is_free = pointer == "/name" || pointer == "/title" || pointer == "/seed" || pointer == "/trace" ||
-                         pointer == "/repeats" || (pointer == "/robot" && original.path->name() == "random") ||
+                         pointer == "/repeats" || (of_arm && original.path->name() == "random") ||
                          pointer.starts_with("/analysis/") || pointer.starts_with("/figures/");
     if (is_free || (ours.contains(pointer) && ours[pointer] == value)) continue;
     std::string key = pointer.substr(1);

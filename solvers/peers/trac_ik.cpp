@@ -13,7 +13,6 @@
 namespace ikbench::solvers {
 
 namespace {
-
 using namespace robots;
 
 class TracIk final : public Solver {
