@@ -60,7 +60,9 @@ class TracIk final : public Solver {
   };
 
   bool is_over(Evaluations& evaluations) const {
-    return evaluations.is_over() || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
+    const std::int64_t most = solve_.problem.stop.evaluations;
+    const bool has_no_step_left = most > 0 && evaluations.objective().evaluations() > most - 2;  // of Newton's
+    return evaluations.is_over() || has_no_step_left || newton_->finished() || steps_ >= solve_.problem.stop.iterations;
   }
 
   // A step of Newton's, then the squared twist and its slope for SLSQP.
