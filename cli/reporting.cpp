@@ -184,13 +184,14 @@ void check_plan(const Study& study) {
 void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
-  ProgressBar bar("drawing", "figures");
+  std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Published published =
       show::publish(reported, folder,
                     {.render = are_drawn(arguments.figures),
-                     .progress = [&](std::int64_t done, std::int64_t all) { bar.show({.done = done, .total = all}); },
+                     .progress = [&](std::int64_t done, std::int64_t all) { bar->show({.done = done, .total = all}); },
                      .style = style},
                     program_name());
+  bar.reset();  // leaves its line to the screen
   for (const std::string& warning : published.warnings) warn(warning);
   if (arguments.is_json) {
     numerics::OrderedJson json = show::to_json(reported.shown);
