@@ -210,8 +210,8 @@ std::vector<std::string> measured_apart(const StudyResults& study) {
 // Those whose solves are another's, so that only the machine can make their times differ; the control is none.
 std::vector<std::string> copies_of_others(const StudyResults& study) {
   std::vector<std::string> copies, originals, solvers = study.solvers;
-  std::ranges::stable_partition(solvers,
-                                [&](const std::string& each) { return each == study.definition.plan.control; });
+  const auto is_control = [&](const std::string& each) { return each == study.definition.plan.control; };
+  std::stable_partition(solvers.begin(), solvers.end(), is_control);
   for (const std::string& solver : solvers) {
     const bool is_copy = !study.of(solver).empty() && std::ranges::any_of(originals, [&](const std::string& original) {
       return have_same_solves(study.of(original), study.of(solver));
