@@ -20,7 +20,7 @@ constexpr bool is_judged(Holds holds) { return holds != Holds::not_compared && h
 struct Condition {
   std::string id;         // of the claim
   std::string fails;      // "only where bounds=initial", "nowhere"
-  std::string told = {};  // the same in words, with numbers; empty if no two answers tell it
+  std::string told = {};  // the same in words, with numbers; empty where no pair of answers tells it
 };
 
 struct JudgedClaim {

@@ -220,7 +220,7 @@ std::string numbers_with(const Multiverse& multiverse, const Claim& claim, const
 // "only where bounds=initial or BA.best_of=evaluated"
 std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, Outcome outcome) {
   if (!happens(parts, outcome, {})) return "nowhere";
-  if (happens(parts, outcome, answers_of(multiverse))) return "also by default";
+  if (happens(parts, outcome, answers_of(multiverse))) return "in some seeds of the default, too";
   Names sets;
   std::string_view between = " and ";
   for (const Chosen& each : smallest_sets(multiverse, parts, outcome)) {
@@ -230,7 +230,7 @@ std::string where(const Multiverse& multiverse, const std::vector<Part>& parts, 
     sets.push_back(fmt::format("{}", fmt::join(answers, " or ")));
     if (each.size() > 1) between = ", and only where ";
   }
-  if (sets.empty()) return "no two answers tell where";
+  if (sets.empty()) return "in no pair of answers alone";
   return fmt::format("only where {}", fmt::join(sets, between));
 }
 

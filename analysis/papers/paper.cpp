@@ -291,7 +291,7 @@ show::Table rates_table(const Repeated& of, bool has_intervals) {
                                      : rate.is_as_printed() ? "~"
                                                             : "x"});
       if (!has_intervals) continue;
-      row.push_back(rate.share ? show::Cell(fmt::format("{:.1f}-{:.1f}", 100 * of_ours.low, 100 * of_ours.high))
+      row.push_back(rate.share ? show::Cell(fmt::format("{:.2f}-{:.2f}", 100 * of_ours.low, 100 * of_ours.high))
                                : show::Cell());
     }
   }

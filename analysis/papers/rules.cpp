@@ -226,7 +226,7 @@ Found better(const Claim& claim, const Repeated& of) {
   result.holds = holds_of(here);
   if (!in_print.empty()) result.printed = holds_of(in_print);
   if (!same.empty())
-    result.evidence = fmt::format("All answers of {} are the same to the last bit.", show::listed(same));
+    result.evidence = fmt::format("The answers of {} are the same to the last bit.", show::listed(same));
   if (!lists.empty())
     result.evidence += (same.empty() ? "" : " ") + sentence(fmt::format("{}", fmt::join(lists, "; ")));
   return {result};

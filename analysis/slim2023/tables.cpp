@@ -143,7 +143,8 @@ std::string first_sentence(Holds conclusion, const Explained& numbers) {
                                  : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
                                  : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
                                                               : "is not shown to repeat in its conclusion; it does in";
-  return fmt::format("Slim et al. 2023 {} {} of its {} numbers.", words, numbers.explained, numbers.all);
+  return fmt::format("Slim et al. 2023 {} {} of the {} errors and joint motions of Table 3", words, numbers.explained,
+                     numbers.all);
 }
 
 bool holds(const JudgedClaim* claim) { return claim != nullptr && claim->holds == Holds::holds; }
@@ -157,23 +158,24 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
                            *const classical = claim_named(claims, "better_than_classical");
   if (best == nullptr || accurate == nullptr || accurate->number.empty()) return {};
   std::vector<std::string> all{first_sentence(best->holds, numbers)};
-  if (expected) all.front() += fmt::format(" Of the same program about {:.0f} would be.", *expected);
+  if (expected) all.front() += fmt::format("; of the same program with another seed about {:.0f} would", *expected);
+  all.front() += '.';
   std::string words =
       fmt::format("The paper concludes that {}: {} ({})", best->sentence, name_of(best->holds), best->number);
   if (holds(best) && holds(accurate) && holds(claim_named(claims, "least_variation")))
     words =
-        "IK-BA has the \"best compromise\", as the paper concludes: the least error, and with MO-PSO the least joint "
-        "motion";
+        "IK-BA has the \"best compromise\" of error and joint motion: the least error, and with MO-PSO the least joint "
+        "motion. Computing time, of which the paper's conclusion speaks, too, is not compared";
   all.push_back(words + '.');
   words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds == Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
   const Condition& condition = accurate->condition;
   if (!condition.told.empty())
     words +=
-        fmt::format(". Of the readings that were tried it fails only where {}; elsewhere it holds or is not decided",
+        fmt::format(". Of the readings that we chose to try it fails where {}; elsewhere it holds or is not decided",
                     condition.told);
   else if (!condition.fails.empty())
-    words += fmt::format(". Of the readings that were tried it fails {}", condition.fails);
+    words += fmt::format(". Of the readings that we chose to try it fails {}", condition.fails);
   all.push_back(words + '.');
   if (classical != nullptr && classical->holds == Holds::fails)
     all.push_back(fmt::format("Better than it, and not in the paper: {} cm.", classical->rival));
