@@ -34,23 +34,7 @@ using namespace experiments;
 
 namespace {
 
-constexpr EmbeddedFile references[]{
-#include "references.inc"
-};
-
-// The keys of docs/references.bib whose keywords name a solver or an arm.
-std::string references_of(std::string_view name) {
-  std::vector<std::string> keys;
-  std::istringstream lines{std::string(references[0].text)};
-  for (std::string line, key; std::getline(lines, line);) {
-    if (line.starts_with('@')) key = line.substr(line.find('{') + 1, line.find(',') - line.find('{') - 1);
-    if (line.find("keywords = ") == std::string::npos) continue;
-    std::ranges::replace_if(
-        line, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, ' ');
-    if (line.find(fmt::format(" {} ", name)) != std::string::npos) keys.push_back(key);
-  }
-  return fmt::format("{}", fmt::join(keys, ", "));
-}
+std::string cited_for(std::string_view name) { return fmt::format("{}", fmt::join(references_of(name), ", ")); }
 
 // A list for a reader and for a program.
 struct Listed {
@@ -82,10 +66,10 @@ Listed listed(const show::Table& table) {
 show::Table solver_list() {
   show::Table table{.name = "solvers", .caption = "", .columns = {{"name"}, {"what"}, {"cite"}}};
   for (const SolverInfo& info : all_solvers()) {
-    table.rows.push_back({info.name, info.summary, references_of(info.name)});
+    table.rows.push_back({info.name, info.summary, cited_for(info.name)});
   }
   for (const MissingPeer& peer : missing_peers()) {
-    table.rows.push_back({peer.name, peer.how, references_of(peer.name)});
+    table.rows.push_back({peer.name, peer.how, cited_for(peer.name)});
   }
   return table;
 }
@@ -107,12 +91,12 @@ Listed solver_details(std::string_view name) {
   const std::string library = info.library.empty() ? "" : fmt::format("\nbuilt with {}", info.library);
   return {fmt::format("{}\n\n{}",
                       wrapped(fmt::format("{}: {}\nsource: {}; cite {}{}", info.name, info.summary, info.source,
-                                          references_of(info.name), library)),
+                                          cited_for(info.name), library)),
                       options.text),
           {{"name", info.name},
            {"what", info.summary},
            {"from", info.source},
-           {"cite", references_of(info.name)},
+           {"cite", cited_for(info.name)},
            {"library", info.library},
            {"options", options.json}}};
 }
@@ -120,7 +104,7 @@ Listed solver_details(std::string_view name) {
 show::Table robot_list() {
   show::Table table{.name = "robots", .caption = "", .columns = {{"name"}, {"joints"}, {"what"}, {"cite"}}};
   for (const Robot& arm : all_robots())
-    table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary, references_of(arm.name)});
+    table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary, cited_for(arm.name)});
   return table;
 }
 

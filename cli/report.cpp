@@ -1,26 +1,57 @@
 // ikbench report: tables and figures from any store, without solving.
+#include "analysis/show/report.hpp"
+
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "analysis/compare/judge.hpp"
 #include "cli/commands.hpp"
+#include "cli/console.hpp"
 #include "cli/options.hpp"
 #include "cli/reporting.hpp"
+#include "experiments/environment.hpp"
 
 namespace ikbench::cli {
 
 using namespace results;
 using namespace experiments;
 
+namespace {
+
+void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out) {
+  if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
+  std::vector<show::Shown> studies;
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    const Store store(file, Store::Mode::read);
+    const StudyEntry entry = chosen_study(store, study);
+    studies.push_back(show::shown(compare::judge(compare::read_study(store, entry))));
+    names.push_back(entry.name);
+  }
+  const show::Table table = show::studies_table(studies, names);
+  const std::filesystem::path folder = std::filesystem::path(out) / "tables";
+  show::write_table(table, folder, program_name());
+  fmt::print("{}Table: {}\n", printable(show::to_text(table)), printable((folder / "studies.csv").string()));
+}
+
+}  // namespace
+
 void add_report(CLI::App& app, Invocation&) {
   struct Arguments {
-    std::string store, study, out;
+    std::vector<std::string> stores;
+    std::string study, out;
     ReportArguments report;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("report", "Write tables, figures and the report from a store, without solving");
-  command->add_option("STORE", arguments->store, "path of a store.sqlite")->required();
+  command->add_option("STORE", arguments->stores, "path of a store.sqlite; of several: one table, solvers by studies")
+      ->required();
   command->add_option("--study", arguments->study, "name of the study; default: the first in the store");
   command->add_option("--out", arguments->out, "folder to write to; default: the folder of the store")
       ->check(not_empty());
@@ -29,11 +60,14 @@ void add_report(CLI::App& app, Invocation&) {
       "Examples:\n"
       "  ikbench report out/my/store.sqlite\n"
       "  ikbench report theirs.sqlite --out out/theirs\n"
+      "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
-    const std::filesystem::path folder = arguments->out.empty() ? std::filesystem::path(arguments->store).parent_path()
-                                                                : std::filesystem::path(arguments->out);
-    const Store store(arguments->store, Store::Mode::read);
+    if (arguments->stores.size() > 1) return write_studies(arguments->stores, arguments->study, arguments->out);
+    const std::string& file = arguments->stores.front();
+    const std::filesystem::path folder =
+        arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);
+    const Store store(file, Store::Mode::read);
     const StudyEntry study = chosen_study(store, arguments->study);
     write_and_announce(store, study.name, folder.empty() ? "." : folder, arguments->report);
   });

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <thread>
 #include <utility>
 
@@ -23,6 +24,7 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "numerics/embedded_file.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
 #include "results/export.hpp"
@@ -181,9 +183,30 @@ void check_plan(const Study& study) {
   if (!study.analysis.metric.empty()) static_cast<void>(compare::metric_named(study.analysis.metric));
 }
 
+std::vector<std::string> references_of(std::string_view name) {
+  constexpr numerics::EmbeddedFile references[]{
+#include "references.inc"
+  };
+  std::vector<std::string> keys;
+  std::istringstream lines{std::string(references[0].text)};
+  for (std::string line, key; std::getline(lines, line);) {
+    if (line.starts_with('@')) key = line.substr(line.find('{') + 1, line.find(',') - line.find('{') - 1);
+    if (line.find("keywords = ") == std::string::npos) continue;
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, ' ');
+    if (line.find(fmt::format(" {} ", name)) != std::string::npos) keys.push_back(key);
+  }
+  return keys;
+}
+
 void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const FigureStyle& style, const std::string& screen) {
   if (!arguments.figures.empty() && are_drawn(arguments.figures)) choose_figures(reported, arguments.figures);
+  std::set<std::string> names{reported.study.definition.robot, reported.study.definition.published}, keys;
+  for (const Series& series : reported.study.entry.series) names.insert(series.algorithm);
+  names.erase("");
+  for (const std::string& name : names) std::ranges::copy(references_of(name), std::inserter(keys, keys.end()));
+  reported.keys.assign(keys.begin(), keys.end());
   std::optional<ProgressBar> bar(std::in_place, "drawing", "figures");
   show::Published published =
       show::publish(reported, folder,

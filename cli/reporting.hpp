@@ -39,6 +39,8 @@ std::vector<std::string> labels_of(const results::StudyEntry& stored);
 // Throws std::invalid_argument if the plan names no metric. Call it before anything is solved.
 void check_plan(const experiments::Study& study);
 
+// The keys of docs/references.bib whose keywords name a solver, an arm or a paper.
+std::vector<std::string> references_of(std::string_view name);
 // Writes the report into the folder, and prints its screen (the study's, if it is empty) or JSON.
 void announce(show::Reported reported, const std::filesystem::path& folder, const ReportArguments& arguments,
               const results::FigureStyle& style, const std::string& screen = {});

@@ -28,6 +28,7 @@ struct Marked {
   bool is_bound = false;
   std::optional<compare::Interval> interval = {};
   std::optional<compare::Scale> to_reference = {};
+  bool is_best = false;
 };
 // Readers see three digits, and "-" for an empty cell (std::monostate) and a number that is not finite.
 using Cell = std::variant<std::monostate, std::string, std::int64_t, double, compare::Interval, Printed, Marked>;

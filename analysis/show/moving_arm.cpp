@@ -104,17 +104,18 @@ std::string json_in_page(const Json& json) {
 
 }  // namespace
 
-std::optional<std::string> moving_arm(const StudyResults& study) {
+std::optional<std::string> moving_arm(const StudyResults& study, const std::vector<std::string>& order) {
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   if (!arm || !can_be_drawn(study, arm->chain.links().size())) return std::nullopt;
   Json solvers = Json::array();
-  for (const std::string& solver : study.solvers) {
+  for (const std::string& solver : order) {
     if (solvers.size() == most_solvers) break;
     Json run = first_run(study, solver, *arm);
     if (!run.is_null()) solvers.push_back(std::move(run));
   }
   if (solvers.empty()) return std::nullopt;
-  return json_in_page({{"arm", drawn(arm->chain)}, {"solvers", std::move(solvers)}});
+  const bool is_path = !study.definition.draws_targets;
+  return json_in_page({{"arm", drawn(arm->chain)}, {"is_path", is_path}, {"solvers", std::move(solvers)}});
 }
 
 std::optional<std::string> drawing_library() {

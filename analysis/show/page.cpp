@@ -49,16 +49,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// Safe as an anchor and in a link.
-std::string id_of(std::string_view name) {
-  std::string id;
-  for (const char c : name) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (is_letter || (!id.empty() && id.back() != '-')) id += is_letter ? c : '-';
-  }
-  return id;
-}
-
 std::string menu(const std::vector<std::pair<std::string, std::string>>& files) {
   std::string text = "<details class=\"menu\"><summary>Download</summary><div>";
   for (const auto& [name, file] : files) text += fmt::format("<a href=\"{}\" download>{}</a>", html_text(file), name);
@@ -111,11 +101,12 @@ struct PageWriter {
 };
 
 // The first section: the sentence, what was studied, and side by side the table and the arm.
-std::string answer(const Blocks& blocks, const PageWriter& write, const std::string& contents, std::string_view stage) {
+std::string answer(const std::string& title, const Blocks& blocks, const PageWriter& write, const std::string& contents,
+                   std::string_view stage) {
   std::string head, body;
   for (const Block& block : blocks) {
     if (const auto* heading = std::get_if<Heading>(&block); heading && head.empty())
-      head = fmt::format("<h1>{}</h1>\n", html_text(heading->text));
+      head = fmt::format("<p class=\"note\">{}</p>\n<h1>{}</h1>\n", html_text(title), html_text(heading->text));
     else
       (std::holds_alternative<std::string>(block) && body.empty() ? head : body) += std::visit(write, block);
   }
@@ -158,8 +149,8 @@ std::string to_page(const std::string& title, const std::vector<Blocks>& section
                fmt::format("<script type=\"application/json\" id=\"motion-data\">{}</script>\n", *arm) +
                script(template_named("moving_arm.js"));
   const std::span rest(sections.begin() + 1, sections.end());
-  std::string text =
-      answer(sections.front(), write, contents_of(rest), library ? template_named("stage.html") : std::string_view());
+  std::string text = answer(title, sections.front(), write, contents_of(rest),
+                            library ? template_named("stage.html") : std::string_view());
   for (const Blocks& blocks : rest) text += section(blocks, write);
   return filled(template_named("page.html"), {{"title", html_text(title)},
                                               {"style", std::string(template_named("page.css"))},

@@ -6,6 +6,7 @@
 
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
+#include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
@@ -61,6 +62,32 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
   return figures;
 }
 
+// An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
+// warnings; a caption says of what.
+Table for_article(Table table, const Reported& of) {
+  if (table.name == "pairs") {
+    const std::string& metric = of.shown.decisive().observations.quantity;
+    std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
+  }
+  if (table.name == "results") {
+    for (const compare::Doubt& doubt : of.shown.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
+  }
+  for (std::size_t c = table.columns.size(); c-- > 0;) {
+    constexpr std::array<std::string_view, 3> wordy{"by the other reading", "of all readings it fails", "why"};
+    if (std::ranges::find(wordy, table.columns[c].name) == wordy.end()) continue;
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+  const std::string& name = of.study.entry.name;
+  if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);
+  if (!of.study.entry.series.empty())
+    table.caption += fmt::format(". {}. A solve ends at {}.", what_is_studied(of.study), stops_of(of.study));
+  else if (!name.empty())
+    table.caption += fmt::format(" of {}", name);
+  return table;
+}
+
 }  // namespace
 
 std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
@@ -72,11 +99,11 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
   return types;
 }
 
-void write_table(const Table& table, const fs::path& folder, const std::string& program) {
+void write_table(const Table& table, const fs::path& folder, const std::string& program, const Reported& of) {
   const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
   results::write_file(folder / (table.name + ".csv"), to_csv(table));
   results::write_file(folder / (table.name + ".md"), to_markdown(table));
-  results::write_file(folder / (table.name + ".tex"), to_latex(table) + made);
+  results::write_file(folder / (table.name + ".tex"), to_latex(for_article(table, of)) + made);
 }
 
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
@@ -98,12 +125,9 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       if (!std::holds_alternative<Table>(block)) continue;
-      Table table = std::get<Table>(block);
+      const Table& table = std::get<Table>(block);
       if (table.name.empty()) continue;
-      if (table.name == "results") {  // in an article it stands without the report's warnings
-        for (const compare::Doubt& doubt : of.shown.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
-      }
-      write_table(table, folder / "tables", program);
+      write_table(table, folder / "tables", program, of);
       for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
     }
   }
@@ -115,8 +139,14 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = of.study.definition.title;
-  results::write_file(published.page, to_page(title.empty() ? of.study.entry.name : title, sections,
-                                              is_of_study ? moving_arm(of.study) : std::nullopt, folder, program));
+  std::vector<std::string> order;
+  if (is_of_study) {
+    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.plan))
+      order.push_back(of.shown.decisive().observations.groups[i].name);
+  }
+  results::write_file(published.page,
+                      to_page(title.empty() ? of.study.entry.name : title, sections,
+                              is_of_study ? moving_arm(of.study, order) : std::nullopt, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);

@@ -22,6 +22,7 @@ struct Reported {
   std::vector<Blocks> additions = {};
   bool has_own_numbers = false;            // the additions have the descriptions and the ANOVA
   std::vector<std::string> warnings = {};  // beside the study's own
+  std::vector<std::string> keys = {};      // to cite, of docs/references.bib
 };
 Reported reported(compare::JudgedStudy judged, std::vector<figures::Figure> figures);
 
@@ -38,8 +39,9 @@ std::string to_markdown(const std::vector<Blocks>& sections, const std::filesyst
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
-// NAME.csv, NAME.md and NAME.tex.
-void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program);
+// NAME.csv, NAME.md and NAME.tex, which says of what it is: its label begins with that name.
+void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program,
+                 const Reported& of = {});
 
 struct Published {
   std::filesystem::path page;         // report.html

@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t most_rows = 7, most_notes = 3, most_warnings = 3, longest_name = 24;
+constexpr std::size_t most_rows = 20, most_notes = 3, most_warnings = 3, longest_name = 24;
 
 Lines lines_of(const std::string& text) {
   Lines lines;
@@ -25,29 +25,10 @@ Lines lines_of(const std::string& text) {
   return lines;
 }
 
-// A line a pair: those of the best solvers first, as the table has them.
+// A line a pair.
 Lines pairs_of(const Shown& shown) {
-  const bool has_two = shown.decisive().described.size() == 2;
-  std::vector<std::vector<std::string>> rows;
-  for (const Judged& judged : shown.metrics) {
-    if (!has_two && &judged != &shown.decisive()) continue;
-    std::vector<Finding> findings = judged.findings;
-    const std::vector<std::size_t> order = best_first(judged, shown.plan);
-    const auto place = [&](const std::string& name) {
-      return std::ranges::find(order, name, [&](std::size_t i) { return judged.observations.groups[i].name; });
-    };
-    std::ranges::stable_sort(findings, {}, [&](const Finding& of) {
-      return std::minmax({place(of.first), place(of.second)});
-    });
-    for (const Finding& of : findings) {
-      auto& row = rows.emplace_back();
-      if (has_two) row.push_back("  " + shortened(judged.observations.quantity, longest_name));
-      row.push_back((has_two ? "" : "  ") + fmt::format("{} vs {}", of.first, of.second));
-      row.push_back(verdict_words(of, judged));
-      row.push_back(amount_words(of, judged));
-      row.push_back(of.p ? p_sentence(*of.p) : "");
-    }
-  }
+  std::vector<std::vector<std::string>> rows = pair_rows(shown);
+  for (std::vector<std::string>& row : rows) row[0] = shortened(row[0], 2 * longest_name + 4);
   return lines_of(aligned(rows));
 }
 
@@ -56,8 +37,7 @@ Lines table_of(const Shown& shown) {
   table.columns[0].name = "";
   const std::size_t all = table.rows.size();
   if (all > most_rows) table.rows.resize(most_rows - 1);
-  std::vector<std::string> notes = std::exchange(table.notes, {});
-  std::erase_if(notes, [](const std::string& note) { return note.starts_with('!'); });  // a warning says more
+  const std::vector<std::string> notes = std::exchange(table.notes, {});
   Lines lines = lines_of(to_text(table));
   if (all > most_rows) lines.push_back(fmt::format("  and {} more solvers", all - most_rows + 1));
   for (std::size_t i = 0; i < std::min(notes.size(), most_notes); ++i) {
@@ -85,18 +65,12 @@ Lines warnings_of(const Shown& shown) {
 
 std::string screen(const Shown& whole, const std::string& page) {
   const Shown shown = with_short_names(whole, longest_name);
-  const Lines head = wrapped(headline(shown), ""), table = table_of(shown), warnings = warnings_of(shown);
-  Lines pairs = pairs_of(shown), note;
+  const Lines head = wrapped(headline(shown), ""), pairs = pairs_of(shown);
+  Lines note;
   if (const std::string text = chosen_before(shown); shown.decisive().described.size() == 2 && !text.empty())
     note = wrapped(text, "");
-  const std::size_t others = head.size() + note.size() + table.size() + warnings.size() + (page.empty() ? 1 : 2);
-  const std::size_t room = others + 1 < screen_lines ? screen_lines - others : 1;
-  if (const std::size_t all = pairs.size(); all > room) {
-    pairs.resize(room - 1);
-    pairs.push_back(fmt::format("  and {} more pairs", all - pairs.size()));
-  }
   std::string text;
-  for (const Lines& part : {head, pairs, note, Lines{""}, table, warnings}) {
+  for (const Lines& part : {head, Lines{""}, table_of(shown), pairs, note, warnings_of(shown)}) {
     for (const std::string& line : part) text += line + '\n';
   }
   return page.empty() ? text : fmt::format("{}Report: {}\n", text, one_line(page));

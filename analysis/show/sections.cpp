@@ -20,17 +20,14 @@ Blocks with_heading(std::string heading, Blocks blocks) {
   return blocks;
 }
 
-std::string what_is_studied(const StudyResults& study) {
-  const results::Definition& of = study.definition;
-  return fmt::format("{}: {}, {} of {} ({}).", study.entry.name, of.robot, counted(study.runs, "runs"),
-                     counted(study.points, "targets"), of.path);
-}
-
 Blocks first(const Reported& of) {
   if (!of.first.empty()) return of.first;
   Blocks blocks{Heading{headline(of.shown)}};
-  if (!of.study.entry.series.empty()) blocks.emplace_back(what_is_studied(of.study));
+  if (!of.study.entry.series.empty()) blocks.emplace_back(what_is_studied(of.study) + '.');
   blocks.emplace_back(results_table(of.shown));
+  Table pairs{.caption = "Pairs", .columns = {{"pair"}, {"verdict"}, {"difference"}, {"p"}}};
+  for (const std::vector<std::string>& row : pair_rows(of.shown)) pairs.rows.emplace_back(row.begin(), row.end());
+  if (!pairs.rows.empty()) blocks.emplace_back(std::move(pairs));
   return blocks;
 }
 
@@ -59,8 +56,8 @@ Blocks warnings(const Reported& of) {
 
 Blocks setup(const Reported& of) {
   if (of.study.entry.series.empty()) return {};  // of a user's file
-  return with_heading("Set-up",
-                      {study_table(of.study), options_table(of.study), plan_table(of.study), machine_table(of.study)});
+  return with_heading("Set-up", {methods_of(of.shown, of.study, of.keys), study_table(of.study),
+                                 options_table(of.study), plan_table(of.study), machine_table(of.study)});
 }
 
 }  // namespace

@@ -73,7 +73,8 @@ Shown shown(const JudgedStudy& judged) {
   Shown all = shown(judged.metrics, definition.plan);
   all.deciding = judged.deciding;
   all.doubts = judged.doubts;
-  all.noun = definition.is_chained() || judged.study.points == 1 ? "runs" : "targets";
+  const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
+  all.noun = are_runs ? "runs" : "targets";
   if (std::ranges::any_of(all.metrics, [](const Judged& of) { return of.observations.metric == "evaluations"; }))
     all.notes.emplace_back("A Jacobian adds no evaluation.");
   for (Judged& metric : all.metrics) {

@@ -43,6 +43,8 @@ const compare::Finding* finding_of(const compare::Judged& judged, std::string_vi
 
 // The tables of every report; their numbers are those of the sentences, and their rows those of results.json.
 Table results_table(const Shown& shown);  // a row a solver
+// Solvers by studies: of each study its deciding column, best first in the mean. Each study is judged alone.
+Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names);
 Table pairs_table(const Shown& shown);
 std::string chosen_before(const Shown& shown);  // what a verdict on another metric is worth; empty if there is none
 Table descriptives_table(const Shown& shown);
@@ -50,6 +52,12 @@ Table anova_table(const Shown& shown);
 
 // The answer as data: headline, groups, tests, findings and doubts.
 nlohmann::ordered_json to_json(const Shown& shown);
+
+// "mine: ur5e, 20 runs of 5 targets (random)"
+std::string what_is_studied(const compare::StudyResults& study);
+// Three sentences for an article, with the keys to cite.
+std::string methods_of(const Shown& shown, const compare::StudyResults& study, const std::vector<std::string>& keys);
+std::string stops_of(const compare::StudyResults& study);  // "0.01 mm or 10000 evaluations"
 
 // How it was made. They have no files.
 Table study_table(const compare::StudyResults& study);

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "analysis/show/shown.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
 #include "numerics/json.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::show {
 
@@ -22,13 +26,12 @@ const std::string star = "*", not_compared = "!";
 std::int64_t count(double number) { return std::llround(number); }
 
 // A value of a group, which may only be an upper bound.
-Cell value_cell(const Group& group, double value, const std::string& mark = {}) {
-  const bool is_bound = group.at_most > 0 && value == group.at_most;
+Cell value_cell(const Group& group, double value) {
   if (std::isnan(value)) return {};
-  return is_bound || !mark.empty() ? Cell(Marked{value, mark, is_bound}) : Cell(value);
+  return group.at_most > 0 && value == group.at_most ? Cell(Marked{.value = value, .is_bound = true}) : Cell(value);
 }
 
-// Of a share of observations that are solved or not.
+// Wilson's, of a share of observations that are solved or not.
 std::optional<Interval> interval_of(const Judged& judged, const Description& its, const results::Plan& plan) {
   if (!is_share(judged) || judged.observations.trials > 1 || its.n == 0) return {};
   const Interval share = wilson(its.mean / 100, its.n, plan.significance);
@@ -51,10 +54,17 @@ Cell result_cell(const Shown& shown, const Judged& judged, const std::string& so
     if (!finding.estimate) return {};
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
   }
+  const Description& its = judged.described[i];
   const double value = told(judged, i, shown.plan);
-  if (const auto interval = interval_of(judged, judged.described[i], shown.plan))
-    return Marked{.value = value, .mark = mark, .interval = interval};
-  return value_cell(*group, value, mark);
+  if (std::isnan(value)) return {};
+  Marked cell{.value = value, .mark = mark, .is_bound = group->at_most > 0 && value == group->at_most};
+  cell.interval = interval_of(judged, its, shown.plan);
+  const bool is_deciding = &judged == &shown.decisive();
+  if (is_deciding && !is_share(judged) && !judged.observations.is_of_solved && !cell.is_bound && its.n > 1 &&
+      !std::isnan(its.median))
+    cell.interval = Interval{its.lower_quartile, its.upper_quartile};
+  cell.is_best = is_deciding && std::ranges::count(judged.headline.best, solver) > 0;
+  return cell;
 }
 
 void add_setting(Table& table, std::string what, std::string value) {
@@ -72,15 +82,6 @@ std::string limit(double value, std::string_view unit) {
   return value > 0 ? fmt::format("{}{}", number_text(value, 6), unit) : "";
 }
 
-std::string stops_of(const results::Definition::Stop& stop) {
-  std::vector<std::string> stops{limit(10 * stop.tolerance_cm, " mm"), limit(stop.tolerance_deg, " deg"),
-                                 limit(static_cast<double>(stop.iterations), " iterations"),
-                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
-                                 limit(1000 * stop.seconds, " ms")};
-  std::erase(stops, "");
-  return listed(stops, " or ");
-}
-
 }  // namespace
 
 Table results_table(const Shown& shown) {
@@ -92,7 +93,7 @@ Table results_table(const Shown& shown) {
   const std::string reference = shown.plan.control.empty() ? first : shown.plan.control;
   const bool are_means = shown.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false;
+  bool has_numbers = false, has_quartiles = false;
   std::set<std::string> kinds, marks;
   const auto add = [&](const Judged& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
@@ -101,25 +102,17 @@ Table results_table(const Shown& shown) {
       has_numbers |= !is_share(judged) && !std::holds_alternative<std::monostate>(row.back());
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (marked) marks.insert(marked->mark);
+      has_quartiles |= marked && marked->interval && !is_share(judged);
       if (marked && marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "times that" : "differences from it");
     }
   };
   const Observations& of = decisive.observations;
-  const bool has_both_averages = !is_share(decisive) && !of.is_of_solved;
-  add(decisive, has_both_averages ? fmt::format("{} {}", average, of.quantity) : of.quantity);
-  if (has_both_averages) {
-    table.columns.push_back({.name = (are_means ? "median " : "mean ") + of.quantity, .unit = of.unit});
-    for (std::size_t row = 0; row < order.size(); ++row) {
-      const Group& group = of.groups[order[row]];
-      const Description& its = decisive.described[order[row]];
-      table.rows[row].push_back(group.lost > 0 ? Cell() : value_cell(group, are_means ? its.median : its.mean));
-    }
-  }
+  add(decisive, is_share(decisive) || of.is_of_solved ? of.quantity : fmt::format("{} {}", average, of.quantity));
   for (const Judged& judged : shown.metrics) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
-  std::string key = has_numbers ? average + "s" : "";
+  std::string key = has_numbers ? average + "s" + (has_quartiles ? " (quartiles)" : "") : "";
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(shown.metrics, [](const Judged& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
@@ -128,15 +121,43 @@ Table results_table(const Shown& shown) {
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
   }
+  std::vector<std::string> meanings;
   if (marks.contains(star))
-    key += fmt::format("{}{} worse than {} (p < {})",
-                       key.empty()     ? ""
-                       : kinds.empty() ? "; "
-                                       : ". ",
-                       star, reference, number_text(shown.plan.significance));
+    meanings.push_back(fmt::format("{} worse than {} (p < {})", star, reference, number_text(shown.plan.significance)));
+  if (marks.contains(not_compared)) meanings.push_back(fmt::format("{} not compared", not_compared));
+  if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
+  key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
-  if (marks.contains(not_compared)) table.notes.push_back(fmt::format("{} not compared", not_compared));
+  return table;
+}
+
+Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names) {
+  Table table{.name = "studies", .caption = "Studies", .columns = {{"solver"}}};
+  std::map<std::string, std::pair<double, int>> places;  // sum and number of its places in the studies
+  std::map<std::string, std::vector<Cell>> rows;
+  for (std::size_t s = 0; s < studies.size(); ++s) {
+    const Table one = results_table(studies[s]);
+    table.columns.push_back({.name = names[s], .unit = one.columns[1].unit});
+    for (std::size_t r = 0; r < one.rows.size(); ++r) {
+      const std::string& solver = std::get<std::string>(one.rows[r][0]);
+      std::vector<Cell>& row = rows[solver];
+      row.resize(s);
+      row.push_back(one.rows[r][1]);
+      places[solver].first += static_cast<double>(r) / static_cast<double>(one.rows.size());
+      ++places[solver].second;
+    }
+  }
+  for (auto& [solver, cells] : rows) {
+    cells.resize(studies.size());
+    table.rows.emplace_back().push_back(solver);
+    std::ranges::move(cells, std::back_inserter(table.rows.back()));
+  }
+  std::ranges::stable_sort(table.rows, {}, [&](const std::vector<Cell>& row) {
+    const auto& [sum, count] = places.at(std::get<std::string>(row[0]));
+    return sum / count;
+  });
+  table.notes = {"* worse than the best of its column or its control, ! not compared; each study is judged alone"};
   return table;
 }
 
@@ -267,11 +288,60 @@ Table study_table(const StudyResults& study) {
   add_setting(table, "start", of.is_chained() ? "where the last solve left the arm" : with_blanks(of.start));
   add_setting(table, "candidates outside limits", with_blanks(of.bounds));
   add_setting(table, "answers outside limits", of.limits);
-  add_setting(table, "a solve ends at", stops_of(of.stop));
+  add_setting(table, "a solve ends at", stops_of(study));
   add_setting(table, "runs", fmt::to_string(study.runs));
   add_setting(table, "seed", fmt::to_string(of.seed));
   for (const std::string& departure : of.departures) add_setting(table, "departs from the published study", departure);
   return table;
+}
+
+std::string stops_of(const StudyResults& study) {
+  const results::Definition::Stop& stop = study.definition.stop;
+  std::vector<std::string> stops{limit(10 * stop.tolerance_cm, " mm"), limit(stop.tolerance_deg, " deg"),
+                                 limit(static_cast<double>(stop.iterations), " iterations"),
+                                 limit(static_cast<double>(stop.evaluations), " evaluations"),
+                                 limit(1000 * stop.seconds, " ms")};
+  std::erase(stops, "");
+  return listed(stops, " or ");
+}
+
+std::string what_is_studied(const StudyResults& study) {
+  const results::Definition& of = study.definition;
+  return fmt::format("{}: {}, {} of {} ({})", study.entry.name, of.robot, numerics::counted(study.runs, "runs"),
+                     numerics::counted(study.points, "targets"), with_blanks(of.path));
+}
+
+std::string methods_of(const Shown& shown, const StudyResults& study, const std::vector<std::string>& keys) {
+  const results::Definition& of = study.definition;
+  std::set<std::string> tests, programs;
+  for (const Judged& judged : shown.metrics) {
+    for (const Finding& finding : judged.findings) {
+      if (!finding.test.empty()) tests.insert(std::string(finding.test));
+    }
+  }
+  std::set<std::string> machines;
+  for (const results::Session& session : study.sessions) {
+    const auto fact = [&](const char* name) {
+      const auto found = session.environment.find(name);
+      return found == session.environment.end() ? "unknown" : found->second;
+    };
+    machines.insert(fact("cpu"));
+    programs.insert(fmt::format("{} (commit {})", fact("version"), fact("commit")));
+  }
+  const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
+  std::string text = fmt::format(
+      "{} solvers solved the same {} ({} a run, {}) by {} with the arm {}; each solve started {} and ended at {}; the "
+      "machine was {}.",
+      study.solvers.size(), numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points,
+      with_blanks(of.path), with_blanks(of.search), of.robot,
+      of.is_chained() ? "at the last answer" : "from a " + with_blanks(of.start) + " position", stops_of(study),
+      given(machines));
+  if (!tests.empty())
+    text += fmt::format(
+        " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
+        "significance of {}; a difference within {} does not matter.",
+        given(tests), number_text(shown.plan.significance), margin_words(shown.decisive()));
+  return text + fmt::format(" Made with ikbench {}; keys of docs/references.bib: {}.", given(programs), listed(keys));
 }
 
 Table options_table(const StudyResults& study) {

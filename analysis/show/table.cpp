@@ -164,9 +164,13 @@ std::string latex_cell(const Cell& cell, const Column& column) {
   if (const auto* text = std::get_if<std::string>(&cell)) return latex_text(*text);
   if (std::holds_alternative<Printed>(cell)) return latex_text(std::visit(read, cell));
   if (const auto* of = std::get_if<Marked>(&cell)) {
-    Marked marked = *of;
-    marked.mark = latex_text(of->mark);
-    return read(marked);
+    const auto bare = [&](Marked part) { return part.mark.clear(), part.interval.reset(), read(part); };
+    std::string text = of->is_best ? fmt::format("\\textbf{{{}}}", bare(*of)) : bare(*of);
+    if (of->interval) {
+      const std::string whole = read(Marked{.value = of->value, .interval = of->interval});
+      text += fmt::format(" {{\\scriptsize {}}}", whole.substr(whole.find('(')));
+    }
+    return text + (of->mark.empty() ? "" : fmt::format("\\rlap{{\\,{}}}", latex_text(of->mark)));  // digits align
   }
   if (const auto* p = std::get_if<double>(&cell); p && column.is_p && *p < 0.0001) return "$<$ 0.0001";
   return std::visit(read, cell);
@@ -253,26 +257,34 @@ std::string to_latex(const Table& whole) {
   std::string notes;
   for (const std::string& note : table.notes)
     notes += fmt::format("\\par\\smallskip\\footnotesize {}\n", latex_text(note));
-  // A table that is wider than a column takes both; notes shrink with one that is wider than that, or higher than a
-  // page.
+  // A table that is wider than a column takes both, and shrinks down to the size of \\scriptsize if that is too narrow.
   return fmt::format(
       "% Needs \\usepackage{{booktabs,graphicx}}\n\\begingroup{}\n"
       "\\sbox0{{\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\bottomrule\n\\end{{tabular}}}}%\n"
       "\\edef\\wide{{\\ifdim\\wd0>\\columnwidth*\\fi}}%\n"
       "\\csname table\\wide\\endcsname\n\\centering\n\\caption{{{}}}\\label{{tab:{}}}\\smallskip\n"
-      "\\dimen0=\\ifdim\\wd0>\\linewidth\\wd0\\else\\linewidth\\fi\n"
-      "\\sbox2{{\\resizebox{{\\linewidth}}{{!}}{{\\begin{{minipage}}{{\\dimen0}}\\centering\\usebox0\n{}\\end{{minipage}}}}}}%\n"
-      "\\ifdim\\dimexpr\\ht2+\\dp2\\relax>.85\\textheight"
-      "\\resizebox*{{!}}{{.85\\textheight}}{{\\usebox2}}\\else\\usebox2\\fi\n"
+      "\\ifdim.7\\wd0>\\linewidth\\scalebox{{.7}}{{\\usebox0}}\\else\n"
+      "\\ifdim\\wd0>\\linewidth\\resizebox{{\\linewidth}}{{!}}{{\\usebox0}}\\else\\usebox0\\fi\\fi\n{}"
       "\\csname endtable\\wide\\endcsname\n\\endgroup\n",
-      table.rows.size() > 30 ? "\\footnotesize" : "", letters, text, latex_text(table.caption), table.name, notes);
+      table.rows.size() > 45   ? "\\scriptsize"
+      : table.rows.size() > 30 ? "\\footnotesize"
+                               : "",
+      letters, text, latex_text(table.caption), table.name, notes);
 }
 
 std::string to_html(const Table& whole) {
   constexpr std::size_t long_text = 20;  // breaks anywhere
   const Table table = for_readers(whole);
   const Rows rows = readable(table, html_text);
-  const auto line = [&](const std::vector<std::string>& row, std::string_view tag) {
+  const auto cell_of = [&](std::size_t r, std::size_t c) {  // digits align, without the mark
+    const auto* const of = r == 0 ? nullptr : std::get_if<Marked>(&table.rows[r - 1][c]);
+    std::string text = rows[r][c];
+    if (of && !of->mark.empty())
+      text.replace(text.size() - of->mark.size() - 1, std::string::npos, fmt::format("<i>{}</i>", html_text(of->mark)));
+    return of && of->is_best ? fmt::format("<b>{}</b>", text) : text;
+  };
+  const auto line = [&](std::size_t r, std::string_view tag) {
+    const std::vector<std::string>& row = rows[r];
     std::string text;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const bool is_verdict = tag == "td" && table.columns[c].name == "verdict";
@@ -281,13 +293,13 @@ std::string to_html(const Table& whole) {
                           : !is_text(table, c)                                 ? " class=\"number\""
                           : !is_verdict && character_count(row[c]) > long_text ? " class=\"long\""
                                                                                : "",
-                          is_verdict ? pill(row[c]) : row[c], tag.substr(0, tag.find(' ')));
+                          is_verdict ? pill(row[c]) : cell_of(r, c), tag.substr(0, tag.find(' ')));
     }
     return fmt::format("<tr>{}</tr>\n", text);
   };
   std::string text = fmt::format("<table><caption>{}</caption>\n<thead>{}</thead>\n<tbody>\n", html_text(table.caption),
-                                 line(rows.front(), "th scope=\"col\""));
-  for (std::size_t r = 1; r < rows.size(); ++r) text += line(rows[r], "td");
+                                 line(0, "th scope=\"col\""));
+  for (std::size_t r = 1; r < rows.size(); ++r) text += line(r, "td");
   return text + "</tbody></table>\n";
 }
 

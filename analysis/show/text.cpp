@@ -96,6 +96,15 @@ std::string latex_text(std::string_view text) {
   return replaced(text, substitutes, "{}$&#_%");
 }
 
+std::string id_of(std::string_view name) {
+  std::string id;
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (is_letter || (!id.empty() && id.back() != '-')) id += is_letter ? c : '-';
+  }
+  return id;
+}
+
 std::string number_text(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   std::string text = fmt::format("{:.{}g}", value, digits);

@@ -25,6 +25,11 @@ bool counts(const Judged& judged) {  // 88 of 100
 
 const std::string& name_of(const Judged& judged, std::size_t group) { return judged.observations.groups[group].name; }
 
+std::size_t place_of(const Judged& judged, const std::string& name) {
+  const std::vector<Group>& groups = judged.observations.groups;
+  return static_cast<std::size_t>(std::ranges::find(groups, name, &Group::name) - groups.begin());
+}
+
 // A group's number: "88", "0.42"; of the first also the whole or the unit: "100 of 100 targets", "0.017 mm".
 std::string number_of(const Shown& shown, const Judged& judged, std::size_t group, std::size_t first) {
   const bool is_first = group == first;
@@ -43,23 +48,38 @@ std::string number_of(const Shown& shown, const Judged& judged, std::size_t grou
                      is_first && !of.unit.empty() ? " " : "", is_first ? of.unit : "");
 }
 
-// "it solved 100 of 100 targets; PSO 88, mine 54", or with the first one's name.
+// "median error", "mean error", "solved"
+std::string quantity_of(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  const bool is_mean = shown.plan.test == results::Plan::Test::means;
+  return fmt::format("{}{}", is_share(judged) ? "" : is_mean ? "mean " : "median ", judged.observations.quantity);
+}
+
+// "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
+// Of many solvers the first, the last of the best and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
-  const Observations& of = judged.observations;
+  const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t> order = best_first(judged, shown.plan);
-  const std::string first = name_of(judged, order[0]);
-  const std::string number = number_of(shown, judged, order[0], order[0]);
-  const bool is_mean = is_share(judged) || shown.plan.test == results::Plan::Test::means;
-  const std::string quantity = fmt::format("{}{}", is_mean ? is_share(judged) ? "" : "mean " : "median ", of.quantity);
-  std::string text = of.metric == "solved" ? fmt::format("{} solved {}", is_named ? first : "it", number)
-                     : is_named            ? fmt::format("the {} of {} is {}", quantity, first, number)
-                                           : fmt::format("its {} is {}", quantity, number);
+  const bool are_many = order.size() > most_named;
+  const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
+  const bool are_equal = are_many && is_solved && best > 1 &&
+                         std::all_of(order.begin(), order.begin() + std::ptrdiff_t(best), [&](auto i) {
+                           return told(judged, i, shown.plan) == told(judged, order[0], shown.plan);
+                         });
   std::vector<std::string> others;
-  for (std::size_t i = 1; i < std::min(order.size(), most_named); ++i)
-    others.push_back(fmt::format("{} {}", name_of(judged, order[i]), number_of(shown, judged, order[i], order[0])));
-  if (order.size() > most_named) others.push_back(fmt::format("{} more", order.size() - most_named));
-  return text + (others.empty() ? "" : "; ") + listed(others, order.size() > most_named ? " and " : ", ");
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::string &name = name_of(judged, order[i]), number = number_of(shown, judged, order[i], order[0]);
+    if (!are_many || (i + 1 == best && !are_equal)) others.push_back(fmt::format("{} {}", name, number));
+    if (are_many && i == best) others.push_back(fmt::format("the next, {}, {}", name, number));
+  }
+  const std::string who = are_equal ? best == 2 ? "both" : "all" : is_named ? name_of(judged, order[0]) : "it";
+  const std::string number = number_of(shown, judged, order[0], order[0]);
+  std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
+                     : is_named ? fmt::format("{} {} {}", quantity_of(shown), who, number)
+                                : fmt::format("{} {}", quantity_of(shown), number);
+  if (!others.empty()) text += (is_named && !are_equal ? ", " : "; ") + listed(others, ", ");
+  return text;
 }
 
 std::string names_of(const std::vector<std::string>& names) {
@@ -94,11 +114,9 @@ std::string all_or_none(const Shown& shown) {
 
 std::string usual(const Judged& judged) {
   const Observations& of = judged.observations;
-  const auto place = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(of.groups, name, &Group::name) - of.groups.begin());
-  };
   const Headline& head = judged.headline;
-  const Description &its = judged.described[place(head.usual)], &theirs = judged.described[place(head.other)];
+  const Description &its = judged.described[place_of(judged, head.usual)],
+                    &theirs = judged.described[place_of(judged, head.other)];
   const auto two = [&](double one, double other) {
     return fmt::format("{} and {}{}{}", number_text(one), number_text(other), of.unit.empty() ? "" : " ", of.unit);
   };
@@ -119,16 +137,21 @@ std::string usual(const Judged& judged) {
 }
 
 std::string against_control(const Shown& shown) {
+  const Judged& judged = shown.decisive();
+  const std::size_t control = place_of(judged, shown.plan.control);
   std::vector<std::string> parts;
   for (const Verdict verdict :
        {Verdict::better, Verdict::worse, Verdict::same, Verdict::undecided, Verdict::not_tested}) {
     std::vector<std::string> who;
-    for (const Finding& finding : shown.decisive().findings) {
-      if (finding.verdict == verdict) who.push_back(finding.first);
+    for (const Finding& finding : judged.findings) {
+      if (finding.verdict == verdict)
+        who.push_back(
+            fmt::format("{} ({})", finding.first, number_of(shown, judged, place_of(judged, finding.first), control)));
     }
     if (!who.empty()) parts.push_back(fmt::format("{} {}", names_of(who), compare::name_of(verdict)));
   }
-  return fmt::format("Against {}: {}", shown.plan.control, listed(parts, ", "));
+  return fmt::format("Against {} ({} {}): {}", shown.plan.control, quantity_of(shown),
+                     number_of(shown, judged, control, control), listed(parts, ", "));
 }
 
 std::string not_tested(const Shown& shown) {
@@ -182,18 +205,36 @@ std::string by_little(const Judged& judged) {
   return fmt::format(", {}by less than {}", than, margin_words(judged));
 }
 
+// "(p < 0.0001)", of the pair with the largest; empty where a verdict has none.
+std::string most_p(const Judged& judged) {
+  double most = 0;
+  for (const Finding& finding : judged.findings) {
+    const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
+    if (is_best(finding.first) != is_best(finding.second)) most = std::max(most, finding.p.value_or(1));
+  }
+  return most == 1 ? "" : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most));
+}
+
 std::string best(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const std::vector<std::string>& names = judged.headline.best;
   const std::vector<std::size_t> order = best_first(judged, shown.plan);
+  std::vector<std::string> names = judged.headline.best;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(judged, order[i]);
   const std::size_t others = order.size() - names.size();
   const std::string other = others == 1 ? name_of(judged, order.back()) : fmt::format("each of the {} others", others);
-  const std::string little = by_little(judged);
-  if (names.size() > 1)
-    return fmt::format("{} are best{}: {}; {} better than {}", listed(names), little, numbers_of(shown, true),
-                       names.size() == 2 ? "both are" : "each is", other);
-  return fmt::format("{} is {}{}: {}", names[0], order.size() == 2 ? "better than " + other : "best", little,
-                     numbers_of(shown, false));
+  const bool are_listed = judged.findings.size() <= most_pairs;
+  std::string text = fmt::format("{} {}{}: {}", names_of(names),
+                                 names.size() > 1    ? "are best"
+                                 : order.size() == 2 ? "is better than " + other
+                                                     : "is best",
+                                 by_little(judged), numbers_of(shown, names.size() > 1));
+  if (names.size() > 1 || !are_listed)
+    text += fmt::format(". {} better than {}{}",
+                        names.size() == 1   ? "It is"
+                        : names.size() == 2 ? "Both are"
+                                            : "Each is",
+                        other, are_listed ? "" : most_p(judged));
+  return text;
 }
 
 std::string sentence(const Shown& shown) {
@@ -205,9 +246,8 @@ std::string sentence(const Shown& shown) {
   if (!head.usual.empty()) return usual(judged);
   if (const std::string equal = all_or_none(shown); !equal.empty()) return equal;
   if (judged.findings.empty()) {
-    std::string text = numbers_of(shown, true);
-    if (judged.observations.metric != "solved") text.front() = 'T';  // "The error of ..."; a solver's name stays
-    return text;
+    const bool is_solved = judged.observations.metric == "solved";
+    return (is_solved ? "" : name_of(judged, 0) + ": ") + numbers_of(shown, is_solved);
   }
   if (head.is_circle) return "No solver is best, since each is worse than another: " + numbers_of(shown, true);
   if (!shown.plan.control.empty() && groups > 2) return against_control(shown);
@@ -278,6 +318,28 @@ std::string amount_words(const Finding& finding, const Judged& judged) {
   std::string text = with_unit(*finding.estimate, unit_of(finding, judged));
   if (finding.interval) text += fmt::format(" ({})", interval_text(*finding.interval, number_text));
   return text;
+}
+
+std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
+  const bool has_two = shown.decisive().described.size() == 2;
+  std::vector<std::vector<std::string>> rows;
+  if (shown.decisive().findings.size() > most_pairs) return rows;
+  for (const Judged& judged : shown.metrics) {
+    if (!has_two && &judged != &shown.decisive()) continue;
+    std::vector<Finding> findings = judged.findings;
+    const std::vector<std::size_t> order = best_first(judged, shown.plan);
+    const auto place = [&](const std::string& name) {
+      return std::ranges::find(order, name, [&](std::size_t i) { return name_of(judged, i); });
+    };
+    std::ranges::stable_sort(findings, {}, [&](const Finding& of) {
+      return std::minmax({place(of.first), place(of.second)});
+    });
+    for (const Finding& of : findings)
+      rows.push_back(
+          {fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "", of.first, of.second),
+           verdict_words(of, judged), amount_words(of, judged), of.p ? p_sentence(*of.p) : ""});
+  }
+  return rows;
 }
 
 }  // namespace ikbench::show

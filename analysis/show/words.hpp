@@ -7,6 +7,8 @@
 
 namespace ikbench::show {
 
+constexpr std::size_t most_pairs = 6;  // that a screen lists; of more the headline says that all are found
+
 // One sentence: "DLS is best: it solved 100 of 100 targets; PSO 88, mine 54."
 std::string headline(const Shown& shown);
 
@@ -16,6 +18,9 @@ std::string verdict_words(const compare::Finding& finding, const compare::Judged
 std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
 // "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "ahead in 71 %"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
+// Of each pair of the deciding metric, those of the best solvers first, "DLS vs PSO", the verdict, the amount and p; of
+// only two solvers one of each metric. None of more than most_pairs.
+std::vector<std::vector<std::string>> pair_rows(const Shown& shown);
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const compare::Judged& judged);
 

@@ -101,7 +101,7 @@ cp "$root/tests/data/urdf/fetch.urdf" .
 } >theirs.toml
 succeeds run theirs.toml --figures none --out theirs
 equal "solves of a stranger's arm" "$(solves theirs/store.sqlite)" 96
-! grep -i -n 'helix\|slim' theirs/report.html theirs/report.md || fail "the report speaks of a paper"
+! grep -v 'references.bib' theirs/report.html theirs/report.md | grep -i -n 'helix\|slim' || fail "the report speaks of a paper"
 json '[(row["solver"], round(row["mean"])) for row in of["groups"] if row["metric"] == "solved"][-2:] == [("damped_least_squares", 92), ("newton", 75)]' \
   theirs/results.json
 

@@ -74,7 +74,9 @@
   const room = new THREE.Box3();
   for (const solver of data.solvers) {
     for (const move of movesOf(solver)) {
-      for (const q of [move.start, move.end]) for (const corner of forward(q)) room.expandByPoint(corner.at);
+      for (const share of [0, 0.25, 0.5, 0.75, 1]) {
+        for (const corner of forward(between(move, share))) room.expandByPoint(corner.at);
+      }
       if (known(move.target)) room.expandByPoint(new THREE.Vector3(...move.target));
     }
   }
@@ -130,7 +132,7 @@
       this.fixed.add(grid);
       for (const target of targets) this.fixed.add(this.ball(target, 0.011, goal));
       const path = new THREE.BufferGeometry().setFromPoints(targets);
-      this.fixed.add(new THREE.Line(path, new THREE.LineBasicMaterial({ color: goal })));
+      if (data.is_path) this.fixed.add(new THREE.Line(path, new THREE.LineBasicMaterial({ color: goal })));
 
       const tools = [];
       for (const move of this.moves) {
