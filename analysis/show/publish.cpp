@@ -65,19 +65,36 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what.
 Table for_article(Table table, const Reported& of) {
-  if (table.name == "pairs") {
+  const bool are_pairs = table.name == "pairs";
+  if (are_pairs) {
     const std::string& metric = of.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
+    table.caption += ": " + metric;
   }
   if (table.name == "results") {
     for (const compare::Doubt& doubt : of.shown.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
   }
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     constexpr std::array<std::string_view, 3> wordy{"by the other reading", "of all readings it fails", "why"};
-    if (std::ranges::find(wordy, table.columns[c].name) == wordy.end()) continue;
+    const bool is_told = are_pairs && c == 0;  // in the caption
+    if (!is_told && std::ranges::find(wordy, table.columns[c].name) == wordy.end()) continue;
     const auto at = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+  std::vector<std::string> names;
+  for (const compare::Judged& judged : of.shown.metrics) {
+    for (const compare::Group& group : judged.observations.groups) names.push_back(group.name);
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  const auto short_of = short_names(names, 20);
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) {
+      auto* const text = std::get_if<std::string>(&cell);
+      if (const auto found = text ? short_of.find(*text) : short_of.end(); found != short_of.end())
+        *text = found->second;
+    }
   }
   const std::string& name = of.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);

@@ -115,7 +115,7 @@ TEST_CASE("no label breaks a page, Markdown, LaTeX or a screen", "[show]") {
                     screen = to_text(table);
   CHECK(html.find("<script") == std::string::npos);
   for (const std::string& text : {html, markdown, latex, screen}) CHECK(text.find('\x1b') == std::string::npos);
-  CHECK(ends_in(screen) == ends_in(to_text(with_label("mine"))));
+  CHECK(ends_in(screen) <= ends_in(to_text(with_label("mine"))) + 2);  // a head of two lines beside a long label
   CHECK(ends_in(markdown) == ends_in(to_markdown(with_label("mine"))));
   CHECK(ends_in(latex) == ends_in(to_latex(with_label("mine"))));
   CHECK(character_count(screen.substr(0, screen.rfind('\n', screen.size() - 2))) < 3 * 140);  // head and two rows

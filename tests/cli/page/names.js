@@ -2,4 +2,4 @@ const cells = new Set([...document.querySelectorAll('#table-results td')].map(ce
 const mark = "@MARK@";
 const names = ['</text></svg><script>' + mark + '<\/script>', '" onload="' + mark, '"><img src=x onerror=' + mark + '>', '{{{title}}} &amp; "'];
 return [names.filter(name => cells.has(name)).length,
-  document.querySelectorAll('img:not([src^="data:image/svg+xml"]), [onload], [onerror], h1 *, p b, td :not(.pill)').length].join(' ');
+  document.querySelectorAll('img:not([src^="data:image/svg+xml"]), [onload], [onerror], h1 *, p b, td :not(.pill, i, b)').length].join(' ');
