@@ -240,6 +240,7 @@ Tally dominance(const std::vector<Judged>& metrics, const std::string& solver) {
     for (const Judged& judged : metrics) found.add(verdict_between(judged, solver, rival));
     tally.add(found.better > 0 && found.worse == 0   ? Verdict::better
               : found.worse > 0 && found.better == 0 ? Verdict::worse
+              : found.untested == found.all()        ? Verdict::not_tested
                                                      : Verdict::undecided);
   }
   return tally;
@@ -270,7 +271,7 @@ Found differ(const Claim& claim, const Repeated& of) {
     if (!found) return {};
     const double significance = of.study.study.definition.plan.significance;
     const auto verdict = [&](const std::optional<TestOfAll>& anova) {
-      return anova ? always_or_on_average(anova->p < significance, false) : Holds::undecided;
+      return anova ? always_or_on_average(anova->p < significance, false) : Holds::not_tested;
     };
     here.push_back(verdict(found->anova));
     if (printed) in_print.push_back(verdict(printed->anova));
@@ -371,19 +372,24 @@ JudgedClaim begun(const Claim& claim) {
   return {.id = claim.id, .sentence = claim.sentence, .section = claim.section, .is_ours = claim.is_ours};
 }
 
-void Tally::add(Verdict verdict) { ++(verdict == Verdict::better ? better : verdict == Verdict::worse ? worse : open); }
+void Tally::add(Verdict verdict) {
+  ++(verdict == Verdict::better       ? better
+     : verdict == Verdict::worse      ? worse
+     : verdict == Verdict::not_tested ? untested
+                                      : open);
+}
 
 Holds holds_of(const Tally& tally) {
   if (tally.worse > 0) return Holds::fails;
-  if (tally.open == 0) return Holds::holds;
-  return tally.better > 0 ? Holds::in_part : Holds::undecided;
+  if (tally.better > 0) return tally.better == tally.all() ? Holds::holds : Holds::in_part;
+  return tally.open > 0 ? Holds::undecided : Holds::not_tested;
 }
 
 Holds holds_of(const std::vector<Holds>& parts) {
   const auto has_any = [&](Holds part) { return std::ranges::find(parts, part) != parts.end(); };
   if (std::ranges::count(parts, Holds::holds) == std::ssize(parts)) return Holds::holds;
   if (has_any(Holds::holds) || has_any(Holds::in_part)) return Holds::in_part;
-  return has_any(Holds::fails) ? Holds::fails : Holds::undecided;
+  return has_any(Holds::fails) ? Holds::fails : has_any(Holds::undecided) ? Holds::undecided : Holds::not_tested;
 }
 
 Observations deviations(Observations of) {

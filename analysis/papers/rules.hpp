@@ -27,12 +27,13 @@ JudgedClaim begun(const Claim& claim);  // without a verdict
 
 // How solvers do against others.
 struct Tally {
-  int better = 0, worse = 0, open = 0;
+  int better = 0, worse = 0, open = 0, untested = 0;
 
   void add(compare::Verdict verdict);
-  int all() const { return better + worse + open; }
+  int all() const { return better + worse + open + untested; }
 };
-Holds holds_of(const Tally& tally);               // all better: holds; one worse: fails; some better: in part
+// All better: holds; one worse: fails; some better: in part; one open: not decided.
+Holds holds_of(const Tally& tally);
 Holds holds_of(const std::vector<Holds>& parts);  // all hold, some, or none
 
 // Each value as its distance from its group's median (Brown and Forsythe, JASA 69 (1974) 364), whose means are compared

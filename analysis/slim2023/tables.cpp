@@ -167,7 +167,7 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
         "IK-BA has the \"best compromise\" of error and joint motion: the least error, and with MO-PSO the least joint "
         "motion. Computing time, of which the paper's conclusion speaks, too, is not compared";
   all.push_back(words + '.');
-  words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds == Holds::undecided ? "is " : "",
+  words = fmt::format("\"{}\" {}{} ({})", accurate->sentence, accurate->holds >= Holds::undecided ? "is " : "",
                       name_of(accurate->holds), accurate->number);
   const Condition& condition = accurate->condition;
   if (!condition.told.empty())

@@ -61,7 +61,7 @@ TEST_CASE("a claim fails where one is worse, and is not decided where none is sh
 }
 
 TEST_CASE("a claim about solvers of one study has the verdicts of its report", "[papers]") {
-  for (const int runs : {3, 4, 5, 6, 8, 20}) {
+  for (const int runs : {2, 3, 4, 5, 6, 8, 20}) {
     const JudgedStudy study = study_of({.runs = runs}), limits = study_of({.name = "slim2023-limits", .runs = runs});
     const Repeated of = repeated(study, {&limits});
     for (const Claim& claim : of.paper.claims) {
@@ -78,7 +78,10 @@ TEST_CASE("a claim about solvers of one study has the verdicts of its report", "
           const bool is_asked = claim.against.empty() || std::ranges::count(claim.against, rival) > 0;
           if (cell(0) != metric->name || is_own(1) == is_own(2) || !is_asked) continue;
           const bool is_found = cell(9).starts_with("better");  // the first
-          tally.add(!is_found ? Verdict::undecided : is_own(1) ? Verdict::better : Verdict::worse);
+          tally.add(cell(9).starts_with("not tested") ? Verdict::not_tested
+                    : !is_found                       ? Verdict::undecided
+                    : is_own(1)                       ? Verdict::better
+                                                      : Verdict::worse);
         }
         if (tally.all() > 0) parts.push_back(holds_of(tally));
       }
@@ -196,9 +199,13 @@ TEST_CASE("the tally of pairs and of parts", "[papers]") {
   CHECK(holds_of(Tally{.better = 2}) == Holds::holds);
   CHECK(holds_of(Tally{.better = 2, .open = 1}) == Holds::in_part);
   CHECK(holds_of(Tally{.better = 2, .worse = 1}) == Holds::fails);
-  CHECK(holds_of(Tally{.open = 1}) == Holds::undecided);
+  CHECK(holds_of(Tally{.open = 1, .untested = 1}) == Holds::undecided);
+  CHECK(holds_of(Tally{.untested = 1}) == Holds::not_tested);
+  CHECK(holds_of(Tally{.better = 1, .untested = 1}) == Holds::in_part);
   CHECK(holds_of(std::vector{Holds::holds, Holds::fails}) == Holds::in_part);
   CHECK(holds_of(std::vector{Holds::undecided, Holds::fails}) == Holds::fails);
+  CHECK(holds_of(std::vector{Holds::undecided, Holds::not_tested}) == Holds::undecided);
+  CHECK(holds_of(std::vector{Holds::not_tested}) == Holds::not_tested);
 }
 
 TEST_CASE("claims are told by verdict, with where they fail", "[papers]") {
