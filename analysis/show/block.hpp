@@ -36,7 +36,8 @@ using Cell = std::variant<std::monostate, std::string, std::int64_t, double, com
 struct Column {
   std::string name;
   std::string unit = {};
-  bool is_p = false;  // p-values: "0.0005", "< 0.0001"
+  bool is_p = false;              // p-values: "0.0005", "< 0.0001"
+  std::vector<double> ends = {};  // from which readers tell numbers apart (digits_apart of text.hpp)
 };
 
 struct Table {
@@ -48,7 +49,8 @@ struct Table {
 };
 
 // "0.1 to 0.8", "above 0 to 0.8"
-std::string interval_text(const compare::Interval& of, std::string (*number)(double, int));
+std::string interval_text(const compare::Interval& of, std::string (*number)(double, int),
+                          const std::vector<double>& ends);
 
 // All escape what they are given. An interval and a printed number take two columns of CSV, and two members of JSON;
 // intervals of which one excludes an end take a third, which says "low" or "high".

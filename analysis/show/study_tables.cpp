@@ -181,6 +181,7 @@ Table pairs_table(const Shown& shown) {
                           {"A12"},
                           {"test"},
                           {"verdict"}}};
+  std::set<double> ends;
   for (const Judged& judged : shown.metrics) {
     for (const Finding& finding : judged.findings) {
       const auto cell = [](const auto& value) { return value ? Cell(*value) : Cell(); };
@@ -189,8 +190,11 @@ Table pairs_table(const Shown& shown) {
                             cell(finding.interval), unit_of(finding, judged), cell(finding.p), cell(finding.effect),
                             std::string(finding.test),
                             verdict_words(finding, judged) + (ahead.empty() ? "" : ", " + ahead)});
+      for (const double end : ends_of(finding, judged)) ends.insert(end);
     }
   }
+  table.columns[3].ends = table.columns[4].ends = {ends.begin(), ends.end()};
+  table.columns[6].ends = {shown.plan.significance};
   const std::string chosen = chosen_before(shown);
   table.notes = {
       chosen + (chosen.empty() ? "" : " ") +

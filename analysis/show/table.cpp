@@ -31,15 +31,16 @@ struct Readable {
   std::string operator()(const std::string& text) const { return text; }
   std::string operator()(std::int64_t count) const { return fmt::to_string(count) + unit; }
   std::string operator()(double value) const {
-    const std::string text = column.is_p ? p_text(value) : number(value, 3);
+    const std::string text = column.is_p ? p_text(value, column.ends) : number(value, digits_apart(value, column.ends));
     return text == "-" ? text : text + unit;
   }
-  std::string operator()(const compare::Interval& of) const { return interval_text(of, number) + unit; }
+  std::string operator()(const compare::Interval& of) const { return interval_text(of, number, column.ends) + unit; }
   std::string operator()(const Printed& of) const { return of.printed + (of.sign.empty() ? "" : ' ' + of.sign); }
   std::string operator()(const Marked& of) const {
     const auto digits = [](double size, double small) { return std::abs(size) < small ? 3 : 2; };
     std::string text = (of.is_bound ? at_most : "") + (*this)(of.value);
-    if (of.to_reference == compare::Scale::ratio) text = number(of.value, digits(of.value - 1, 0.1)) + " times";
+    if (of.to_reference == compare::Scale::ratio)
+      text = number(of.value, digits_apart(of.value, {1}, digits(of.value - 1, 0.1))) + " times";
     if (of.to_reference == compare::Scale::difference && of.value > 0) text.insert(0, "+");
     if (const auto& its = of.interval) {
       const int wide = digits(its->high - its->low, 3);
@@ -185,9 +186,9 @@ std::string pill(const std::string& verdict) {
 
 }  // namespace
 
-std::string interval_text(const compare::Interval& of, std::string (*number)(double, int)) {
-  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, 3),
-                     of.excludes_high ? "below " : "", number(of.high, 3));
+std::string interval_text(const compare::Interval& of, Number number, const Ends& ends) {
+  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, digits_apart(of.low, ends)),
+                     of.excludes_high ? "below " : "", number(of.high, digits_apart(of.high, ends)));
 }
 
 std::string to_csv(const Table& table) {

@@ -112,9 +112,22 @@ std::string number_text(double value, int digits) {
   return is_long ? fmt::format("{:.0f}", value) : text;
 }
 
-std::string p_text(double p) { return p < 0.0001 ? "< 0.0001" : number_text(p, p < 0.001 ? 2 : 3); }
+int digits_apart(double value, const Ends& from, int least) {
+  constexpr int most = 9;
+  if (!std::isfinite(value)) return least;
+  for (int digits = least; digits < most; ++digits) {
+    const double read = std::stod(number_text(value, digits));
+    const auto is_apart = [&](double end) { return (value < end) == (read < end) && (value > end) == (read > end); };
+    if (std::ranges::all_of(from, is_apart)) return digits;
+  }
+  return most;
+}
 
-std::string p_sentence(double p) { return (p < 0.0001 ? "p " : "p = ") + p_text(p); }
+std::string p_text(double p, const Ends& from) {
+  return p < 0.0001 ? "< 0.0001" : number_text(p, digits_apart(p, from, p < 0.001 ? 2 : 3));
+}
+
+std::string p_sentence(double p, const Ends& from) { return (p < 0.0001 ? "p " : "p = ") + p_text(p, from); }
 
 std::string listed(const std::vector<std::string>& names, std::string_view last) {
   std::string text;

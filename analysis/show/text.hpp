@@ -19,8 +19,11 @@ std::string id_of(std::string_view name);  // letters, digits and "-": an anchor
 
 // 2430, not 2.4e+03: all digits before the point. "-" for a number that is not finite.
 std::string number_text(double value, int digits = 3);
-std::string p_text(double p);      // "0.0005", "< 0.0001"
-std::string p_sentence(double p);  // "p = 0.0005", "p < 0.0001"
+// So many digits, at least `least`, that readers see on which side of each of these ends the value lies.
+using Ends = std::vector<double>;
+int digits_apart(double value, const Ends& from, int least = 3);
+std::string p_text(double p, const Ends& from);      // "0.0005", "< 0.0001"
+std::string p_sentence(double p, const Ends& from);  // "p = 0.0005", "p < 0.0001"
 std::string listed(const std::vector<std::string>& names, std::string_view last = " and ");  // "A, B and C"
 
 // The words of a text in lines of at most that width; longer words stay whole.

@@ -212,7 +212,9 @@ std::string most_p(const Judged& judged) {
     const auto is_best = [&](const std::string& name) { return std::ranges::count(judged.headline.best, name) > 0; };
     if (is_best(finding.first) != is_best(finding.second)) most = std::max(most, finding.p.value_or(1));
   }
-  return most == 1 ? "" : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most));
+  return most == 1
+             ? ""
+             : fmt::format(" (p {}{})", most < 0.0001 ? "" : "at most ", p_text(most, {judged.plan.significance}));
 }
 
 std::string best(const Shown& shown) {
@@ -257,8 +259,7 @@ std::string sentence(const Shown& shown) {
 }
 
 // "1 point", "2.5 cm".
-std::string with_unit(double number, const std::string& unit) {
-  const std::string text = number_text(number);
+std::string with_unit(const std::string& text, const std::string& unit) {
   if (unit.empty()) return text;
   return fmt::format("{} {}", text, text == "1" && unit == "points" ? "point" : unit);
 }
@@ -276,9 +277,9 @@ std::string headline(const Shown& whole) {
 
 std::string margin_words(const Judged& judged) {
   const auto [relative, absolute] = std::pair(judged.plan.margin, judged.observations.absolute_margin);
-  const std::string words = with_unit(100 * relative, is_share(judged) ? "points" : "%");
+  const std::string words = with_unit(number_text(100 * relative), is_share(judged) ? "points" : "%");
   if (absolute == 0 || is_share(judged)) return words;
-  return (relative == 0 ? "" : words + " or ") + with_unit(absolute, judged.observations.unit);
+  return (relative == 0 ? "" : words + " or ") + with_unit(number_text(absolute), judged.observations.unit);
 }
 
 std::string verdict_words(const Finding& finding, const Judged& judged) {
@@ -309,14 +310,23 @@ std::string unit_of(const Finding& finding, const Judged& judged) {
   return finding.scale == Scale::ratio ? "times" : finding.scale == Scale::share ? "points" : judged.observations.unit;
 }
 
+std::vector<double> ends_of(const Finding& finding, const Judged& judged) {
+  const double margin = judged.plan.margin;
+  if (finding.scale == Scale::ratio) return {1, 1 + margin, 1 / (1 + margin)};
+  const double end = is_share(judged) ? 100 * margin : judged.observations.absolute_margin;
+  return {0, end, -end};
+}
+
 std::string amount_words(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) {
     const double ahead = finding.effect.value_or(0.5);
     const bool is_shown = finding.verdict == (ahead > 0.5 ? Verdict::better : Verdict::worse) && ahead != 0.5;
     return is_shown ? fmt::format("ahead in {} %", number_text(100 * ahead)) : "";
   }
-  std::string text = with_unit(*finding.estimate, unit_of(finding, judged));
-  if (finding.interval) text += fmt::format(" ({})", interval_text(*finding.interval, number_text));
+  const Ends ends = ends_of(finding, judged);
+  const double estimate = *finding.estimate;
+  std::string text = with_unit(number_text(estimate, digits_apart(estimate, ends)), unit_of(finding, judged));
+  if (finding.interval) text += fmt::format(" ({})", interval_text(*finding.interval, number_text, ends));
   return text;
 }
 
@@ -337,7 +347,8 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
     for (const Finding& of : findings)
       rows.push_back(
           {fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "", of.first, of.second),
-           verdict_words(of, judged), amount_words(of, judged), of.p ? p_sentence(*of.p) : ""});
+           verdict_words(of, judged), amount_words(of, judged),
+           of.p ? p_sentence(*of.p, {judged.plan.significance}) : ""});
   }
   return rows;
 }

@@ -21,6 +21,8 @@ std::string amount_words(const compare::Finding& finding, const compare::Judged&
 // Of each pair of the deciding metric, those of the best solvers first, "DLS vs PSO", the verdict, the amount and p; of
 // only two solvers one of each metric. None of more than most_pairs.
 std::vector<std::vector<std::string>> pair_rows(const Shown& shown);
+// No difference and the margin's ends, as the finding's numbers are.
+std::vector<double> ends_of(const compare::Finding& finding, const compare::Judged& judged);
 // "5 %", "5 points", "5 % or 0.1 mm"
 std::string margin_words(const compare::Judged& judged);
 

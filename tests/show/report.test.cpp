@@ -116,7 +116,7 @@ TEST_CASE("a sentence, a table and the data have the same numbers", "[show]") {
                                            number_text(finding["low"]), number_text(finding["high"]));
     INFO(first << " vs " << second << ": " << amount);
     CHECK(on_screen.find(amount) != std::string::npos);
-    CHECK(on_screen.find(p_sentence(finding["p"])) != std::string::npos);
+    CHECK(on_screen.find(p_sentence(finding["p"], {})) != std::string::npos);
   }
   CHECK(json["findings"].size() == 12);
   CHECK(json["tests"].size() == 4);  // none of shares, nor of times that are not all compared

@@ -49,14 +49,22 @@ TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]"
   CHECK(json[1]["low"].is_null());
 }
 
-TEST_CASE("an end that an interval excludes says so in every format", "[show]") {
-  const Table table{.caption = "pairs",
-                    .columns = {{"interval"}},
-                    .rows = {{compare::Interval{0, 0.8, true}}, {compare::Interval{0.5, 1, false, true}}, {Cell()}}};
+TEST_CASE("an end that an interval excludes says so in every format, and none is rounded onto what decides", "[show]") {
+  Table table{.caption = "pairs",
+              .columns = {{.name = "interval", .ends = {1, 1.05}}, {.name = "p", .is_p = true, .ends = {0.05}}},
+              .rows = {{compare::Interval{0, 0.8, true}, 0.04998},
+                       {compare::Interval{0.5, 1, false, true}, 0.05},
+                       {compare::Interval{1.00002, 1.0499}, Cell()},
+                       {Cell(), Cell()}}};
   for (const auto& text : {to_text(table), to_markdown(table), to_html(table), to_latex(table)}) {
-    CHECK(text.find("above 0 to 0.8") != std::string::npos);
-    CHECK(text.find("0.5 to below 1") != std::string::npos);
+    for (const char* words : {"above 0 to 0.8", "0.5 to below 1", "0.04998", "1.00002 to 1.0499"}) {
+      INFO(words);
+      CHECK(text.find(words) != std::string::npos);
+    }
   }
+  table.columns.pop_back();
+  for (auto& row : table.rows) row.pop_back();
+  table.rows.erase(table.rows.begin() + 2);
   CHECK(to_csv(table) == "low,high,excluded\n0.0,0.8,low\n0.5,1.0,high\n,,\n");
   CHECK(to_json(table)[0]["excluded"] == "low");
   CHECK(to_json(table)[2]["excluded"].is_null());

@@ -60,6 +60,11 @@ TEST_CASE("an end of an interval that p excludes says so", "[show]") {
   unpaired.is_paired = false;
   const compare::Judged error = of(unpaired).metrics[0];
   CHECK(amount_words(error.findings.front(), error) == "16.5 points (above 0 to 22.3)");
+  std::vector<double> less = values_around(1, 0.0001);
+  for (double& value : less) value *= 0.9999;
+  const compare::Judged little = of(errors({{"A", less}, {"B", values_around(1, 0.00001)}}), {.margin = 0}).metrics[0];
+  CHECK(verdict_words(little.findings.front(), little) == "better");
+  CHECK(amount_words(little.findings.front(), little) == "0.9999 times (0.9999 to 0.9999)");
 }
 
 TEST_CASE("a doubt that several metrics have alike is told once", "[show]") {
