@@ -192,6 +192,8 @@ void judge(const Observations& of, const Plan& plan, const Pair& pair, int direc
   if (*finding.p >= plan.significance) {
     finding.verdict = finding.is_within_margin ? Verdict::same : Verdict::undecided;
     if (interval) interval = Interval{std::min(none, interval->low), std::max(none, interval->high)};
+    const bool has_width = interval && interval->low < interval->high;
+    if (finding.verdict == Verdict::undecided && !has_width) interval.reset();  // most values are equal, but not all
     return;
   }
   if (is_by_t(pair.method) && of.scale != Scale::share &&

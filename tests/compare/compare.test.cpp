@@ -222,6 +222,17 @@ TEST_CASE("all values equal are the same from 73, 109, 164 observations on for 1
   }
 }
 
+TEST_CASE("an interval without width stands only beside what it decides", "[compare]") {
+  for (const std::size_t n : {40u, 80u}) {
+    Lists lists(2, std::vector<double>(n, 2.0));
+    lists[0][0] = 3;
+    const Finding found = only(compare(paired(groups_of(lists)), by_ranks));
+    CHECK(*found.estimate == 1);
+    CHECK(found.verdict == (found.interval ? Verdict::same : Verdict::undecided));
+    CHECK(found.interval.has_value() == (n == 80));
+  }
+}
+
 TEST_CASE("better by less than the margin needs both intervals within", "[compare]") {
   const Finding found = only(compare(groups_of({lognormal(60, 1, 0.01, 1), lognormal(60, 1.02, 0.01, 2)}), by_ranks));
   CHECK(found.verdict == Verdict::better);
