@@ -128,7 +128,9 @@ void ForeignSolver::converse(const Problem& problem, Objective& objective, std::
   account_ = {};
   const Clock::time_point began = Clock::now();
   const double patience = all_.program->choice.patience;
-  const std::chrono::duration<double> given(patience > 0 ? patience : std::clamp(20 * stop_.seconds, 5.0, 1e6));
+  const std::chrono::duration<double> given(patience > 0         ? patience
+                                            : stop_.seconds == 0 ? 60
+                                                                 : std::clamp(20 * stop_.seconds, 5.0, 1e6));
   const Clock::time_point deadline = began + std::chrono::duration_cast<Clock::duration>(given);
   const double cpu_before = own_.child->cpu_seconds();
   const int joints = problem.joints();

@@ -69,7 +69,7 @@ void list_fields(numerics::Fields& io, ProgramChoice& choice) {
   io.texts("process", choice.process, "a program and its arguments, in the folder of the study");
   io.texts("files", choice.files, "what the program consists of besides; an edited file solves anew");
   io.number("patience_s", choice.patience, 1, {0, 86400},
-            "wall time after which a solve is given up; 0: 20 times its budget, at least 5 s");
+            "wall time after which a solve is given up; 0: 20 times stop.seconds, at least 5 s; without that 60 s");
 }
 
 Message next_message(ChildProcess& child, Clock::time_point deadline) {

@@ -15,7 +15,7 @@ namespace ikbench::experiments {
 struct ProgramChoice {
   std::vector<std::string> process;  // the program and its arguments
   std::vector<std::string> files;    // its further files
-  double patience = 0;               // [s] per solve; 0: max(5 s, 20 x its budget)
+  double patience = 0;               // [s] per solve; 0: max(5 s, 20 x stop.seconds), without that 60 s
 };
 
 void list_fields(numerics::Fields& io, ProgramChoice& choice);

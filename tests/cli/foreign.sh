@@ -126,6 +126,12 @@ mistake "exit code 1" "$(command_is '"false"')"
 mistake million "$(command_is '"cat", "/dev/zero"')"
 sed 's/"name": "w"/"name": "label"/' faulty.py >clash.py
 mistake "is no key" "$(command_is '"python3", "clash.py"')"
+# Without stop.seconds a solve may take its time.
+sed '/solves += 1/a\        if solves == 4: time.sleep(6)' faulty.py >slow.py
+study slow "$(command_is '"python3", "slow.py"' 'label = "slow"')"
+succeeds run slow.toml --set runs=1 --set path.points=1 --no-report --out slow
+is slow slow "1 (ok|tolerance_missed)"
+
 sed 's/ikbench=2/ikbench=1/' faulty.py >old.py
 mistake '"ikbench":2' "$(command_is '"python3", "old.py"')"
 
