@@ -203,7 +203,8 @@ class Tree {
   }
 
   // The end of the tree with the most moving joints between the base and it. Frames of a camera are no joints; and
-  // where a gripper follows, or two ends are equal, the file does not say where the arm ends.
+  // where a gripper follows, or two ends are equal, the file does not say where the arm ends. The last joint may be a
+  // gripper's jaw if the link before it, which the arm moves, leads to an end without it.
   std::string farthest(const std::string& base) const {
     std::vector<std::string> ends;
     int most = 0;
@@ -215,6 +216,12 @@ class Tree {
     }
     if (ends.empty()) place_.fail(1, "the joints form a cycle; expected a tree");
     std::string before = before_gripper(base, ends.front());
+    if (before.empty() && most > 1) {
+      const std::vector<const XMLElement*> way = path(base, ends.front());
+      const std::string hand = end(**std::find_if(way.rbegin(), way.rend(), moves), "parent");
+      for (const Seen& seen : behind({hand}))
+        if (seen.moving == 0 && seen.depth > 0 && !after_.contains(seen.link)) ends.insert(ends.begin(), seen.link);
+    }
     if (most == 0 || (before.empty() && ends.size() == 1)) return ends.front();
     if (before.empty()) before = fork(base, ends.front(), ends.back());
     if (std::ranges::any_of(path(base, before), moves)) ends.insert(ends.begin(), before);

@@ -193,7 +193,7 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
     return said.substr(0, said.find("; add --tip LINK"));
   };
   const std::vector<More> camera{
-      {"fixed", "l2", "c1"}, {"fixed", "c1", "c2"}, {"fixed", "c2", "c3"}, {"fixed", "c3", "c4"}};
+      {"fixed", "l1", "c1"}, {"fixed", "c1", "c2"}, {"fixed", "c2", "c3"}, {"fixed", "c3", "c4"}};
   CHECK(read(with(camera)).tip_link == "l4");
   CHECK(ends_of({{"fixed", "l3", "s"}}) == "my_arm.urdf:1: the arm may end at \"l3\", \"l4\", \"s\"");
   CHECK(read(with({{"fixed", "l3", "s"}}), {.tip = "s"}).joints() == 2);
@@ -201,6 +201,7 @@ TEST_CASE("base and tip are links of the user's, or the root and the end with th
   CHECK(ends_of({finger, other}) == "my_arm.urdf:1: the arm may end at \"l4\", \"f\"");
   CHECK(ends_of({other}) == "my_arm.urdf:1: the arm may end at \"l4\", \"g\"");
   CHECK(read(with({finger})).tip_link == "f");
+  CHECK(ends_of({{"revolute", "l3", "jaw", limit}}) == "my_arm.urdf:1: the arm may end at \"l3\", \"l4\", \"jaw\"");
   CHECK(ends_of({{"revolute", "l0", "r", limit}, {"revolute", "r", "s", limit}}) ==
         "my_arm.urdf:1: the arm may end at \"l4\", \"s\"");
   // A joint that floats ends the arm's tree.
