@@ -59,7 +59,7 @@ struct Solving {
       : arm(its_arm),
         goal(std::move(its_goal)),
         all(program,
-            robot_message(arm, arm.chain, goal.rotation_weight, {}, program->hello, options_of(program->hello, {}))) {}
+            robot_message(arm, arm.chain, goal, {}, program->hello, options_of(program->hello, {}))) {}
 
   Tried once(const StopRule& stop = usual) {
     const Problem problem{.start = Configuration::Constant(arm.joints(), 0.1),

@@ -156,10 +156,10 @@ Figure picture(const Robot& arm, const Configuration& q, const std::string& capt
 std::string robot_text(const Robot& arm) {
   const std::string head = fmt::format("{}: {}\nsource: {}\n\n{}{}", arm.name, arm.summary, arm.source,
                                        frame_line("base", arm.chain.base()), frame_line("tool", arm.chain.tool()));
-  std::string rest =
-      fmt::format("\n{}\nwrist: {}\n", reach_text(arm),
-                  SphericalWrist::fits(arm.chain) ? "spherical; search = \"wrist\", \"all_joints\" or \"pose\""
-                                                  : "not spherical; search = \"all_joints\" or \"pose\"");
+  std::string rest = fmt::format("\n{}\nwrist: {}\n", reach_text(arm),
+                                 SphericalWrist::fits(arm.chain)
+                                     ? "spherical; search = \"wrist\", \"all_joints\", \"axis\" or \"pose\""
+                                     : "not spherical; search = \"all_joints\", \"axis\" or \"pose\"");
   for (const std::string& note : arm.notes) rest += fmt::format("note: {}\n", note);
   return wrapped(head) + joint_table(arm) + wrapped(rest);
 }

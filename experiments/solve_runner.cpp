@@ -107,10 +107,9 @@ SolveRunner::SolveRunner(const Study& study, const SolverEntry& entry, const Rob
                                : Timing::clean),
       is_counted_(entry.program || info_of(entry).is_counted) {
   if (!entry.program) return;
-  const double rotation_weight = study.search == Search::pose ? study.rotation_weight : 0;
   conversations_ = std::make_unique<Conversations>(
-      entry.program,
-      robot_message(arm, task_.arm(), rotation_weight, urdf_of(study, entry), entry.program->hello, options_));
+      entry.program, robot_message(arm, task_.arm(), task_.goal(Pose::Identity()), urdf_of(study, entry),
+                                   entry.program->hello, options_));
 }
 
 std::unique_ptr<Solver> SolveRunner::make_solver() const {
@@ -188,11 +187,12 @@ SolveRecord SolveRunner::solve(Solver& solver, const Pose& target, const Configu
   const Solution& solution = median.solution;
   Configuration answer = median.answer;
 
-  Verification verified = verify(arm_, target, start, answer);
+  const bool turns_freely = study_.search == Search::axis;
+  Verification verified = verify(arm_, target, start, answer, turns_freely);
   const Status status = status_of(median, verified, target);
   if (stays(status)) {  // the arm stays, and that is recorded
     answer = start;
-    verified = verify(arm_, target, start, answer);
+    verified = verify(arm_, target, start, answer, turns_freely);
   }
   const Account* const account = median.account ? &*median.account : nullptr;
   SolveRecord record{

@@ -26,6 +26,10 @@ std::vector<std::string> labels_of(const Study& study) {
   return labels;
 }
 
+GoalKind goal_kind(Search search) {
+  return search == Search::pose ? GoalKind::pose : search == Search::axis ? GoalKind::axis : GoalKind::position;
+}
+
 Robot arm_of(const Study& study) { return study.robot_of_file ? *study.robot_of_file : robot(study.robot); }
 
 Configuration joint_units(const Chain& arm) {

@@ -22,7 +22,8 @@ namespace ikbench::experiments {
 // all_joints: it searches all joints for the position alone.
 // flange: so does it, but for the last joint, which turns the tool about its own point and stays where it is.
 // pose: it searches all joints for position and orientation.
-enum class Search { wrist, all_joints, pose, flange };
+// axis: it searches all joints for the position and the direction of the tool's z axis.
+enum class Search { wrist, all_joints, pose, axis, flange };
 
 // The rule that picks one of the wrist's two branches for an answer. nearest: the smaller move. positive, negative: the
 // sign of the middle joint.
@@ -114,6 +115,8 @@ struct Study {
 std::vector<std::string> labels_of(const Study& study);  // of its solvers
 
 // The study's arm; std::invalid_argument if there is none of that name.
+solvers::GoalKind goal_kind(Search search);
+
 robots::Robot arm_of(const Study& study);
 
 // The unit of each joint outside the program: degrees, or metres if the joint slides.

@@ -21,8 +21,8 @@ inline void list_fields(Fields& io, solvers::StopRule& stop) {
             "a solve stops at this position error; 0: no tolerance", InKey::in_text);
   io.number(
       "tolerance_deg", stop.angle_tolerance, numerics::degree, {0, 180},
-      "with search = \"pose\": a solve stops where the tool is also turned no further than this from its target; 0: "
-      "no tolerance");
+      "with search = \"pose\" or \"axis\": a solve stops where the tool, or its z axis, is also turned no further than "
+      "this from its target; 0: no tolerance");
   io.whole("evaluations", stop.evaluations, {0, numerics::no_limit}, "maximum number of evaluations; 0: no maximum",
            InKey::in_text);
   io.number("seconds", stop.seconds, 1, {0, 1e6},
@@ -62,15 +62,17 @@ inline void list_fields(Fields& io, Study& study) {
       Choices<Search>{{"wrist", Search::wrist},
                       {"all_joints", Search::all_joints},
                       {"pose", Search::pose},
+                      {"axis", Search::axis},
                       {"flange", Search::flange}},
       "wrist: search the joints before the spherical wrist and solve the wrist in closed form; all_joints: search all "
-      "joints for the position alone; pose: search all joints for position and orientation; flange: search all but the "
-      "last, which only turns the tool, for the position alone",
+      "joints for the position alone; pose: search all joints for position and orientation; axis: for the position and "
+      "the direction of the tool's z axis; flange: search all but the last, which only turns the tool, for the "
+      "position alone",
       InKey::in_text);
   io.number(
       "rotation_weight_m", study.rotation_weight, 1, {0.001, 10},
-      "with search = \"pose\": the error that solvers reduce is the root mean square distance of three points of the "
-      "tool, its own and those this far along its x and y axes");
+      "with search = \"pose\" or \"axis\": the error that solvers reduce is the root mean square distance of three "
+      "points of the tool, its own and those this far along its x and y axes, or along its z axis both ways");
   io.choice(
       "bounds", study.bounds,
       Choices<StudyBounds>{

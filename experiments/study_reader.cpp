@@ -410,8 +410,8 @@ void check_entry(const TomlReader& reader, const TomlReader& own, const SolverEn
                  const Robot& arm) {
   if (entry.program) return;  // a program itself declines what it cannot solve
   const SolverInfo info = solver(entry.solver);
-  const GoalKind goal = study.search == Search::pose ? GoalKind::pose : GoalKind::position;
-  if (const std::string why = info.why_not(arm.chain, goal); !why.empty()) throw own.mistake("solver", why);
+  if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
+    throw own.mistake("solver", why);
   if (const int population = effective_population(study, entry); population < info.least_population) {
     throw(entry.population > 0 ? own : reader)
         .mistake(population_key, fmt::format("population is {}, but {} needs at least {}", population, entry.solver,
@@ -494,16 +494,17 @@ void check_stop(const TomlReader& stop, const Study& study) {
     throw stop.mistake("iterations",
                        "stop.iterations is 0, so nothing would be solved; expected at least 1, or "
                        "1000000000 where only another limit shall count");
-  if (study.search == Search::pose && (position > 0) != (angle > 0)) {
+  const bool is_directed = goal_kind(study.search) != GoalKind::position;
+  if (is_directed && (position > 0) != (angle > 0)) {
     throw stop.mistake(position > 0 ? "tolerance_cm" : "tolerance_deg",
-                       fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" "
-                                   "expects both, or neither",
+                       fmt::format("stop.tolerance_cm is {:g} and stop.tolerance_deg is {:g}; search = \"pose\" or "
+                                   "\"axis\" expects both, or neither",
                                    position, angle));
   }
-  if (study.search != Search::pose && angle > 0) {
+  if (!is_directed && angle > 0) {
     throw stop.mistake("tolerance_deg",
                        "stop.tolerance_deg is about the orientation, which is not searched; expected search = \"pose\" "
-                       "or no stop.tolerance_deg");
+                       "or \"axis\", or no stop.tolerance_deg");
   }
 }
 
@@ -537,14 +538,16 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
   }
   refuse_if(
       study.search == Search::wrist && !SphericalWrist::fits(arm.chain), "search",
-      fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\" or \"pose\"", arm.name));
+      fmt::format("search is \"wrist\", but {} has no spherical wrist; expected \"all_joints\", \"axis\" or \"pose\"",
+                  arm.name));
   refuse_if(study.search == Search::flange && !only_turns_tool(arm.chain), "search",
             fmt::format("search is \"flange\", but the last joint of {} moves the tool's point; expected "
-                        "\"all_joints\" or \"pose\"",
+                        "\"all_joints\", \"axis\" or \"pose\"",
                         arm.name));
-  refuse_if(study.search != Search::pose && study.rotation_weight != Study{}.rotation_weight, "rotation_weight_m",
-            "rotation_weight_m weighs the orientation, which is not searched; expected search = \"pose\" or no "
-            "rotation_weight_m");
+  refuse_if(goal_kind(study.search) == GoalKind::position && study.rotation_weight != Study{}.rotation_weight,
+            "rotation_weight_m",
+            "rotation_weight_m weighs the orientation, which is not searched; expected search = \"pose\" or \"axis\", "
+            "or no rotation_weight_m");
 }
 
 // ---- a study ------------------------------------------------------------------------------------------------------

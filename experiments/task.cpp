@@ -37,7 +37,8 @@ Task::Task(const Study& study, const Robot& arm)
                                                  : arm.chain) {}
 
 Goal Task::goal(const Pose& target) const {
-  if (study_.search == Search::pose) return {target, study_.rotation_weight};
+  if (const GoalKind kind = goal_kind(study_.search); kind != GoalKind::position)
+    return {target, study_.rotation_weight, kind};
   return wrist_ ? wrist_->centre(target) : Eigen::Vector3d(target.translation());
 }
 

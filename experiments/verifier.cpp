@@ -93,17 +93,18 @@ Eigen::VectorXd move_between(const JointLimits& limits, const Eigen::VectorXd& s
 
 double beyond_rounding(double violation) { return violation <= rounding ? 0 : violation; }
 
-// The angle between two rotations; their difference has the norm sqrt(8) sin(angle / 2).
-double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
-  const double sine = (a - b).norm() / std::sqrt(8.0);
+// The angle between two rotations whose difference has the norm sqrt(8) sin(angle / 2).
+double angle_of(double difference) {
+  const double sine = difference / std::sqrt(8.0);
   return 2 * arc_tangent(sine, std::sqrt(std::max(0.0, 1 - sine * sine)));
 }
 
-// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y axes.
+// The root mean square distance of three points of the tool: its own, and those `weight` along its x and y axes, or
+// along its z axis both ways.
 double pose_error(const Verification& verified, double weight) {
-  const Eigen::Vector3d off = verified.off.col(3);
-  const double squares = off.squaredNorm() + (off + weight * verified.off.col(0)).squaredNorm() +
-                         (off + weight * verified.off.col(1)).squaredNorm();
+  const Eigen::Vector3d off = verified.off.col(3), one = verified.off.col(verified.turns_freely ? 2 : 0);
+  const Eigen::Vector3d other = verified.turns_freely ? Eigen::Vector3d(-one) : Eigen::Vector3d(verified.off.col(1));
+  const double squares = off.squaredNorm() + (off + weight * one).squaredNorm() + (off + weight * other).squaredNorm();
   return std::sqrt(squares / 3);
 }
 
@@ -167,18 +168,21 @@ Eigen::Matrix4d verified_pose(const Robot& arm, const Eigen::VectorXd& q) {
   return as_eigen(pose);
 }
 
-Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start,
-                    const Eigen::VectorXd& answer) {
+Verification verify(const Robot& robot, const Pose& target, const Eigen::VectorXd& start, const Eigen::VectorXd& answer,
+                    bool turns_freely) {
   const Eigen::Matrix4d reached = verified_pose(robot, answer), wanted = target.matrix();
   const Eigen::Matrix3d R = reached.topLeftCorner<3, 3>(), R_wanted = wanted.topLeftCorner<3, 3>();
+  // The turn that is left then moves z alone: z is off by 2 sin(angle / 2).
+  const double turned_off = turns_freely ? std::sqrt(2.0) * (R - R_wanted).col(2).norm() : (R - R_wanted).norm();
   const Eigen::VectorXd move = move_between(robot.limits, start, answer);
   const Eigen::VectorXd outside =
       answer.allFinite() ? (robot.limits.lower - answer).cwiseMax(answer - robot.limits.upper).cwiseMax(0) : answer;
   const Eigen::VectorXd turned = of_joints(robot, move, Kind::turns), slid = of_joints(robot, move, Kind::slides);
   return {.reached = reached.topRightCorner<3, 1>(),
           .position_error = (reached - wanted).topRightCorner<3, 1>().norm(),
-          .orientation_error = (R - R_wanted).norm() / R_wanted.norm(),
-          .angle = angle_between(R, R_wanted),
+          .turns_freely = turns_freely,
+          .orientation_error = turned_off / R_wanted.norm(),
+          .angle = angle_of(turned_off),
           .off = (reached - wanted).topRows<3>(),
           .variation = turned.norm(),
           .variation_m = slid.norm(),

@@ -11,8 +11,10 @@ namespace ikbench::experiments {
 struct Verification {
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // position of the tool [m]
   double position_error = 0;                          // [m], Eq. 1
-  double orientation_error = 0;                       // ||R - Rd|| / ||Rd||, Eq. 3
-  double angle = 0;                                   // between R and Rd [rad], 0 to pi
+  // Where the turn about the tool's z axis is free, Rd is turned about it to where it is nearest to R.
+  bool turns_freely = false;
+  double orientation_error = 0;  // ||R - Rd|| / ||Rd||, Eq. 3
+  double angle = 0;              // between R and Rd [rad], 0 to pi
   // Reached minus target: the tool's x, y and z axes as unit vectors, and its point [m].
   Eigen::Matrix<double, 3, 4> off = Eigen::Matrix<double, 3, 4>::Zero();
   // Joints that turn [rad] and joints that slide [m] (_m) are never added. A joint that turns without end moves the
@@ -27,9 +29,10 @@ struct Verification {
 Eigen::Matrix4d verified_pose(const robots::Chain& arm, const Eigen::VectorXd& q);
 Eigen::Matrix4d verified_pose(const robots::Robot& arm, const Eigen::VectorXd& q);
 
-// `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors.
+// `answer` and `start` have all joints of the robot. A non-finite answer gives non-finite errors. With `turns_freely`
+// the turn about the tool's z axis is free.
 Verification verify(const robots::Robot& robot, const robots::Pose& target, const Eigen::VectorXd& start,
-                    const Eigen::VectorXd& answer);
+                    const Eigen::VectorXd& answer, bool turns_freely = false);
 
 // The requirements of an answer, besides being a finite configuration.
 struct Requirement {

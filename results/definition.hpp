@@ -34,6 +34,7 @@ struct Definition {
   // Each solve begins where the last one left the arm.
   bool is_chained() const { return start == "previous"; }
   // Says what is solved.
+  bool has_direction() const { return search == "pose" || search == "axis"; }
   bool has_tolerance() const { return stop.tolerance_cm > 0 || stop.tolerance_deg > 0; }
 };
 

@@ -191,15 +191,25 @@ void Chain::position_errors(const CandidatesRef& q, const Eigen::Vector3d& targe
 
 void Chain::pose_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
                         Eigen::Ref<Eigen::VectorXd> errors) const {
+  errors_of_points(q, target, Eigen::Matrix<double, 3, 2>{{rotation_weight, 0}, {0, rotation_weight}, {0, 0}}, errors);
+}
+
+void Chain::axis_errors(const CandidatesRef& q, const Pose& target, double rotation_weight,
+                        Eigen::Ref<Eigen::VectorXd> errors) const {
+  errors_of_points(q, target, Eigen::Matrix<double, 3, 2>{{0, 0}, {0, 0}, {rotation_weight, -rotation_weight}}, errors);
+}
+
+void Chain::errors_of_points(const CandidatesRef& q, const Pose& target, const Eigen::Matrix<double, 3, 2>& points,
+                             Eigen::Ref<Eigen::VectorXd> errors) const {
   check_sizes(q, errors);
   const Pose seen = T_first_base_ * target;
   const auto copy = [](const Eigen::Vector3d& from, double* to) { std::copy(from.begin(), from.end(), to); };
   KernelPose goal;
   copy(seen.translation(), goal.target);
-  copy(rotation_weight * seen.linear().col(0), goal.target_axes.x);
-  copy(rotation_weight * seen.linear().col(1), goal.target_axes.y);
-  copy(rotation_weight * T_last_tool_.linear().col(0), goal.tool_axes.x);
-  copy(rotation_weight * T_last_tool_.linear().col(1), goal.tool_axes.y);
+  copy(seen.linear() * points.col(0), goal.target_axes.x);
+  copy(seen.linear() * points.col(1), goal.target_axes.y);
+  copy(T_last_tool_.linear() * points.col(0), goal.tool_axes.x);
+  copy(T_last_tool_.linear() * points.col(1), goal.tool_axes.y);
   kernels().pose_errors(kernel_chain(), goal, q.data(), q.outerStride(), q.cols(), errors.data());
 }
 

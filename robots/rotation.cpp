@@ -33,4 +33,10 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R) {
   return (axis.dot(skew) < 0 ? -angle : angle) * axis;
 }
 
+Eigen::Vector3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const Eigen::Vector3d cross = from.cross(to);
+  const double sine = cross.norm(), angle = arc_tangent(sine, from.dot(to));
+  return sine > 0 ? Eigen::Vector3d(angle / sine * cross) : Eigen::Vector3d(angle * from.unitOrthogonal());
+}
+
 }  // namespace ikbench::robots

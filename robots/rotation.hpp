@@ -12,4 +12,8 @@ Eigen::Matrix3d rotation_from_rpy(const Eigen::Vector3d& rpy);
 // 1e-12 everywhere. The axis of half a turn has two directions; it gives one of them.
 Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R);
 
+// The rotation vector of the shortest turn from a direction to another, both of length 1; between opposite ones, one of
+// the shortest.
+Eigen::Vector3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 }  // namespace ikbench::robots

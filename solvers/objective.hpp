@@ -8,21 +8,25 @@
 
 namespace ikbench::solvers {
 
-// The goal for the tool: a position, or a whole pose.
+// A goal is the tool's position, or that and the direction of its z axis, or its whole pose.
+enum class GoalKind { position, axis, pose };
+
 struct Goal {
   Goal(const Eigen::Vector3d& position) { target.translation() = position; }
-  Goal(const robots::Pose& pose, double weight) : target(pose), rotation_weight(weight) {}
+  Goal(const robots::Pose& pose, double weight, GoalKind its_kind = GoalKind::pose)
+      : kind(its_kind), target(pose), rotation_weight(weight) {}
 
+  GoalKind kind = GoalKind::position;
   robots::Pose target = robots::Pose::Identity();
   double rotation_weight = 0;  // [m] weight of a radian; 0: position only
 
-  bool is_pose() const { return rotation_weight > 0; }
+  bool has_direction() const { return kind != GoalKind::position; }
 };
 
-// Distance of the tool from a pose.
+// Distance of the tool from its goal.
 struct Deviation {
   double position = 0;  // [m]
-  double angle = 0;     // [rad], 0 to pi
+  double angle = 0;     // [rad], 0 to pi, of the z axis if that is the goal, else of the whole tool
 };
 
 // The residual of a goal: 3 or 6 numbers, not on the heap.
@@ -36,9 +40,9 @@ class Objective {
   const robots::Chain& arm() const { return arm_; }
   const Goal& goal() const { return goal_; }
 
-  // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or for a pose
-  // the root mean square of the distances of three points of the tool (Chain::pose_errors). It is 0 only at the goal,
-  // and smooth elsewhere. Counts one evaluation per candidate.
+  // Writes the error [m] of every candidate (a column of q) into `errors`: the position error (Eq. 1), or the
+  // root mean square of the distances of three points of the tool (Chain::pose_errors, Chain::axis_errors). It is 0
+  // only at the goal, and smooth elsewhere. Counts one evaluation per candidate.
   void errors(const robots::CandidatesRef& q, Eigen::Ref<Eigen::VectorXd> errors) {
     evaluations_ += q.cols();
     evaluate(q, errors);
@@ -85,11 +89,12 @@ class Objective {
     one_by_one(q, errors, propose, decide, [](Eigen::Index) { return false; });
   }
 
-  // Rows of a residual: 3 for a position, 6 for a pose.
-  int rows() const { return goal_.is_pose() ? 6 : 3; }
-  // The residual: target - position [m] and, for a pose, rotation_weight times the remaining rotation vector [m], in
-  // the axes of the base. Writes the geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq =
-  // residual is Newton's step. The norm of a pose's residual differs from its error. Counts one evaluation.
+  // Rows of a residual: 3 for a position, else 6.
+  int rows() const { return goal_.has_direction() ? 6 : 3; }
+  // The residual: target - position [m] and, but for a position, rotation_weight times the remaining rotation vector
+  // [m], in the axes of the base; of an axis its shortest turn, and the Jacobian has no turn about it. Writes the
+  // geometric Jacobian in the same units into `jacobian`, rows() x joints. J dq = residual is Newton's step. The norm
+  // of a residual of 6 rows differs from the error. Counts one evaluation.
   Residual linearize(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian) {
     ++evaluations_;
     return evaluate_linear(q, jacobian);
@@ -110,6 +115,8 @@ class Objective {
   virtual Residual evaluate_linear(const robots::ConfigurationRef& q, Eigen::Ref<Eigen::MatrixXd> jacobian);
 
  private:
+  Eigen::Vector3d turn_from(const Eigen::Matrix3d& reached) const;  // the rotation vector that is left
+
   const robots::Chain& arm_;
   Goal goal_;
   Eigen::Index look_ahead_ = 64, furthest_ahead_ = 64;  // candidates

@@ -12,9 +12,6 @@
 
 namespace ikbench::solvers {
 
-// Tells whether solvers search the tool's position or its pose.
-enum class GoalKind { position, pose };
-
 struct SolverInfo {
   std::string name;
   std::string summary;

@@ -75,8 +75,8 @@ Solution solve(Solver& solver, const Problem& problem, Objective& objective, Ran
   }
   solution.best = solver.best();
   if (!solution.best.q.allFinite()) solution.stopped = Stopped::not_finite;
-  const bool is_pose = objective.goal().is_pose() && solution.stopped != Stopped::not_finite;
-  solution.position_error = is_pose ? objective.deviation(solution.best.q).position : solution.best.error;
+  const bool is_directed = objective.goal().has_direction() && solution.stopped != Stopped::not_finite;
+  solution.position_error = is_directed ? objective.deviation(solution.best.q).position : solution.best.error;
   solution.evaluations = objective.evaluations();
   solution.restarts = solver.restarts();
   if (!improved.at.empty() && improved.at.back() < solution.evaluations)

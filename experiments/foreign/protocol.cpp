@@ -24,6 +24,7 @@ using namespace solvers;
 namespace {
 
 constexpr std::size_t most_options = 200;
+constexpr const char* goal_names[]{"position", "axis", "pose"};  // as GoalKind
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string line_of(const OrderedJson& json) { return numerics::text_of(json) + '\n'; }
@@ -218,7 +219,7 @@ std::int64_t Message::count(const char* key) const {
   return static_cast<std::int64_t>(value);
 }
 
-std::string robot_message(const Robot& arm, const Chain& searched, double rotation_weight, const std::string& urdf,
+std::string robot_message(const Robot& arm, const Chain& searched, const Goal& goal, const std::string& urdf,
                           const Hello& hello, const Settings& options) {
   OrderedJson values = OrderedJson::object(), joints = OrderedJson::array();
   for (const HelloOption& option : hello.options) {
@@ -246,8 +247,8 @@ std::string robot_message(const Robot& arm, const Chain& searched, double rotati
   OrderedJson json{{"message", "robot"},
                    {"name", arm.name},
                    {"options", values},
-                   {"goal", rotation_weight > 0 ? "pose" : "position"},
-                   {"rotation_weight", rotation_weight},
+                   {"goal", goal_names[static_cast<std::size_t>(goal.kind)]},
+                   {"rotation_weight", goal.rotation_weight},
                    {"claim_slack", claim_slack(arm)},
                    {"joints", joints},
                    {"base_link", arm.base_link.empty() ? "base" : arm.base_link},
@@ -261,7 +262,8 @@ std::string robot_message(const Robot& arm, const Chain& searched, double rotati
 std::string solve_message(const Problem& problem, const Goal& goal, const StopRule& stop, std::uint32_t seed) {
   const JointLimits limits = finite_limits(problem);
   OrderedJson target{{"position", numbers(goal.target.translation())}};
-  if (goal.is_pose()) target["rotation"] = numbers(goal.target.linear().transpose().reshaped());
+  if (goal.kind == GoalKind::pose) target["rotation"] = numbers(goal.target.linear().transpose().reshaped());
+  if (goal.kind == GoalKind::axis) target["axis"] = numbers(goal.target.linear().col(2));
   return line_of(
       {{"message", "solve"},
        {"target", target},

@@ -62,9 +62,9 @@ class Message {
   Eigen::MatrixXd candidates_;  // if read_candidates read them; else json_ has them
 };
 
-// What is the same for all solves. `searched` has the joints before the wrist, or all; `rotation_weight` is 0 if
-// positions are searched; `urdf` is the text of the arm's file, if it is of one.
-std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, double rotation_weight,
+// What is the same for all solves. `searched` has the joints before the wrist, or all; of `goal` the target does not
+// matter; `urdf` is the text of the arm's file, if it is of one.
+std::string robot_message(const robots::Robot& arm, const robots::Chain& searched, const solvers::Goal& goal,
                           const std::string& urdf, const Hello& hello, const solvers::Settings& options);
 std::string solve_message(const solvers::Problem& problem, const solvers::Goal& goal, const solvers::StopRule& stop,
                           std::uint32_t seed);

@@ -32,7 +32,11 @@ class KdlLma final : public Solver {
 
   explicit KdlLma(Options options) : options_(options) {}
 
-  static std::string why_not(const Chain& arm, GoalKind) { return why_kdl_cannot(arm); }
+  static std::string why_not(const Chain& arm, GoalKind goal) {
+    if (goal == GoalKind::axis)
+      return "kdl_lma cannot leave a turn free; expected search = \"pose\", or another solver";
+    return why_kdl_cannot(arm);
+  }
 
   void start(const Problem& problem, Objective& objective, Random&) override {
     if (!arm_ || *arm_ != objective.arm()) {
@@ -41,8 +45,8 @@ class KdlLma final : public Solver {
       chain_ = kdl_chain(*arm_);
     }
     calls_.start(problem, objective, options_.iterations);
-    const Call call{.weight = objective.goal().is_pose() ? options_.rotation_weight : 0,
-                    .accuracy = accuracy(problem.stop, objective.goal().is_pose()),
+    const Call call{.weight = objective.goal().has_direction() ? options_.rotation_weight : 0,
+                    .accuracy = accuracy(problem.stop, objective.goal().has_direction()),
                     .iterations = calls_.iterations_of_call()};
     if (!lma_ || call != call_) {
       call_ = call;

@@ -49,7 +49,7 @@ class KdlNewton final : public Solver {
   explicit KdlNewton(Options options) : options_(options) {}
 
   static std::string why_not(const Chain& arm, GoalKind goal) {
-    if (goal == GoalKind::position) return "kdl_newton solves for a pose; expected search = \"pose\"";
+    if (goal != GoalKind::pose) return "kdl_newton solves for a pose; expected search = \"pose\"";
     return why_kdl_cannot(arm);
   }
 

@@ -95,7 +95,7 @@ TEST_CASE("a joint without end moves the shorter way round, and any other as far
 
 TEST_CASE("a program gets null for a limit that there is not, and a whole turn each way to search in", "[endless]") {
   const Robot arm = robot("kinova_gen3");
-  const ParsedJson robot_told = ParsedJson::parse(robot_message(arm, arm.chain, 0, "", {}, {}));
+  const ParsedJson robot_told = ParsedJson::parse(robot_message(arm, arm.chain, Eigen::Vector3d(0, 0, 0), "", {}, {}));
   CHECK(robot_told["joints"][0]["lower"].is_null());
   CHECK(robot_told["joints"][1]["upper"] == arm.limits.upper[1]);
   const Problem problem{

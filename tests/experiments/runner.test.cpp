@@ -589,7 +589,7 @@ TEST_CASE("IK-BA draws the Dobot's circle with the angles of Table 8, to errors 
 // ---- answers, judged ----------------------------------------------------------------------------------------------
 
 TEST_CASE("the verified error of every solver is the one it claims", "[runner][solvers]") {
-  for (const Search search : {Search::wrist, Search::all_joints, Search::pose, Search::flange}) {
+  for (const Search search : {Search::wrist, Search::all_joints, Search::pose, Search::axis, Search::flange}) {
     Study study = study_of_every_solver();
     study.search = search;
     for (const SolveRecord& record : solves_of(study)) {
@@ -628,14 +628,40 @@ TEST_CASE("every solver searches poses of an arm without a spherical wrist, and 
   CHECK(within["random_search"] == 0);
 }
 
+TEST_CASE("an arm of five joints finds the axes that it can reach", "[runner][axis]") {
+  Study study;
+  study.robot = "tests/data/urdf/jaw.urdf";
+  study.robot_of_file = std::make_shared<const Robot>(load_robot(study.robot, {.tip = "tool"}));
+  study.search = Search::axis;
+  study.path = path_of({"kind=random", "points=25"});
+  study.initial = Eigen::VectorXd::Zero(5);
+  study.start = Start::initial;
+  study.stop = {.iterations = 2000, .tolerance = 1e-5, .angle_tolerance = 0.01 * degree};
+  study.runs = 2;
+  study.repeats = 1;
+  study.solvers = {{"DLS", "damped_least_squares", {}}, {"LM", "levenberg_marquardt", {}}};
+  std::map<std::string, int> ok;
+  for (const SolverInfo& info : all_solvers()) {  // peers, where they are built
+    if (info.name == "trac_ik") study.solvers.push_back({"TRAC-IK", info.name, {}});
+    if (info.name == "nlopt") study.solvers.push_back({"NLopt", info.name, {{"restarts", "random"}}});
+  }
+  for (const SolveRecord& record : solves_of(study)) ok[record.solver] += record.status == Status::ok ? 1 : 0;
+  for (const SolverEntry& entry : study.solvers) {
+    CAPTURE(entry.label);
+    CHECK(ok[entry.label] == 50);
+  }
+}
+
 TEST_CASE("the columns of a record are what the verifier says of its answer", "[runner]") {
-  const Study study = small_study();
+  Study study = small_study();
+  study.search = GENERATE(Search::wrist, Search::axis);
   const Robot arm = robot(study.robot);
   const std::vector<Pose> poses = targets(study, 1);
   for (const SolveRecord& record : solves_of(study)) {
     const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(record.start_rad.data(), 7);
     const Eigen::VectorXd answer = Eigen::Map<const Eigen::VectorXd>(record.answer_rad.data(), 7);
-    const Verification verified = verify(arm, poses[static_cast<std::size_t>(record.point - 1)], start, answer);
+    const Verification verified =
+        verify(arm, poses[static_cast<std::size_t>(record.point - 1)], start, answer, study.search == Search::axis);
     CHECK(record.position_error_cm == Approx(verified.position_error * 100));
     CHECK(record.orientation_error == verified.orientation_error);
     CHECK(record.variation_deg == Approx(verified.variation / degree));

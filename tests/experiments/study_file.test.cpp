@@ -554,19 +554,20 @@ TEST_CASE("a study has solvers and an arm that there are, each label once", "[st
 }
 
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
-  check({{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
-          "my.toml:2:10: ",
-          {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\" or \"pose\""}},
-         {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
-         {"robot = \"planar_2\"\nsearch = \"flange\"\n" + solver_entry,
-          "my.toml:2:10: ",
-          {"search is \"flange\"", "the last joint of planar_2 moves", "expected \"all_joints\" or \"pose\""}},
-         {"initial_deg = [0, 0]\n" + solver_entry,
-          "my.toml:1:15: ",
-          {"has 2 values", "expected 7, one for each joint of kuka_iiwa14"}},
-         {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
-          "my.toml:3:15: ",
-          {"has 3 values", "expected 2, one for each joint of planar_2"}}});
+  check(
+      {{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
+        "my.toml:2:10: ",
+        {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\", \"axis\" or \"pose\""}},
+       {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
+       {"robot = \"planar_2\"\nsearch = \"flange\"\n" + solver_entry,
+        "my.toml:2:10: ",
+        {"search is \"flange\"", "the last joint of planar_2 moves", "expected \"all_joints\", \"axis\" or \"pose\""}},
+       {"initial_deg = [0, 0]\n" + solver_entry,
+        "my.toml:1:15: ",
+        {"has 2 values", "expected 7, one for each joint of kuka_iiwa14"}},
+       {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
+        "my.toml:3:15: ",
+        {"has 3 values", "expected 2, one for each joint of planar_2"}}});
 }
 
 TEST_CASE("what a search for poses asks for, and what only it has", "[study][mistakes]") {

@@ -225,6 +225,13 @@ TEST_CASE("the angle between a target and the tool is that by which the one is t
     target.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, -3).normalized()));
     const double rounding = angle < 3 ? 4e-15 : 3e-8;  // the sine of half of it is flat at half a turn
     CHECK(std::abs(verify(arm, target, q, q).angle - angle) <= rounding);
+    // Where the tool may turn about its z axis, the angle is that between two such axes, and the rest of Eq. 3 its own.
+    const Eigen::Matrix3d R = arm.chain.forward(q).linear();
+    target.linear() = R * Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 0).normalized()) *
+                      Eigen::AngleAxisd(2, Eigen::Vector3d::UnitZ());
+    const Verification free = verify(arm, target, q, q, true);
+    CHECK(std::abs(free.angle - angle) <= 3e-8);
+    CHECK(std::abs(free.orientation_error - std::sqrt(8.0 / 3) * std::sin(angle / 2)) <= 4e-15);
   }
 }
 
@@ -237,15 +244,16 @@ TEST_CASE("an angle beyond its tolerance is a missed tolerance, whatever the pos
   CHECK(judge(both, {.claimed_error = 2, .tolerance = 1, .angle_tolerance = 1}) == Status::tolerance_missed);
 }
 
-TEST_CASE("what is claimed of a pose has to hold of its position and of its orientation", "[verifier]") {
+TEST_CASE("what is claimed of a pose or an axis has to hold of its position and of its orientation", "[verifier]") {
+  const bool is_axis = GENERATE(false, true);
   const Robot arm = robot("ur5e");
   const Eigen::VectorXd q = angles({0.1, -0.2, 0.3, -0.4, 0.5, -0.6});
   Pose target = arm.chain.forward(q);
-  target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()));
+  target.rotate(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
   target.translation() += Eigen::Vector3d(0.03, 0, 0.04);
-  const Verification verified = verify(arm, target, q, q);
+  const Verification verified = verify(arm, target, q, q, is_axis);
   Eigen::VectorXd error(1);
-  arm.chain.pose_errors(q, target, 0.3, error);
+  is_axis ? arm.chain.axis_errors(q, target, 0.3, error) : arm.chain.pose_errors(q, target, 0.3, error);
   const Requirement honest{.claimed_error = 0.05, .claimed_pose_error = error[0], .rotation_weight = 0.3};
   CHECK(judge(verified, honest) == Status::ok);
   Requirement wrong = honest;

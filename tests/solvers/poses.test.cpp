@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "numerics/units.hpp"
+#include "solvers/pseudo_inverse.hpp"
 #include "tests/catch.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/solvers/allocations.hpp"
@@ -45,7 +46,7 @@ Goal moved(const Goal& goal, const Eigen::Vector3d& by, double angle, const Eige
   Pose target = goal.target;
   target.translation() += by;
   target.linear() = Eigen::AngleAxisd(angle, axis) * target.linear();
-  return {target, goal.rotation_weight};
+  return {target, goal.rotation_weight, goal.kind};
 }
 
 }  // namespace
@@ -65,6 +66,34 @@ TEST_CASE("a pose's error is its distance where it is turned right, and grows wi
   CHECK(objective.deviation(q).position == Approx(0.05));
   CHECK(objective.deviation(q).angle == Approx(0.2));
   CHECK(objective.evaluations() == 0);
+}
+
+TEST_CASE("an axis' error does not change as the tool turns about it, and otherwise is that of a pose", "[axis]") {
+  const PoseTask task = pose_task("ur5e");
+  Eigen::VectorXd q = task.problem.start.array() + 0.7;  // nowhere near singular
+  const Goal here{task.arm.chain.forward(q), weight, GoalKind::axis};
+  const Eigen::Vector3d z = here.target.linear().col(2), x = here.target.linear().col(0), by(0.03, 0, 0.04);
+  const auto seen = [&](const Goal& goal) {
+    Objective objective(task.arm.chain, goal);
+    return Eigen::Vector3d(objective.error(q), objective.deviation(q).position, objective.deviation(q).angle);
+  };
+  CHECK((seen(moved(here, by, 2, z)) - Eigen::Vector3d(0.05, 0.05, 0)).norm() < 1e-7);
+  for (const double angle : {1e-9, 0.2, 2.0, std::numbers::pi}) {
+    CAPTURE(angle);
+    // Both other points are weight times the chord away.
+    const double error = std::hypot(0.05, std::sqrt(2.0 / 3) * weight * 2 * std::sin(angle / 2));
+    CHECK((seen(moved(here, by, angle, x)) - Eigen::Vector3d(error, 0.05, angle)).norm() < 1e-7);
+  }
+  Objective near(task.arm.chain, moved(moved(here, {1e-3, -2e-3, 3e-3}, 2, z), {0, 0, 0}, 0.03, x));
+  Eigen::MatrixXd jacobian(near.rows(), q.size());
+  Residual residual = near.linearize(q, jacobian);
+  CHECK((residual.tail<3>() - weight * 0.03 * x).norm() < 1e-14);
+  CHECK((z.transpose() * jacobian.bottomRows<3>()).norm() < 1e-14);
+  for (int step = 0; step < 5; ++step) {
+    q += pseudo_inverse_times(jacobian, residual, 1e-9);
+    residual = near.linearize(q, jacobian);
+  }
+  CHECK(near.error(q) < 1e-14);
 }
 
 TEST_CASE("a pose's residual is the way and the weighted turn that are left, and its Jacobian is Newton's", "[pose]") {
@@ -96,11 +125,14 @@ TEST_CASE("a pose's residual is the way and the weighted turn that are left, and
   }
 }
 
-TEST_CASE("every solver's best is honest about a pose and never worsens, and its steps take no memory", "[pose]") {
+TEST_CASE("every solver's best is honest about a pose or an axis and never worsens, and its steps take no memory",
+          "[pose]") {
+  const GoalKind kind = GENERATE(GoalKind::pose, GoalKind::axis);
   for (const char* const name : {"ur5e", "stanford", "puma560"}) {
-    const PoseTask task = pose_task(name);
-    for (const SolverInfo& info : solvers_for(task.arm.chain, GoalKind::pose)) {
-      CAPTURE(info.name, name);
+    PoseTask task = pose_task(name);
+    task.goal.kind = kind;
+    for (const SolverInfo& info : solvers_for(task.arm.chain, task.goal.kind)) {
+      CAPTURE(info.name, name, task.goal.kind);
       Objective objective(task.arm.chain, task.goal), judge(task.arm.chain, task.goal);
       Random random{Key(1)};
       const auto solver = info.make({});
@@ -121,8 +153,9 @@ TEST_CASE("every solver's best is honest about a pose and never worsens, and its
 }
 
 TEST_CASE("every solver gives the same answer to a pose, however far ahead it evaluates", "[pose]") {
-  const PoseTask task = pose_task("puma560", 3);
-  for (const SolverInfo& info : solvers_for(task.arm.chain, GoalKind::pose)) {
+  PoseTask task = pose_task("puma560", 3);
+  task.goal.kind = GENERATE(GoalKind::pose, GoalKind::axis);
+  for (const SolverInfo& info : solvers_for(task.arm.chain, task.goal.kind)) {
     CAPTURE(info.name);
     Objective ahead(task.arm.chain, task.goal);
     OneAheadObjective one(task.arm.chain, task.goal);
@@ -137,7 +170,8 @@ TEST_CASE("every solver gives the same answer to a pose, however far ahead it ev
 
 TEST_CASE("a solve of a pose stops where position and angle are both within their tolerances, and not before",
           "[pose][solve]") {
-  const PoseTask task = pose_task("ur5e");
+  PoseTask task = pose_task("ur5e");
+  task.goal.kind = GENERATE(GoalKind::pose, GoalKind::axis);
   const StopRule both{.iterations = 400, .tolerance = 1e-3, .angle_tolerance = 1 * degree};
   for (const char* const name : {"damped_least_squares", "ik_bat"}) {
     CAPTURE(name);
