@@ -13,6 +13,7 @@
 #include "experiments/foreign/foreign_solver.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/json.hpp"
+#include "robots/urdf.hpp"
 
 namespace ikbench::cli {
 
@@ -32,19 +33,30 @@ struct CheckLine {
 
 constexpr StopRule usual{.iterations = 100, .tolerance = 1e-4, .angle_tolerance = 1e-3, .evaluations = 3000};
 
-// An arm about a metre long; each axis is at a right angle to the one before.
-Robot some_arm(Joint second = Joint::turns, double end_of_first = std::numbers::pi) {
-  std::vector<DhLink> links;
-  for (const double side : {1, -1, 1, -1, 1, -1, 1}) links.push_back({.a = 0.15, .alpha = side * std::numbers::pi / 2});
-  links[1].joint = second;
-  Configuration ends = Configuration::Constant(7, std::numbers::pi);
-  ends[0] = end_of_first;
-  Robot arm{.name = "check", .summary = {}, .source = {}, .chain = Chain(links), .limits = {-ends, ends}};
-  if (second == Joint::slides) arm.limits.lower[1] = 0, arm.limits.upper[1] = 1;
-  return arm;
+// A URDF file of an arm about a metre long; each axis is at a right angle to the one before.
+std::string some_arm(std::string_view first = "revolute", std::string_view second = "revolute") {
+  std::string text = "<robot name='check'><link name='base'/>", before = "base";
+  for (int j = 1; j <= 8; ++j) {
+    const std::string after = j < 8 ? fmt::format("link_{}", j) : "tool";
+    text += fmt::format(
+        "<link name='{0}'/><joint name='joint_{1}' type='{2}'><parent link='{3}'/><child link='{0}'/>"
+        "<origin xyz='{4} 0 0' rpy='{5} 0 0'/><axis xyz='0 0 1'/><limit lower='{6}' upper='{7}'/></joint>",
+        after, j,
+        j == 1   ? first
+        : j == 2 ? second
+        : j < 8  ? "revolute"
+                 : "fixed",
+        std::exchange(before, after), j == 1 ? 0 : 0.15, j == 1 ? 0 : (j % 2 == 0 ? 1 : -1) * std::numbers::pi / 2,
+        j == 2 && second == "prismatic" ? 0 : -std::numbers::pi, std::numbers::pi);
+  }
+  return text + "</robot>";
 }
 
-Pose reachable(const Robot& arm) { return arm.chain.forward(Configuration::LinSpaced(arm.joints(), 0.3, 0.7)); }
+Goal some_goal(const Robot& arm, GoalKind kind, double beyond) {
+  Pose pose = arm.chain.forward(Configuration::LinSpaced(arm.joints(), 0.3, 0.7));
+  pose.translation().x() += beyond;
+  return kind == GoalKind::position ? Goal(pose.translation()) : Goal(pose, 0.25, kind);
+}
 
 struct Tried {
   Configuration q;
@@ -55,11 +67,10 @@ struct Tried {
 
 // Processes of a program that solve for one goal of an arm.
 struct Solving {
-  Solving(const std::shared_ptr<const Program>& program, const Robot& its_arm, Goal its_goal)
-      : arm(its_arm),
-        goal(std::move(its_goal)),
-        all(program,
-            robot_message(arm, arm.chain, goal, {}, program->hello, options_of(program->hello, {}))) {}
+  Solving(const std::shared_ptr<const Program>& program, const std::string& urdf, GoalKind kind, double beyond = 0)
+      : arm(parse_urdf(urdf, "check.urdf", {})),
+        goal(some_goal(arm, kind, beyond)),
+        all(program, robot_message(arm, arm.chain, goal, urdf, program->hello, options_of(program->hello, {}))) {}
 
   Tried once(const StopRule& stop = usual) {
     const Problem problem{.start = Configuration::Constant(arm.joints(), 0.1),
@@ -100,25 +111,36 @@ class Checks {
 
   void check(const std::shared_ptr<const Program>& program) {
     line("it says hello", "", fmt::format("{} {}", program->hello.name, program->hello.version));
-    const Robot arm = some_arm(), endless = some_arm(Joint::turns, std::numeric_limits<double>::infinity()),
-                sliding = some_arm(Joint::slides);
-    const Eigen::Vector3d position = reachable(arm).translation(), slid = reachable(sliding).translation();
-    Solving usually(program, arm, position), afresh(program, arm, position), pose(program, arm, {reachable(arm), 0.25}),
-        turning(program, endless, position), shifting(program, sliding, slid),
-        hopeless(program, arm, Eigen::Vector3d(10, 0, 0));
-    const Tried first = answers("it answers for a position, inside the limits", usually);
-    if (first.account.failure || !first.q.allFinite()) return;  // the other checks would say the same
-    answers("or declines: a whole pose", pose);
-    answers("or declines: a joint that turns without end", turning);
-    answers("or declines: a joint that slides", shifting);
-    line("the same seed gives the same answer", afresh.once().q != first.q    ? "not in another process"
-                                                : usually.once().q != first.q ? "not when it solves again"
-                                                                              : "");
+    std::unique_ptr<Solving> usually;  // for the first kind of goal that it does not decline
+    Tried first;
+    for (const auto& [kind, name] : {std::pair(GoalKind::position, "a position"),
+                                     {GoalKind::axis, "a position and an axis"},
+                                     {GoalKind::pose, "a pose"}}) {
+      if (!program->hello.solves(kind)) {
+        line(fmt::format("it answers for {}", name), "", "its hello names other goals");
+        continue;
+      }
+      auto solving = std::make_unique<Solving>(program, some_arm(), kind);
+      const Tried tried = answers(name, *solving);
+      if (usually || tried.account.failure == Status::declined) continue;
+      if (tried.account.failure || !tried.q.allFinite()) return;  // the other checks would say the same
+      usually = std::move(solving);
+      first = tried;
+    }
+    if (!usually) return line("it solves one of these", "it declines them all");
+    const GoalKind kind = usually->goal.kind;
+    Solving afresh(program, some_arm(), kind), turning(program, some_arm("continuous"), kind),
+        shifting(program, some_arm("revolute", "prismatic"), kind), hopeless(program, some_arm(), kind, 10);
+    answers("a joint that turns without end", turning);
+    answers("a joint that slides", shifting);
+    line("the same seed gives the same answer", afresh.once().q != first.q     ? "not in another process"
+                                                : usually->once().q != first.q ? "not when it solves again"
+                                                                               : "");
     budget(hopeless);
-    farewell(usually.all.take());
+    farewell(usually->all.take());
   }
 
-  Tried answers(std::string what, Solving& solving) {
+  Tried answers(const std::string& what, Solving& solving) {
     const Tried tried = solving.once();
     const Account& account = tried.account;
     const double outside = solving.arm.limits.violation(tried.q);
@@ -137,9 +159,9 @@ class Checks {
                                     ? numerics::counted(account.evaluations, "evaluations") + ", counted here"
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";
-    const bool may_decline = account.failure == Status::declined && what.starts_with("or declines");
-    line(std::move(what), may_decline ? "" : wrong,
-         may_decline ? wrong : fmt::format("{:.2g} m off; {}", tried.error, counted));
+    const bool declined = account.failure == Status::declined;
+    line("it answers inside the limits, or declines: " + what, declined ? "" : wrong,
+         declined ? wrong : fmt::format("{:.2g} m off; {}", tried.error, counted));
     return tried;
   }
 
@@ -202,7 +224,7 @@ void add_check_solver(CLI::App& app, Invocation& invocation) {
     }
     fmt::print("{}\n\n", failed == 0 ? coloured(fmt::format("All {} checks passed.", lines.size()), Tone::good)
                                      : coloured(fmt::format("{} of {} checks failed{}", failed, lines.size(),
-                                                            lines.size() < 8 ? "; the others were not made." : "."),
+                                                            lines.size() < 9 ? "; the others were not made." : "."),
                                                 Tone::bad));
     for (const CheckLine& line : lines) {
       constexpr std::size_t length_of_state = 8;

@@ -408,7 +408,12 @@ constexpr std::string_view not_enforced =
 // Checks an entry against the study. The keys of `own` have its label before them.
 void check_entry(const TomlReader& reader, const TomlReader& own, const SolverEntry& entry, const Study& study,
                  const Robot& arm) {
-  if (entry.program) return;  // a program itself declines what it cannot solve
+  if (entry.program) {  // which may decline further
+    if (const Hello& hello = entry.program->hello; !hello.solves(goal_kind(study.search)))
+      throw own.mistake("process", fmt::format("{} solves for {}; expected another search", hello.name,
+                                               fmt::join(hello.goals, ", ")));
+    return;
+  }
   const SolverInfo info = solver(entry.solver);
   if (const std::string why = info.why_not(arm.chain, goal_kind(study.search)); !why.empty())
     throw own.mistake("solver", why);

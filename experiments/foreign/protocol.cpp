@@ -52,6 +52,10 @@ bool take_number(const char*& at, const char* end, double& value) {
 
 }  // namespace
 
+bool Hello::solves(GoalKind goal) const {
+  return std::ranges::find(goals, goal_names[static_cast<std::size_t>(goal)]) != goals.end();
+}
+
 Settings options_of(const Hello& hello, const Settings& settings) {
   OptionList list;  // of references
   std::deque<double> numbers;
@@ -155,7 +159,7 @@ HelloOption Message::option(const OrderedJson& object) const {
 Hello Message::hello() const {
   if (name_ != "hello" || number_in(*json_, "ikbench", 0) != protocol_version)
     fail(fmt::format("{{\"message\":\"hello\",\"ikbench\":{},...}}", protocol_version));
-  Hello hello{.name = text(*json_, "name"), .version = text(*json_, "version"), .options = {}};
+  Hello hello{.name = text(*json_, "name"), .version = text(*json_, "version"), .options = {}, .goals = {}};
   if (hello.name.empty()) fail("a \"name\"");
   OrderedJson options = json_->value("options", OrderedJson::array());
   if (options.is_object()) options = OrderedJson::array({options});  // Octave writes a list of one so
@@ -164,6 +168,11 @@ Hello Message::hello() const {
     hello.options.push_back(option(each));
     if (std::ranges::count(hello.options, hello.options.back().name, &HelloOption::name) > 1)
       fail(fmt::format("the option {} once", hello.options.back().name));
+  }
+  for (const OrderedJson& goal : json_->value("goals", OrderedJson::array({"position", "axis", "pose"}))) {
+    if (std::ranges::none_of(goal_names, [&](const char* name) { return goal == name; }))
+      fail("\"goals\" of position, axis and pose");
+    hello.goals.push_back(goal.get<std::string>());
   }
   hello.wants_urdf = json_->value("urdf", OrderedJson(false)) == true;
   return hello;

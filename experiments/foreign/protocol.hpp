@@ -29,7 +29,10 @@ struct HelloOption {
 struct Hello {
   std::string name, version;
   std::vector<HelloOption> options;
+  std::vector<std::string> goals;  // that it solves for: position, axis, pose
   bool wants_urdf = false;
+
+  bool solves(solvers::GoalKind goal) const;
 };
 
 // The options of a program: its defaults with the settings applied. Throws std::invalid_argument as OptionList::set

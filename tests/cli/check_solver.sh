@@ -8,30 +8,32 @@ cp "$scripts/programs/planted.py" .
 # fault "late". They mostly wait, so four at a time; only who hangs is given up soon.
 cat >table <<'END'
 good|
+whole|
+nothing|one of these
 silent|hello
 option|hello
-outside|inside the limits
+outside|: a position
 remembers|same seed
 of-process|same seed
 endless|without end
-lies|position; without end
+lies|: a position; without end
 hangs|50 ms
 late|50 ms
-nan|position
-null|position
-again|position
+nan|: a position
+null|: a position
+again|: a position
 twice|answers once
-pose|pose
+pose|: a pose
 slides|slides
 stays|standard input
 END
 cut -d'|' -f1 table | xargs -P 4 -I{} env FAULT={} bash -c '[ $FAULT = hangs ] && patience=3 || patience=60
   "$0" check-solver --json --patience $patience -- python3 planted.py >$FAULT.json 2>$FAULT.err; echo $? >$FAULT.code' "$program"
 python3 "$scripts/programs/failed.py" <table || fail "see above: $(cat ./*.err)"
-equal checks "$(grep -c '"check"' good.json)" 8
+equal checks "$(grep -c '"check"' good.json)" 9
 FAULT=good succeeds check-solver -- python3 planted.py
-has "$(head -n 1 .out)" "All 8 checks passed"
+has "$(head -n 1 .out)" "All 9 checks passed"
 FAULT=lies run_it check-solver -- python3 planted.py
-has "$(head -n 1 .out)" "2 of 8 checks failed"
+has "$(head -n 1 .out)" "2 of 9 checks failed"
 FAULT=null run_it check-solver -- python3 planted.py
 has "$out" 'expected "q"'

@@ -132,6 +132,10 @@ study slow "$(command_is '"python3", "slow.py"' 'label = "slow"')"
 succeeds run slow.toml --set runs=1 --set path.points=1 --no-report --out slow
 is slow slow "1 (ok|tolerance_missed)"
 
+sed 's/ikbench=2/ikbench=2, goals=["axis", "pose"]/' faulty.py >poses.py
+mistake "solves for axis, pose" "$(command_is '"python3", "poses.py"')"
+sed 's/ikbench=2/ikbench=2, goals=["poses"]/' faulty.py >nothing.py
+mistake '"goals" of position' "$(command_is '"python3", "nothing.py"')"
 sed 's/ikbench=2/ikbench=1/' faulty.py >old.py
 mistake '"ikbench":2' "$(command_is '"python3", "old.py"')"
 

@@ -7,7 +7,7 @@ def say(**message):
     print(json.dumps(message), flush=True)
 
 def position(q):  # from the tip to the base
-    x = y = z = 0
+    x, y, z = robot["tool"][3:12:4]
     for (theta, c_alpha, s_alpha, a, d), turned in zip(reversed(links), reversed(q)):
         c, s = math.cos(theta + turned), math.sin(theta + turned)
         y, z = c_alpha * y - s_alpha * z, s_alpha * y + c_alpha * z + d
@@ -46,8 +46,9 @@ for line in sys.stdin:
         robot = told
         links = [(j["theta"], math.cos(j["alpha"]), math.sin(j["alpha"]), j["a"], j["d"]) for j in told["joints"]]
     elif any(joint["type"] != "revolute" for joint in robot["joints"]) and "slides" != FAULT: say(message="declined", why="it slides")
-    elif robot["goal"] == "pose" and "pose" != FAULT: say(message="declined", why="it turns")
-    elif "pose" == FAULT and robot["goal"] == "pose": os._exit(1)
+    elif robot["goal"] == "pose" and "pose" == FAULT: os._exit(1)
+    elif robot["goal"] == ("position" if "whole" == FAULT else "pose") or robot["goal"] == "axis": say(message="declined", why="it turns")
+    elif "nothing" == FAULT: say(message="declined", why="it is tired")
     elif "endless" == FAULT and None in [joint["upper"] for joint in robot["joints"]]: os._exit(1)
     else:
         say(message="solved", **answer(told))
