@@ -179,3 +179,18 @@ for label in descent.py damped.m; do
   [[ "${entries[*]}" != *$label* ]] || [ "$(column examples/store.sqlite status $label | grep -cx ok)" -ge 4 ] ||
     fail "$label: $(column examples/store.sqlite status $label | counted)"
 done
+
+# A library: by the Python that has it, else it is left out.
+for python in python3 /usr/bin/python3; do
+  $python -c 'import PyKDL' 2>/dev/null || continue
+  cp "$examples/kdl.py" "$root/tests/data/urdf/ur5e.urdf" .
+  [ "$(wc -l <kdl.py)" -le 35 ] || fail "kdl.py has more than 35 lines"
+  succeeds check-solver --patience 20 -- $python kdl.py
+  study library "$(printf '[[solvers]]\nlabel = "kdl.py"\nprocess = ["%s", "kdl.py"]\n' "$python")"
+  library=(run library.toml --no-report --set robot=ur5e.urdf --set search=pose --set start=near --set stop.iterations=100
+    --set stop.tolerance_cm=0.01 --set stop.tolerance_deg=0.1)
+  succeeds "${library[@]}" --out library
+  equal "solves of a library" "$(column library/store.sqlite status kdl.py | counted)" "16 ok"
+  refused "solves for pose" "${library[@]}" --set search=axis
+  break
+done
