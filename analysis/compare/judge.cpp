@@ -1,7 +1,9 @@
 #include "analysis/compare/judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -54,6 +56,25 @@ Judged judge(Observations observations, const Plan& plan) {
 
 Judged judge(const StudyResults& study, const Metric& metric) {
   return judge(observe(study, metric), study.definition.plan);
+}
+
+double told(const Judged& judged, std::size_t group, const Plan& plan) {
+  const Description& its = judged.described[group];
+  const bool is_mean =
+      judged.observations.scale == Scale::share || plan.test == Plan::Test::means || std::isnan(its.median);
+  return judged.observations.groups[group].lost > 0 ? unknown : is_mean ? its.mean : its.median;
+}
+
+std::vector<std::size_t> best_first(const Judged& judged, const Plan& plan) {
+  std::vector<std::size_t> order(judged.described.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    const double value = told(judged, i, plan);
+    const bool is_best = std::ranges::count(judged.headline.best, judged.observations.groups[i].name) > 0;
+    const double place = judged.observations.better == Better::larger ? -value : value;
+    return std::isnan(value) ? std::pair(2, 0.0) : std::pair(is_best ? 0 : 1, place);
+  });
+  return order;
 }
 
 JudgedStudy judge(StudyResults study) {

@@ -1,6 +1,7 @@
 // A study, a user's file or two groups, judged: what tables, figures, screens and claims are made of.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,11 @@ struct Judged {
 
 // Adds the doubts of the findings to those of the observations.
 Judged judge(Observations of, const Plan& plan);
+
+// What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
+// median; NaN where values are lost.
+double told(const Judged& judged, std::size_t group, const Plan& plan);
+std::vector<std::size_t> best_first(const Judged& judged, const Plan& plan);  // groups
 
 struct JudgedStudy {
   StudyResults study;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -115,24 +114,6 @@ Shown with_short_names(Shown shown, std::size_t length) {
 }
 
 bool is_share(const Judged& judged) { return judged.observations.scale == Scale::share; }
-
-double told(const Judged& judged, std::size_t group, const results::Plan& plan) {
-  const Description& its = judged.described[group];
-  const bool is_mean = is_share(judged) || plan.test == results::Plan::Test::means || std::isnan(its.median);
-  return judged.observations.groups[group].lost > 0 ? unknown : is_mean ? its.mean : its.median;
-}
-
-std::vector<std::size_t> best_first(const Judged& judged, const results::Plan& plan) {
-  std::vector<std::size_t> order(judged.described.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-    const double value = told(judged, i, plan);
-    const bool is_best = std::ranges::count(judged.headline.best, judged.observations.groups[i].name) > 0;
-    const double place = judged.observations.better == Better::larger ? -value : value;
-    return std::isnan(value) ? std::pair(2, 0.0) : std::pair(is_best ? 0 : 1, place);
-  });
-  return order;
-}
 
 const Finding* finding_of(const Judged& judged, std::string_view one, std::string_view other) {
   const auto found = std::ranges::find_if(judged.findings, [&](const Finding& finding) {

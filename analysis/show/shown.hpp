@@ -35,9 +35,6 @@ Shown shown(const compare::JudgedStudy& judged);
 Shown with_short_names(Shown shown, std::size_t length);
 
 bool is_share(const compare::Judged& judged);
-// What tables and sentences tell of a group: the mean of shares and where the plan compares means, else the median.
-double told(const compare::Judged& judged, std::size_t group, const results::Plan& plan);
-std::vector<std::size_t> best_first(const compare::Judged& judged, const results::Plan& plan);  // groups
 // Of two groups; null if they are no pair.
 const compare::Finding* finding_of(const compare::Judged& judged, std::string_view one, std::string_view other);
 
