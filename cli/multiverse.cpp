@@ -88,10 +88,10 @@ Multiverse with_values(const MultiversePlan& plan, const std::vector<RunMeans>& 
   return multiverse;
 }
 
-// Lists every question with its alternatives, the default first.
+// Lists every question with its answers, the default first.
 std::string dimension_list(const Study& study, const std::vector<Dimension>& all,
                            const std::vector<Dimension>& varied) {
-  Rows rows{{"ALTERNATIVE", "NOTES", "VARIED", "WHERE"}};
+  Rows rows{{"ANSWER", "NOTES", "VARIED", "WHERE"}};
   for (const Dimension& each : all) {
     for (const Alternative& one : each.alternatives) {
       const auto place = std::ranges::find(varied, each.name, &Dimension::name);

@@ -198,7 +198,7 @@ Table pairs_table(const Shown& shown) {
   const std::string chosen = chosen_before(shown);
   table.notes = {
       chosen + (chosen.empty() ? "" : " ") +
-      "p: times the pairs tested of a metric, whose intervals hold together; A12: share of comparisons in which the "
+      "p: times the pairs tested of a metric, whose intervals are for all pairs at once; A12: share of comparisons in which the "
       "first is better."};
   return table;
 }
@@ -349,7 +349,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
 }
 
 Table options_table(const StudyResults& study) {
-  Table table{.caption = "Options", .columns = {{"solver"}, {"kind"}, {"options"}}};
+  Table table{.caption = "Options", .columns = {{"label"}, {"solver"}, {"options"}}};
   for (const results::Series& series : study.entry.series) {
     std::vector<std::string> options;
     const auto json = numerics::parsed_ordered_json(series.options);

@@ -321,7 +321,7 @@ std::string amount_words(const Finding& finding, const Judged& judged) {
   if (!finding.estimate) {
     const double ahead = finding.effect.value_or(0.5);
     const bool is_shown = finding.verdict == (ahead > 0.5 ? Verdict::better : Verdict::worse) && ahead != 0.5;
-    return is_shown ? fmt::format("ahead in {} %", number_text(100 * ahead)) : "";
+    return is_shown ? fmt::format("better in {} % of comparisons", number_text(100 * ahead)) : "";
   }
   const Ends ends = ends_of(finding, judged);
   const double estimate = *finding.estimate;

@@ -52,7 +52,7 @@ TEST_CASE("what is better where most values are equal says how often", "[show]")
   for (std::size_t i = 0; i < 15; ++i) some[i] = 1 + static_cast<double>(i);
   const compare::Judged error = judged(errors({{"A", at_tolerance}, {"B", some}}));
   CHECK(verdict_words(error.findings.front(), error) == "better");
-  CHECK(amount_words(error.findings.front(), error) == "ahead in 62.5 %");
+  CHECK(amount_words(error.findings.front(), error) == "better in 62.5 % of comparisons");
 }
 
 TEST_CASE("an end of an interval that p excludes says so", "[show]") {
