@@ -67,12 +67,30 @@ struct Source {
   }
 };
 
+// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
+std::string verdict_of(const Compared& one) {
+  const Gate& gate = one.gate;
+  const std::vector<std::string>& solvers = gate.judged.study.solvers;
+  const bool is_worse = !gate.worse.empty();
+  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
+  std::vector<std::string> parts;
+  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
+  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
+  return fmt::format("{} is {} {}{}{} ({}).{}", one.label.empty() ? solvers.front() : one.label,
+                     is_worse   ? "worse than"
+                     : is_apart ? "not compared with"
+                                : "not worse than",
+                     one.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
+                     show::listed(parts, ", "), compared_of(gate),
+                     gate.not_decided.empty() ? "" : fmt::format(" Not decided: {}.", show::listed(gate.not_decided)));
+}
+
 std::vector<Compared> compare_all(const CompareArguments& arguments) {
   std::vector<Compared> all;
   const auto add = [&](const std::string& label, StudyResults baseline, StudyResults candidate, std::size_t labels) {
     Compared& one = all.emplace_back(Compared{label, gate(std::move(baseline), std::move(candidate), labels)});
     one.shown = show::shown(one.gate.judged);
-    one.shown.share_significance = true;
+    one.shown.verdict = fmt::format("{}\n{}", verdict_of(one), sight_of(one.gate));
   };
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
@@ -110,24 +128,6 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
   return all;
 }
 
-// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
-std::string verdict_of(const Compared& one) {
-  const Gate& gate = one.gate;
-  const std::vector<std::string>& solvers = gate.judged.study.solvers;
-  const bool is_worse = !gate.worse.empty();
-  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
-  std::vector<std::string> parts;
-  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
-  return fmt::format("{} is {} {}{}{} ({}).{}", one.label.empty() ? solvers.front() : one.label,
-                     is_worse   ? "worse than"
-                     : is_apart ? "not compared with"
-                                : "not worse than",
-                     one.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
-                     show::listed(parts, ", "), compared_of(gate),
-                     gate.not_decided.empty() ? "" : fmt::format(" Not decided: {}.", show::listed(gate.not_decided)));
-}
-
 // Of all that are the same, bit for bit, in one; empty if none are.
 std::string verdict_of_same(const std::vector<Compared>& all) {
   std::vector<std::string> names;
@@ -145,11 +145,7 @@ std::string verdict_of_same(const std::vector<Compared>& all) {
 std::string screen_of(const std::vector<Compared>& all) {
   std::string text = verdict_of_same(all);
   if (!text.empty()) text += '\n';
-  for (const Compared& one : all) {
-    if (one.gate.are_same) continue;
-    const std::string sight = sight_of(one.gate);
-    text += fmt::format("{}\n{}{}{}", verdict_of(one), sight, sight.empty() ? "" : "\n", show::screen(one.shown));
-  }
+  for (const Compared& one : all) text += one.gate.are_same ? "" : show::screen(one.shown);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 #include "analysis/show/text.hpp"
@@ -65,8 +66,10 @@ Lines warnings_of(const Shown& shown) {
 
 std::string screen(const Shown& whole, const std::string& page) {
   const Shown shown = with_short_names(whole, longest_name);
-  const Lines head = wrapped(headline(shown), ""), pairs = pairs_of(shown);
-  Lines note;
+  const Lines pairs = pairs_of(shown);
+  Lines head, note;
+  for (const std::string& line : lines_of(headline(shown)))
+    std::ranges::move(wrapped(line, ""), std::back_inserter(head));
   if (const std::string text = chosen_before(shown); shown.decisive().described.size() == 2 && !text.empty())
     note = wrapped(text, "");
   std::string text;

@@ -122,8 +122,10 @@ Table results_table(const Shown& shown) {
                       are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
   }
   std::vector<std::string> meanings;
-  if (marks.contains(star))
-    meanings.push_back(fmt::format("{} worse than {} (p < {})", star, reference, number_text(shown.plan.significance)));
+  if (marks.contains(star)) {
+    const std::string level = fmt::format(" (p < {})", number_text(shown.plan.significance));
+    meanings.push_back(fmt::format("{} worse than {}{}", star, reference, shown.verdict.empty() ? level : ""));
+  }
   if (marks.contains(not_compared)) meanings.push_back(fmt::format("{} not compared", not_compared));
   if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
   key += fmt::format("{}", fmt::join(meanings, ", "));
@@ -163,7 +165,9 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
 
 std::string chosen_before(const Shown& shown) {
   if (shown.metrics.size() < 2) return "";
-  if (shown.share_significance) return "Labels and metrics share the significance.";
+  if (!shown.verdict.empty())
+    return fmt::format("Labels and metrics share the significance: p < {} decides.",
+                       number_text(shown.plan.significance));
   return fmt::format("Only {} was chosen before; other metrics are exploratory.",
                      shown.decisive().observations.quantity);
 }

@@ -272,7 +272,7 @@ std::string headline(const Shown& whole) {
   for (const Doubt& doubt : shown.decisive().observations.doubts) {
     if (doubt.kind == DoubtKind::seconds_decide) text += "Careful: " + words_of(doubt) + ". ";
   }
-  return text + sentence(shown) + '.';
+  return text + (shown.verdict.empty() ? sentence(shown) + '.' : shown.verdict);
 }
 
 std::string margin_words(const Judged& judged) {

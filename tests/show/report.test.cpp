@@ -153,7 +153,8 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   CHECK(chosen_before(two).starts_with("Only effort "));
   CHECK(is_told(two));
   CHECK(pairs_table(two).notes.front().starts_with(chosen_before(two)));
-  two.share_significance = true;
+  two.verdict = "A is worse.";
+  CHECK(screen(two).starts_with("A is worse.\n  error"));
   CHECK(chosen_before(two).find("effort") == std::string::npos);
   CHECK(chosen_before(shown({of_two("error")}, {})).empty());
   CHECK_FALSE(is_told(shown(judged_study())));
