@@ -16,16 +16,18 @@ namespace {
 
 using namespace results;
 
-// What vanished is not equal.
-void refuse_missing(const StudyResults& baseline, const StudyResults& candidate) {
+// What vanished is not equal; what the candidate has more is left out, so that each number is of what is compared.
+void keep_common(const StudyResults& baseline, StudyResults& candidate) {
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
-  std::vector<Solve> missing;
-  std::ranges::set_difference(baseline.solves, candidate.solves, std::back_inserter(missing), {}, place, place);
-  if (missing.empty()) return;
+  std::erase_if(candidate.solves, [&](const Solve& solve) {
+    return !std::ranges::binary_search(baseline.solves, place(solve), {}, place);
+  });
+  const std::size_t all = baseline.solves.size(), missing = all - candidate.solves.size();
+  if (missing == 0) return;
   const std::string &before = baseline.solvers.front(), &now = candidate.solvers.front();
   throw std::invalid_argument(
       fmt::format("not compared: {} lacks {} of the {} solves that {}; complete it with ikbench run, with as many runs",
-                  now, missing.size(), baseline.solves.size(), before == now ? "it had before" : before + " has"));
+                  now, missing, all, before == now ? "it had before" : before + " has"));
 }
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
@@ -80,6 +82,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
     side->solves = {};
   }
   StudyResults study = study_of(entry, std::move(solves), sessions);
+  study.runs = std::min(baseline.runs, candidate.runs);
   study.definition.plan = candidate.definition.plan;
   study.definition.plan.control = study.solvers.back();  // shown second
   return study;
@@ -167,12 +170,20 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
   refuse_other_task(baseline, candidate);
-  refuse_missing(baseline, candidate);
+  const std::size_t had = candidate.solves.size();
+  keep_common(baseline, candidate);
+  const std::size_t has = candidate.solves.size();
   StudyResults study = study_of_both(baseline, candidate);
   Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
   gate.judged = judged_by_shares(std::move(study), labels);
   gate.judged.study.solves = {};  // judged, and large
   std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
+  if (had > has)
+    gate.judged.doubts.push_back({.kind = DoubtKind::runs_missing,
+                                  .who = {gate.judged.study.solvers.front()},
+                                  .count = static_cast<double>(had - has),
+                                  .of = static_cast<double>(had),
+                                  .what = "solves are left out, since the baseline lacks them"});
   for (Judged& judged : gate.judged.metrics) {
     const Observations& of = judged.observations;
     Finding& finding = judged.findings.front();

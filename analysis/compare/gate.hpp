@@ -20,8 +20,9 @@ struct Gate {
 };
 
 // Of two studies of one solver each, by the candidate's plan, whose significance the metrics that can be worse share
-// with the `labels` that are compared. Throws std::invalid_argument if the two had different tasks, or if the candidate
-// lacks solves. Random targets of other seeds are no different task, and make groups unpaired.
+// with the `labels` that are compared. Solves that the baseline lacks are left out. Throws std::invalid_argument if the
+// two had different tasks, or if the candidate lacks solves. Random targets of other seeds are no different task, and
+// make groups unpaired.
 Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels = 1);
 
 std::string compared_of(const Gate& gate);  // "100 targets"

@@ -38,7 +38,8 @@ refused twice compare $base $again --label BA --label BA
 # What the candidate lacks is not compared: labels, unless --label leaves them out, and runs.
 make three --set runs=3
 refused 'lacks 15 of the 24 solves' compare $base three/store.sqlite --label BA
-succeeds compare three/store.sqlite $base --label BA
+succeeds compare three/store.sqlite $base --label BA --json
+json '{row["n"] for row in of["groups"] if row["metric"] == "error"} == {3}'
 cp $again five.sqlite
 sqlite3 five.sqlite "DELETE FROM series WHERE label = 'PSO'"
 refused 'lacks PSO' compare $base five.sqlite

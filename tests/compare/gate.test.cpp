@@ -121,7 +121,7 @@ TEST_CASE("times of other sessions, and of solves that are the same, are told, b
   CHECK(one.worse == Names{"time"});
 }
 
-TEST_CASE("what the baseline has and the candidate lacks is refused, what it has more is not compared") {
+TEST_CASE("what the baseline has and the candidate lacks is refused, what it has more is left out") {
   using Catch::Matchers::StartsWith;
   Asked more = of_100;
   more.runs = 2;
@@ -134,6 +134,9 @@ TEST_CASE("what the baseline has and the candidate lacks is refused, what it has
   CHECK(gate_of(version(1), version(1)).compared == 100);
   const Gate gate = gate_of(part, version(1));
   CHECK(gate.compared == 23);
+  for (const Judged& judged : gate.judged.metrics) CHECK(judged.described.front().n == judged.described.back().n);
+  CHECK(words_of(gate.judged.doubts.back()) ==
+        "77 of 100 solves are left out, since the baseline lacks them (candidate)");
   CHECK(sight_of(gate) == "A loss of 26 points or more would show in 23 targets.");  // 6 of 23
 }
 
