@@ -31,12 +31,6 @@ struct CompareArguments {
   bool is_strict = false, is_json = false;
 };
 
-struct Compared {
-  std::string label;  // empty: A and B are labels
-  Gate gate;
-  show::Shown shown = {};
-};
-
 // "5%".
 double margin_from(const std::string& text) {
   const auto value = text.ends_with('%') ? numerics::number_from(text.substr(0, text.size() - 1)) : std::nullopt;
@@ -67,35 +61,13 @@ struct Source {
   }
 };
 
-// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
-std::string verdict_of(const Compared& one) {
-  const Gate& gate = one.gate;
-  const std::vector<std::string>& solvers = gate.judged.study.solvers;
-  const bool is_worse = !gate.worse.empty();
-  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
-  std::vector<std::string> parts;
-  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
-  return fmt::format("{} is {} {}{}{} ({}).{}", one.label.empty() ? solvers.front() : one.label,
-                     is_worse   ? "worse than"
-                     : is_apart ? "not compared with"
-                                : "not worse than",
-                     one.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
-                     show::listed(parts, ", "), compared_of(gate),
-                     gate.not_decided.empty() ? "" : fmt::format(" Not decided: {}.", show::listed(gate.not_decided)));
-}
-
-std::vector<Compared> compare_all(const CompareArguments& arguments) {
-  std::vector<Compared> all;
-  const auto add = [&](const std::string& label, StudyResults baseline, StudyResults candidate, std::size_t labels) {
-    Compared& one = all.emplace_back(Compared{label, gate(std::move(baseline), std::move(candidate), labels)});
-    one.shown = show::shown(one.gate.judged);
-    one.shown.verdict = fmt::format("{}\n{}", verdict_of(one), sight_of(one.gate));
-  };
+std::vector<Gate> compare_all(const CompareArguments& arguments) {
+  std::vector<Gate> all;
   if (!arguments.store.empty()) {
     const Source both(arguments.store, arguments.study);
     if (arguments.a == arguments.b) throw std::invalid_argument("A and B are the same label; expected two");
-    add("", both.side(arguments.a, arguments), both.side(arguments.b, arguments), 1);
+    all.push_back(gate(both.side(arguments.a, arguments), both.side(arguments.b, arguments)));
+    decide(all);
     return all;
   }
   const Source a(arguments.a, arguments.study), b(arguments.b, arguments.study);
@@ -112,29 +84,42 @@ std::vector<Compared> compare_all(const CompareArguments& arguments) {
           fmt::format("not compared: the candidate lacks {}; run it too, or name with --label those to compare",
                       show::listed(missing)));
   }
-  struct Sides {
-    StudyResults baseline, candidate;
-  };
-  std::vector<Sides> sides;
-  std::size_t changed = 0;  // the others are equal for sure, and need no share of the significance
   for (const std::string& label : labels) {
     if (std::ranges::count(labels, label) > 1)
       throw std::invalid_argument(fmt::format("the label {} is given twice", label));
-    const Sides& both = sides.emplace_back(Sides{a.side(label, arguments), b.side(label, arguments)});
-    changed += !have_same_solves(both.baseline.solves, both.candidate.solves);
+    all.push_back(gate(a.side(label, arguments), b.side(label, arguments)));
   }
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    add(labels[i], std::move(sides[i].baseline), std::move(sides[i].candidate), std::max<std::size_t>(1, changed));
+  decide(all);
   return all;
 }
 
+// "mine is worse than PSO: in solved and error (100 targets). Not decided: joint motion."
+std::string verdict_of(const Gate& gate) {
+  const std::vector<std::string>& solvers = gate.judged.study.solvers;
+  const bool is_worse = !gate.worse.empty();
+  const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
+  std::vector<std::string> parts;
+  if (is_worse) parts.push_back("in " + show::listed(gate.worse));
+  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
+  std::string text = fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
+                                 is_worse   ? "worse than"
+                                 : is_apart ? "not compared with"
+                                            : "not worse than",
+                                 gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
+                                 show::listed(parts, ", "), compared_of(gate));
+  if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));
+  if (gate.time) text += fmt::format(" Its time, which decides nothing, is {}.", compare::name_of(*gate.time));
+  if (!gate.not_tested.empty()) text += fmt::format(" Not tested: {}.", show::listed(gate.not_tested));
+  return text;
+}
+
 // Of all that are the same, bit for bit, in one; empty if none are.
-std::string verdict_of_same(const std::vector<Compared>& all) {
+std::string verdict_of_same(const std::vector<Gate>& all) {
   std::vector<std::string> names;
   int solves = 0;
-  for (const auto& [label, gate, shown] : all) {
+  for (const Gate& gate : all) {
     if (!gate.are_same) continue;
-    names.push_back(label.empty() ? show::listed(gate.judged.study.solvers) : label);
+    names.push_back(gate.label.empty() ? show::listed(gate.judged.study.solvers) : gate.label);
     solves += gate.judged.metrics.back().described.front().n;
   }
   if (names.empty()) return "";
@@ -142,34 +127,41 @@ std::string verdict_of_same(const std::vector<Compared>& all) {
                      numerics::counted(solves, "solves"));
 }
 
-std::string screen_of(const std::vector<Compared>& all) {
+show::Shown shown_of(const Gate& gate) {
+  show::Shown shown = show::shown(gate.judged);
+  shown.verdict = fmt::format("{}\n{}", verdict_of(gate), sight_of(gate));
+  return shown;
+}
+
+std::string screen_of(const std::vector<Gate>& all) {
   std::string text = verdict_of_same(all);
   if (!text.empty()) text += '\n';
-  for (const Compared& one : all) text += one.gate.are_same ? "" : show::screen(one.shown);
+  for (const Gate& gate : all) text += gate.are_same ? "" : show::screen(shown_of(gate));
   return text;
 }
 
 // That of a report, with the rows of all labels.
-numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
+numerics::OrderedJson json_of(const std::vector<Gate>& all, int code) {
   numerics::OrderedJson json;
   std::string headline = verdict_of_same(all);
-  for (const Compared& one : all) {
-    const std::string& label = one.label.empty() ? one.gate.judged.study.solvers.front() : one.label;
-    numerics::OrderedJson of = show::to_json(one.shown);
+  for (const Gate& gate : all) {
+    const std::string& label = gate.label.empty() ? gate.judged.study.solvers.front() : gate.label;
+    numerics::OrderedJson of = show::to_json(shown_of(gate));
     for (const char* rows : {"groups", "tests", "findings"}) {
       for (auto& row : of[rows]) row["label"] = label;
     }
     for (auto& doubt : of["doubts"]) doubt = label + ": " + doubt.get<std::string>();
-    if (!one.gate.are_same) headline += (headline.empty() ? "" : " ") + verdict_of(one);
+    if (!gate.are_same) headline += (headline.empty() ? "" : " ") + verdict_of(gate);
     for (const auto& [member, value] : of.items()) {
       if (!value.is_array() || !json.contains(member))
         json[member] = value;
       else
         json[member].insert(json[member].end(), value.begin(), value.end());
     }
-    json["worse"][label] = one.gate.worse;
-    json["better"][label] = one.gate.better;
-    json["undecided"][label] = one.gate.not_decided;
+    json["worse"][label] = gate.worse;
+    json["better"][label] = gate.better;
+    json["undecided"][label] = gate.not_decided;
+    json["not_tested"][label] = gate.not_tested;
   }
   json["headline"] = headline;
   json["files"] = numerics::OrderedJson::array();
@@ -177,14 +169,14 @@ numerics::OrderedJson json_of(const std::vector<Compared>& all, int code) {
   return json;
 }
 
-std::string markdown_of(const std::vector<Compared>& all) {
+std::string markdown_of(const std::vector<Gate>& all) {
   std::string text = show::markdown_text(verdict_of_same(all));
   if (!text.empty()) text = fmt::format("**{}**\n\n", text);
-  for (const Compared& one : all) {
-    if (one.gate.are_same) continue;
-    text +=
-        fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(one)), sight_of(one.gate),
-                    show::to_markdown(show::results_table(one.shown)), show::to_markdown(show::pairs_table(one.shown)));
+  for (const Gate& gate : all) {
+    if (gate.are_same) continue;
+    const show::Shown shown = shown_of(gate);
+    text += fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)), sight_of(gate),
+                        show::to_markdown(show::results_table(shown)), show::to_markdown(show::pairs_table(shown)));
   }
   return text;
 }
@@ -215,13 +207,10 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       "  ikbench compare before/store.sqlite after/store.sqlite --strict -o verdict.md\n"
       "  ikbench compare IK-BA mine --store out/my/store.sqlite --margin 10%\n\n"
       "Exit codes: 0 nothing is worse, 3 something is worse, and not by less than the margin, 4 with --strict something\n"
-      "is not decided, 1 not compared: a mistake, or B lacks what A has. Times are compared only between solves that one\n"
-      "command made.");
+      "is not decided or not tested, 1 not compared: a mistake, or B lacks what A has. Times are shown and decide nothing.");
   command->callback([arguments, &invocation] {
-    const std::vector<Compared> all = compare_all(*arguments);
-    std::vector<Gate> gates;
-    for (const Compared& one : all) gates.push_back(one.gate);
-    invocation.exit_code = exit_code(gates, arguments->is_strict);
+    const std::vector<Gate> all = compare_all(*arguments);
+    invocation.exit_code = exit_code(all, arguments->is_strict);
     if (!arguments->output.empty()) results::write_through(arguments->output, markdown_of(all));
     if (arguments->is_json) return show_json(json_of(all, invocation.exit_code));
     fmt::print("{}", printable(screen_of(all)));

@@ -117,27 +117,12 @@ Judged judged_answers(const StudyResults& study, bool machine_decides) {
   return judge(std::move(of), study.definition.plan);
 }
 
-JudgedStudy judged_with_answers(StudyResults study) {
-  JudgedStudy judged = judge(std::move(study));
-  const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
-  const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
-  judged.metrics.push_back(judged_answers(judged.study, machine_decides));
-  return judged;
-}
+bool is_time(const Judged& judged) { return judged.observations.metric == metric_named("seconds").slug; }
 
-// So that one of them, of equal solvers, is worse in no more compares than the significance says. Equal values cannot
-// be worse by chance.
-JudgedStudy judged_by_shares(StudyResults study, std::size_t labels) {
-  JudgedStudy whole = judged_with_answers(std::move(study));
-  const auto can_be_worse = [](const Judged& judged) {
-    const Finding& finding = judged.findings.front();
-    return finding.why == Why::tested && !finding.are_all_equal;
-  };
-  const auto shares =
-      static_cast<double>(labels) * static_cast<double>(std::ranges::count_if(whole.metrics, can_be_worse));
-  if (shares < 2) return whole;
-  whole.study.definition.plan.significance /= shares;
-  return judged_with_answers(std::move(whole.study));
+// Equal values cannot be worse by chance, and times decide nothing.
+bool takes_significance(const Judged& judged) {
+  const Finding& finding = judged.findings.front();
+  return finding.why == Why::tested && !finding.are_all_equal && !is_time(judged);
 }
 
 // Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
@@ -168,53 +153,70 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 }  // namespace
 
-Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels) {
+Gate gate(StudyResults baseline, StudyResults candidate) {
   refuse_other_task(baseline, candidate);
   const std::size_t had = candidate.solves.size();
   keep_common(baseline, candidate);
   const std::size_t has = candidate.solves.size();
   StudyResults study = study_of_both(baseline, candidate);
   Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
-  gate.judged = judged_by_shares(std::move(study), labels);
-  gate.judged.study.solves = {};  // judged, and large
-  std::ranges::move(doubts_of_limits(baseline, candidate, gate.judged.study), std::back_inserter(gate.judged.doubts));
+  if (baseline.solvers == candidate.solvers) gate.label = baseline.solvers.front();
+  JudgedStudy& judged = gate.judged = judge(std::move(study));
+  const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
+  const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
+  judged.metrics.push_back(judged_answers(judged.study, machine_decides));
+  std::ranges::move(doubts_of_limits(baseline, candidate, judged.study), std::back_inserter(judged.doubts));
   if (had > has)
-    gate.judged.doubts.push_back({.kind = DoubtKind::runs_missing,
-                                  .who = {gate.judged.study.solvers.front()},
-                                  .count = static_cast<double>(had - has),
-                                  .of = static_cast<double>(had),
-                                  .what = "solves are left out, since the baseline lacks them"});
-  for (Judged& judged : gate.judged.metrics) {
-    const Observations& of = judged.observations;
-    Finding& finding = judged.findings.front();
-    if (is_lost_for_sure(judged)) {
-      finding.verdict = Verdict::worse;
-      finding.why = Why::fact;
-      finding.is_within_margin = false;
-      finding.p.reset();
-      finding.interval.reset();
-    }
-    const bool is_time = of.metric == metric_named("seconds").slug;
-    if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
-    const bool is_open = finding.verdict == Verdict::undecided || finding.verdict == Verdict::not_tested;
-    const bool is_equal = gate.are_same || (finding.are_all_equal &&
-                                            (of.is_paired || of.scale != Scale::share || of.metric == "answers"));
-    if (finding.verdict == Verdict::worse && !finding.is_within_margin)
-      gate.worse.push_back(of.quantity);
-    else if (finding.verdict == Verdict::better && !finding.is_within_margin)
-      gate.better.push_back(of.quantity);
-    else if (!is_time && !is_equal && finding.why != Why::fact && is_open)
-      gate.not_decided.push_back(of.quantity);
-  }
-  const Judged& deciding = gate.judged.metrics[gate.judged.deciding];
-  const auto size = [&](std::size_t i) {
-    return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
-  };
-  gate.compared = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
-  for (Judged& judged : gate.judged.metrics) {
-    for (Group& group : judged.observations.groups) group.values = {};
-  }
+    judged.doubts.push_back({.kind = DoubtKind::runs_missing,
+                             .who = {judged.study.solvers.front()},
+                             .count = static_cast<double>(had - has),
+                             .of = static_cast<double>(had),
+                             .what = "solves are left out, since the baseline lacks them"});
+  judged.study.solves = {};  // judged, and large
   return gate;
+}
+
+void decide(std::vector<Gate>& gates) {
+  std::ptrdiff_t shares = 0;
+  for (const Gate& gate : gates)
+    shares += gate.are_same ? 0 : std::ranges::count_if(gate.judged.metrics, takes_significance);
+  for (Gate& gate : gates) {
+    JudgedStudy& study = gate.judged;
+    Plan& plan = study.study.definition.plan;
+    if (shares > 1) plan.significance /= static_cast<double>(shares);
+    for (Judged& judged : study.metrics) {
+      if (shares > 1) judged = judge(std::move(judged.observations), plan);
+      const Observations& of = judged.observations;
+      Finding& finding = judged.findings.front();
+      if (is_lost_for_sure(judged)) {
+        finding.verdict = Verdict::worse;
+        finding.why = Why::fact;
+        finding.is_within_margin = false;
+        finding.p.reset();
+        finding.interval.reset();
+      }
+      if (of.metric == "solved") gate.visible_loss = visible_loss(judged);
+      const bool is_equal = gate.are_same || (finding.are_all_equal &&
+                                              (of.is_paired || of.scale != Scale::share || of.metric == "answers"));
+      const bool is_open = !is_equal && finding.why != Why::fact;
+      const bool is_other = is_difference(finding.verdict) && !finding.is_within_margin;
+      if (is_time(judged)) {
+        if (is_other) gate.time = finding.verdict;
+        continue;
+      }
+      if (is_other) (finding.verdict == Verdict::worse ? gate.worse : gate.better).push_back(of.quantity);
+      if (finding.verdict == Verdict::undecided && is_open) gate.not_decided.push_back(of.quantity);
+      if (finding.verdict == Verdict::not_tested && is_open) gate.not_tested.push_back(of.quantity);
+    }
+    const Judged& deciding = study.metrics[study.deciding];
+    const auto size = [&](std::size_t i) {
+      return std::max(deciding.described[i].n, deciding.observations.groups[i].copies);
+    };
+    gate.compared = deciding.observations.is_paired ? deciding.findings.front().n : std::min(size(0), size(1));
+    for (Judged& judged : study.metrics) {
+      for (Group& group : judged.observations.groups) group.values = {};
+    }
+  }
 }
 
 std::string compared_of(const Gate& gate) {
@@ -235,7 +237,8 @@ std::string sight_of(const Gate& gate) {
 
 int exit_code(const std::vector<Gate>& gates, bool is_strict) {
   if (std::ranges::any_of(gates, [](const Gate& each) { return !each.worse.empty(); })) return 3;
-  return is_strict && std::ranges::any_of(gates, [](const Gate& each) { return !each.not_decided.empty(); }) ? 4 : 0;
+  const auto is_open = [](const Gate& each) { return !each.not_decided.empty() || !each.not_tested.empty(); };
+  return is_strict && std::ranges::any_of(gates, is_open) ? 4 : 0;
 }
 
 }  // namespace ikbench::compare

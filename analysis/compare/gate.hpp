@@ -10,20 +10,24 @@
 namespace ikbench::compare {
 
 struct Gate {
+  std::string label;  // of both; empty: they differ
   // Without solves and values. Of two solvers, the candidate first; the last metric is the share of solves that gave an
   // answer.
   JudgedStudy judged;
-  std::vector<std::string> worse, better, not_decided;  // quantities; the last also of what is not tested
-  bool are_same = false;                                // all solves, bit for bit: then nothing is left to decide
-  int compared = 0;                                     // targets, or runs of chained solves
-  std::optional<double> visible_loss;                   // smallest loss of the share solved that the test would show
+  std::vector<std::string> worse, better, not_decided, not_tested;  // quantities, but time
+  std::optional<Verdict> time = {};    // better or worse, if it is; it depends on the load, and decides nothing
+  bool are_same = false;               // all solves, bit for bit: then nothing is left to decide
+  int compared = 0;                    // targets, or runs of chained solves
+  std::optional<double> visible_loss;  // smallest loss of the share solved that the test would show
 };
 
-// Of two studies of one solver each, by the candidate's plan, whose significance the metrics that can be worse share
-// with the `labels` that are compared. Solves that the baseline lacks are left out. Throws std::invalid_argument if the
-// two had different tasks, or if the candidate lacks solves. Random targets of other seeds are no different task, and
-// make groups unpaired.
-Gate gate(StudyResults baseline, StudyResults candidate, std::size_t labels = 1);
+// Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Solves that the baseline
+// lacks are left out. Throws std::invalid_argument if the two had different tasks, or if the candidate lacks
+// solves. Random targets of other seeds are no different task, and make groups unpaired.
+Gate gate(StudyResults baseline, StudyResults candidate);
+// What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
+// no more compares than it says.
+void decide(std::vector<Gate>& gates);
 
 std::string compared_of(const Gate& gate);  // "100 targets"
 // "A loss of 9 points or more would show in 100 targets."

@@ -49,8 +49,11 @@ Judged judge(Observations observations, const Plan& plan) {
   judged.kruskal_wallis = kruskal_wallis(of);
   judged.findings = compare(of, plan);
   judged.headline = headline(of, plan, judged.findings);
-  add_doubt(judged, Why::too_few, DoubtKind::too_few);
-  add_doubt(judged, Why::few_decide, DoubtKind::few_decide_mean);
+  for (const auto& [why, kind] :
+       {std::pair(Why::too_few, DoubtKind::too_few), {Why::few_decide, DoubtKind::few_decide_mean}}) {
+    std::erase_if(judged.observations.doubts, [kind = kind](const Doubt& doubt) { return doubt.kind == kind; });
+    add_doubt(judged, why, kind);
+  }
   return judged;
 }
 

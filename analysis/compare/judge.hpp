@@ -21,7 +21,7 @@ struct Judged {
   Headline headline;
 };
 
-// Adds the doubts of the findings to those of the observations.
+// The doubts of the findings stand with those of the observations.
 Judged judge(Observations of, const Plan& plan);
 
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
