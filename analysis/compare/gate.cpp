@@ -125,16 +125,28 @@ bool takes_significance(const Judged& judged) {
   return finding.why == Why::tested && !finding.are_all_equal && !is_time(judged);
 }
 
-// Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where there was
-// none.
+// Without chance any loss that matters is a loss: of solvers that repeat themselves, and of answers where none was
+// missing or none is left.
 bool is_lost_for_sure(const Judged& judged) {
   const Observations& of = judged.observations;
   const Description &candidate = judged.described.front(), &baseline = judged.described.back();
-  if (of.metric == "answers") return baseline.mean == 1 && candidate.mean < 1;
+  if (of.metric == "answers") return candidate.mean < baseline.mean && (baseline.mean == 1 || candidate.mean == 0);
   if (judged.findings.front().why != Why::fact) return false;
   const double loss = (candidate.mean - baseline.mean) * (of.better == Better::smaller ? 1 : -1);
   const double share = of.scale == Scale::share ? 1 : std::min(std::abs(candidate.mean), std::abs(baseline.mean));
   return loss > std::max(of.absolute_margin, judged.plan.margin * share) + of.rounding;
+}
+
+// A metric of which all values vanished, though there are answers.
+void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
+  if (judged.metrics.back().described.front().mean == 0) return;
+  for (const Judged& each : judged.metrics) {
+    const std::vector<Group>& groups = each.observations.groups;
+    if (groups.front().lost == 0 || !groups.front().values.empty() || groups.back().values.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("not compared: {} lacks all {}, which it had before; if that is meant, make a new baseline", label,
+                    each.observations.quantity));
+  }
 }
 
 // Takes solved targets from the baseline, until the test of this size shows it.
@@ -165,6 +177,7 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
   const std::vector<Doubt>& doubts = judged.metrics[judged.deciding].observations.doubts;
   const bool machine_decides = std::ranges::count(doubts, DoubtKind::seconds_decide, &Doubt::kind) > 0;
   judged.metrics.push_back(judged_answers(judged.study, machine_decides));
+  if (!gate.label.empty()) refuse_vanished(judged, gate.label);
   std::ranges::move(doubts_of_limits(baseline, candidate, judged.study), std::back_inserter(judged.doubts));
   if (had > has)
     judged.doubts.push_back({.kind = DoubtKind::runs_missing,

@@ -22,8 +22,8 @@ struct Gate {
 };
 
 // Of two studies of one solver each, judged by the candidate's plan, and not yet decided. Solves that the baseline
-// lacks are left out. Throws std::invalid_argument if the two had different tasks, or if the candidate lacks
-// solves. Random targets of other seeds are no different task, and make groups unpaired.
+// lacks are left out. Throws std::invalid_argument if the two had different tasks, or if the candidate lacks solves or
+// all values of a metric. Random targets of other seeds are no different task, and make groups unpaired.
 Gate gate(StudyResults baseline, StudyResults candidate);
 // What is worse, by a significance that all metrics of all gates share that can be worse: of equal solvers, one is in
 // no more compares than it says.

@@ -141,6 +141,12 @@ TEST_CASE("what the baseline has and the candidate lacks is refused, what it has
   for (const Judged& judged : gate.judged.metrics) CHECK(judged.described.front().n == judged.described.back().n);
   CHECK(words_of(gate.judged.doubts.back()) ==
         "77 of 100 solves are left out, since the baseline lacks them (candidate)");
+  const auto uncounted = [](SolveRecord& solve) { solve.counted_by = CountedBy::nobody; };
+  CHECK_THROWS_WITH(gate_of(version(1), version(1, of_100, uncounted)),
+                    StartsWith("not compared: mine lacks all evaluations"));
+  CHECK(exit_code({gate_of(version(1, of_100, uncounted), version(1))}, false) == 0);
+  CHECK(gate_of(study(of_100, [](SolveRecord&) {}, {"A"}), study(of_100, uncounted, {"B"})).not_tested ==
+        Names{"evaluations"});
   CHECK(sight_of(gate) == "A loss of 26 points or more would show in 23 targets.");  // 6 of 23
 }
 
