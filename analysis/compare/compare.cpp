@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -350,11 +349,16 @@ Finding better_first(Finding finding, std::string_view control) {
   return finding;
 }
 
-Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
+std::set<std::string> losers_of(const std::vector<Finding>& findings) {
   std::set<std::string> losers;
   for (const Finding& each : findings) {
     if (is_difference(each.verdict)) losers.insert(each.verdict == Verdict::better ? each.second : each.first);
   }
+  return losers;
+}
+
+Headline headline(const Observations& of, const Plan& plan, const std::vector<Finding>& findings) {
+  const std::set<std::string> losers = losers_of(findings);
   const std::size_t best = of.groups.size() - losers.size();
   if (losers.empty() || best == 0) return {.is_circle = !losers.empty()};
   Headline said;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,9 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan);
 
 // better or worse
 bool is_difference(Verdict verdict);
+
+// Who is worse than another.
+std::set<std::string> losers_of(const std::vector<Finding>& findings);
 
 // The same pair, told with its better one first, or with the control second.
 Finding better_first(Finding finding, std::string_view control);

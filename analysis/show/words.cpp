@@ -174,11 +174,10 @@ std::string not_tested(const Shown& shown) {
 // Where no solver is best: those that none is shown to beat.
 std::string unbeaten(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  std::set<std::string> beaten, tested;
+  const std::set<std::string> beaten = losers_of(judged.findings);
+  std::set<std::string> tested;
   for (const Finding& finding : judged.findings) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
-    if (finding.verdict == Verdict::better) beaten.insert(finding.second);
-    if (finding.verdict == Verdict::worse) beaten.insert(finding.first);
   }
   std::vector<std::string> rest;
   for (const std::size_t i : best_first(judged, shown.plan)) {
