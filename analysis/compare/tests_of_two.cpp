@@ -169,15 +169,6 @@ Summary placements(Values own, Values others, double shift) {
   return summarise(counts);
 }
 
-double brunner_munzel_of_sorted(Values first, Values second, double shift) {
-  const Summary one = placements(first, second, shift), other = placements(second, first, -shift);
-  const double m = one.n, n = other.n;
-  const double u = one.sd * one.sd / m / (n * n), v = other.sd * other.sd / n / (m * m);
-  const double distance = std::abs(one.mean / n - 0.5);
-  if (u + v == 0) return distance == 0 ? 1 : 0;
-  return 2 * bm::cdf(bm::complement(StudentsT(df_of(u, m, v, n)), distance / std::sqrt(u + v)));
-}
-
 // Doubles in order as whole numbers; the function is its own inverse.
 std::int64_t in_order(std::int64_t bits) {
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
@@ -280,8 +271,13 @@ double a12(Values first, Values second) {
   return (sum - m * (m + 1) / 2) / (m * number(second.size()));
 }
 
-double brunner_munzel(Values first, Values second) {
-  return brunner_munzel_of_sorted(sorted(first), sorted(second), 0);
+double brunner_munzel(Values first, Values second, double shift) {
+  const Summary one = placements(first, second, shift), other = placements(second, first, -shift);
+  const double m = one.n, n = other.n;
+  const double u = one.sd * one.sd / m / (n * n), v = other.sd * other.sd / n / (m * m);
+  const double distance = std::abs(one.mean / n - 0.5);
+  if (u + v == 0) return distance == 0 ? 1 : 0;
+  return 2 * bm::cdf(bm::complement(StudentsT(df_of(u, m, v, n)), distance / std::sqrt(u + v)));
 }
 
 double mann_whitney(Values first, Values second) {
@@ -304,14 +300,14 @@ Tested rank_test(Values first, Values second, double alpha) {
   const auto reached = [&](double from, double beyond) {
     for (int step = 0; step < 40; ++step) {
       const double shift = from + (beyond - from) / 2;
-      (brunner_munzel_of_sorted(one, other, shift) >= alpha ? from : beyond) = shift;
+      (brunner_munzel(one, other, shift) >= alpha ? from : beyond) = shift;
     }
     return from;
   };
   if (const auto of = tested.interval)
     tested.interval =
         Interval{reached(of->low, one.front() - other.back()), reached(of->high, one.back() - other.front())};
-  tested.p = std::max(brunner_munzel_of_sorted(one, other, 0), mann_whitney(first, second));
+  tested.p = std::max(brunner_munzel(one, other), mann_whitney(first, second));
   tested.direction = sign_of(a12(first, second) - 0.5);
   return tested;
 }

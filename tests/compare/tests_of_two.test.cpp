@@ -49,6 +49,12 @@ void check_interval(const std::optional<Interval>& interval, double low, double 
   CHECK(interval->high == Approx(high).margin(margin));
 }
 
+double of_sorted(Sample first, Sample second) {
+  std::ranges::sort(first);
+  std::ranges::sort(second);
+  return brunner_munzel(first, second);
+}
+
 }  // namespace
 
 TEST_CASE("Mann and Whitney's p is exact", "[tests_of_two]") {
@@ -84,26 +90,26 @@ TEST_CASE("above a hundred values Mann and Whitney's p is normal, with ties and 
 TEST_CASE("Brunner and Munzel's p is that of SciPy", "[tests_of_two]") {
   // SciPy 1.10.1, brunnermunzel: the pain scores of their paper, PlantGrowth, the ozone.
   const Sample first{1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 2, 4, 1, 1}, second{3, 3, 4, 3, 1, 2, 3, 1, 1, 5, 4};
-  CHECK(brunner_munzel(first, second) == Approx(0.005786208666151538).epsilon(1e-11));
-  CHECK(brunner_munzel(control, treated) == Approx(0.044718863185473134).epsilon(1e-11));
-  CHECK(brunner_munzel(august, may) == Approx(5.869131577851405e-06).epsilon(1e-10));
+  CHECK(of_sorted(first, second) == Approx(0.005786208666151538).epsilon(1e-11));
+  CHECK(of_sorted(control, treated) == Approx(0.044718863185473134).epsilon(1e-11));
+  CHECK(of_sorted(august, may) == Approx(5.869131577851405e-06).epsilon(1e-10));
   // By hand: t = -1 / sqrt 2 on two degrees of freedom.
-  CHECK(brunner_munzel(Sample{1, 3}, Sample{2, 4}) == Approx(1 - 1 / std::sqrt(5.0)).epsilon(1e-12));
+  CHECK(of_sorted(Sample{1, 3}, Sample{2, 4}) == Approx(1 - 1 / std::sqrt(5.0)).epsilon(1e-12));
 }
 
 TEST_CASE("without variance Brunner and Munzel's groups are separated or equal", "[tests_of_two]") {
-  CHECK(brunner_munzel(upto(5), upto(5, 10)) == 0);
-  CHECK(brunner_munzel(Sample{1, 1}, Sample{2, 2, 2}) == 0);
-  CHECK(brunner_munzel(Sample{2, 2}, Sample{2, 2, 2}) == 1);
+  CHECK(of_sorted(upto(5), upto(5, 10)) == 0);
+  CHECK(of_sorted(Sample{1, 1}, Sample{2, 2, 2}) == 0);
+  CHECK(of_sorted(Sample{2, 2}, Sample{2, 2, 2}) == 1);
 }
 
 TEST_CASE("p of ranks is the larger of the two", "[tests_of_two]") {
   for (const auto& [a, b] : {std::pair(control, treated), std::pair(may, august), std::pair(term, week)})
-    CHECK(rank_test(a, b, 0.05).p == std::max(brunner_munzel(a, b), mann_whitney(a, b)));
-  CHECK(brunner_munzel(control, treated) < mann_whitney(control, treated));
+    CHECK(rank_test(a, b, 0.05).p == std::max(of_sorted(a, b), mann_whitney(a, b)));
+  CHECK(of_sorted(control, treated) < mann_whitney(control, treated));
   // Of five wide values four lie above twenty narrow ones: P = 0.8, which 5 wide and 20 narrow have by chance.
   const Sample wide{-50, 20, 30, 40, 50}, narrow = upto(20, 0.1, 0.1);
-  CHECK(brunner_munzel(wide, narrow) > 2 * mann_whitney(wide, narrow));
+  CHECK(of_sorted(wide, narrow) > 2 * mann_whitney(wide, narrow));
 }
 
 TEST_CASE("separated groups have p = 2 / C(m + n, m), and more evidence never a larger p", "[tests_of_two]") {
