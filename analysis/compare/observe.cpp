@@ -55,6 +55,11 @@ Design design_of(const StudyResults& study, bool of_run) {
                                : study.runs};
 }
 
+// The same target, outcome and answer, bit for bit.
+bool are_same(const Solve& one, const Solve& other) {
+  return one.target == other.target && one.status == other.status && one.answer == other.answer;
+}
+
 // The same targets and answers in every run, bit for bit. Such runs are copies where a run is an observation.
 bool repeats_itself(const StudyResults& study, std::string_view solver) {
   const std::vector<Run> runs = complete_runs_of(study, solver);
@@ -241,6 +246,14 @@ std::vector<Doubt> doubts_of_times(const StudyResults& study) {
   return doubts;
 }
 
+// Some solve took the seconds that the study gives.
+bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {
+  constexpr double nearly = 0.9;  // programs and libraries stop by themselves
+  const double limit = study.definition.stop.seconds;
+  return limit > 0 &&
+         std::ranges::any_of(study.of(solver), [&](const Solve& solve) { return solve.seconds >= nearly * limit; });
+}
+
 // What solvers reach in seconds depends on the load.
 std::vector<Doubt> doubts_of_clock(const StudyResults& study) {
   if (study.definition.stop.seconds == 0) return {};
@@ -364,21 +377,10 @@ std::vector<Doubt> doubts_of_repeats(const StudyResults& study) {
 
 bool gave_answer(const Solve& solve) { return !is_without_answer(solve.status) && solve.status != Status::not_finite; }
 
-bool are_same(const Solve& one, const Solve& other) {
-  return one.target == other.target && one.status == other.status && one.answer == other.answer;
-}
-
 bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others) {
   return std::ranges::equal(solves, others, [](const Solve& one, const Solve& two) {
     return one.run == two.run && one.point == two.point && are_same(one, two) && one.evaluations == two.evaluations;
   });
-}
-
-bool is_ended_by_clock(const StudyResults& study, std::string_view solver) {
-  constexpr double nearly = 0.9;  // programs and libraries stop by themselves
-  const double limit = study.definition.stop.seconds;
-  return limit > 0 &&
-         std::ranges::any_of(study.of(solver), [&](const Solve& solve) { return solve.seconds >= nearly * limit; });
 }
 
 std::vector<Doubt> doubts_of(const StudyResults& study) {

@@ -11,12 +11,8 @@
 namespace ikbench::compare {
 
 bool gave_answer(const Solve& solve);
-// The same target, outcome and answer, bit for bit.
-bool are_same(const Solve& one, const Solve& other);
 // All solves are the same, bit for bit, and took as many evaluations.
 bool have_same_solves(std::span<const Solve> solves, std::span<const Solve> others);
-// Some solve took the seconds that the study gives.
-bool is_ended_by_clock(const StudyResults& study, std::string_view solver);
 
 // Of all that concerns more than one metric.
 std::vector<Doubt> doubts_of(const StudyResults& study);
