@@ -167,10 +167,7 @@ Names same_there(const Claim& claim, const Repeated& of) {
   const std::span<const Solve> ours = study_of(claim, of, false)->study.of(claim.solvers.front());
   const StudyResults& there = study_of(claim, of)->study;
   for (const std::string& rival : there.solvers) {
-    const bool is_same = std::ranges::equal(ours, there.of(rival), [](const Solve& a, const Solve& b) {
-      return a.run == b.run && a.point == b.point && a.answer == b.answer;
-    });
-    if (is_rival(rival, claim) && is_same) same.push_back(name_of_rival(rival, claim));
+    if (is_rival(rival, claim) && have_same_solves(ours, there.of(rival))) same.push_back(name_of_rival(rival, claim));
   }
   return same;
 }
