@@ -50,7 +50,7 @@ Lines table_of(const Shown& shown) {
 Lines warnings_of(const Shown& shown) {
   std::vector<Doubt> doubts = shown.all_doubts();
   const auto is_told = [](const Doubt& doubt) { return doubt.kind == DoubtKind::seconds_decide; };
-  if (std::ranges::any_of(shown.decisive().observations.doubts, is_told))
+  if (shown.verdict.empty() && std::ranges::any_of(shown.decisive().observations.doubts, is_told))
     std::erase_if(doubts, is_told);  // stands first
   const std::size_t shown_doubts = doubts.size() > most_warnings ? most_warnings - 1 : doubts.size();
   Lines lines;

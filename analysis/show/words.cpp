@@ -266,12 +266,13 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 }  // namespace
 
 std::string headline(const Shown& whole) {
+  if (!whole.verdict.empty()) return whole.verdict;
   const Shown shown = with_short_names(whole, 40);
   std::string text;
   for (const Doubt& doubt : shown.decisive().observations.doubts) {
     if (doubt.kind == DoubtKind::seconds_decide) text += "Careful: " + words_of(doubt) + ". ";
   }
-  return text + (shown.verdict.empty() ? sentence(shown) + '.' : shown.verdict);
+  return text + sentence(shown) + '.';
 }
 
 std::string margin_words(const Judged& judged) {

@@ -154,7 +154,10 @@ TEST_CASE("below the pairs of two solvers stands which metric was chosen before"
   CHECK(is_told(two));
   CHECK(pairs_table(two).notes.front().starts_with(chosen_before(two)));
   two.verdict = "A is worse.";
-  CHECK(screen(two).starts_with("A is worse.\n  error"));
+  two.metrics[1].observations.doubts.push_back(
+      {.kind = compare::DoubtKind::seconds_decide, .who = {"A"}, .what = "slow"});
+  CHECK(screen(two).starts_with("A is worse.\n\n"));
+  CHECK(screen(two).find("! results of A are not compared") != std::string::npos);
   CHECK(chosen_before(two).find("effort") == std::string::npos);
   CHECK(chosen_before(shown({of_two("error")}, {})).empty());
   CHECK_FALSE(is_told(shown(judged_study())));
