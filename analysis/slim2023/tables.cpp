@@ -143,6 +143,8 @@ std::string first_sentence(Holds conclusion, const Explained& numbers) {
                                  : conclusion == Holds::in_part ? "repeats in a part of its conclusion, and in"
                                  : conclusion == Holds::fails   ? "does not repeat in its conclusion, but in"
                                                               : "is not shown to repeat in its conclusion; it does in";
+  if (numbers.all == 0)  // too few runs for a range of any
+    return fmt::format("Slim et al. 2023 {}", words.substr(0, words.find("conclusion") + 10));
   return fmt::format("Slim et al. 2023 {} {} of the {} errors and joint motions of Table 3", words, numbers.explained,
                      numbers.all);
 }

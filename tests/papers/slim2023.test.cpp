@@ -83,6 +83,7 @@ TEST_CASE("the first sentences say whether the conclusion repeats, and on what i
       sentences[0] ==
       "Slim et al. 2023 repeats in its conclusion, and in 7 of the 60 errors and joint motions of Table 3; of the same "
       "program with another seed about 55 would.");
+  CHECK(slim2023::sentences(claims, {}, {})[0] == "Slim et al. 2023 repeats in its conclusion.");
   CHECK(contains(sentences[1], "the least error, and with MO-PSO the least joint motion."));
   CHECK(contains(sentences[2], "holds (0.00194 cm, K-ABC"));
   CHECK(contains(sentences[2], "to try it fails nowhere."));
