@@ -338,7 +338,7 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
   std::string text = fmt::format(
-      "{} solvers solved the same {} ({} a run, {}) by {} with the arm {}; each solve started {} and ended at {}; the "
+      "{} solvers had the same {} ({} a run, {}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
       "machine was {}.",
       study.solvers.size(), numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points,
       with_blanks(of.path), with_blanks(of.search), of.robot,
@@ -349,7 +349,8 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
         " Pairs were tested by {}, p times the number of pairs of a metric that can be tested (Bonferroni), at a "
         "significance of {}; a difference within {} does not matter.",
         given(tests), number_text(shown.plan.significance), margin_words(shown.decisive()));
-  return text + fmt::format(" Made with ikbench {}; keys of docs/references.bib: {}.", given(programs), listed(keys));
+  text += fmt::format(" Made with ikbench {}", given(programs));
+  return text + (keys.empty() ? "." : fmt::format("; to cite, of docs/references.bib: {}.", listed(keys)));
 }
 
 Table options_table(const StudyResults& study) {
