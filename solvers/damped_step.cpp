@@ -6,14 +6,25 @@ namespace ikbench::solvers {
 
 namespace {
 
-// Computes the step as J^T (J J^T + mu I)^-1 e, whose size does not depend on the number of joints. `rows` is a
-// constant, so that sums over rows have one order.
+// Computes the step as J^T (J J^T + mu I)^-1 e, whose size does not depend on the number of joints. Sums go from the
+// first joint to the last, and over rows in Eigen's order of that size, a constant.
 template <int rows>
 void step_of_rows(const Eigen::MatrixXd& jacobian, const Residual& to_go, double mu, robots::Configuration& step) {
-  const auto J = jacobian.topRows<rows>();
-  using Square = Eigen::Matrix<double, rows, rows>;
-  const Square damped = J.lazyProduct(J.transpose()) + mu * Square::Identity();
-  step.noalias() = J.transpose() * damped.ldlt().solve(to_go.head<rows>());
+  Eigen::Matrix<double, rows, rows> damped;  // its lower half
+  for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint) {
+    const double* const column = &jacobian(0, joint);
+    for (int c = 0; c < rows; ++c) {
+      for (int r = c; r < rows; ++r) {
+        const double product = column[r] * column[c];
+        damped(r, c) = joint == 0 ? product : damped(r, c) + product;
+      }
+    }
+  }
+  damped.diagonal().array() += mu;
+  const Eigen::Matrix<double, rows, 1> solution = damped.ldlt().solve(to_go.head<rows>());
+  step.resize(jacobian.cols());
+  for (Eigen::Index joint = 0; joint < jacobian.cols(); ++joint)
+    step[joint] = jacobian.col(joint).head<rows>().dot(solution);
 }
 
 }  // namespace

@@ -173,9 +173,10 @@ std::vector<std::string> sentences(const std::vector<JudgedClaim>& claims, const
                       name_of(accurate->holds), accurate->number);
   const Condition& condition = accurate->condition;
   if (!condition.told.empty())
-    words +=
-        fmt::format(". Of the readings that we chose to try it fails where {}; elsewhere it holds or is not decided",
-                    condition.told);
+    words += fmt::format(
+        ". Of the readings that we chose to try (means of their seeds) it fails where {}; elsewhere it holds or is not "
+        "decided",
+        condition.told);
   else if (!condition.fails.empty())
     words += fmt::format(". Of the readings that we chose to try it fails {}", condition.fails);
   all.push_back(words + '.');
