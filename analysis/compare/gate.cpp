@@ -17,13 +17,14 @@ namespace {
 using namespace results;
 
 // What vanished is not equal; what the candidate has more is left out, so that each number is of what is compared.
-void keep_common(const StudyResults& baseline, StudyResults& candidate) {
+// Returns how many those are.
+std::size_t keep_common(const StudyResults& baseline, StudyResults& candidate) {
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
-  std::erase_if(candidate.solves, [&](const Solve& solve) {
+  const auto left_out = std::erase_if(candidate.solves, [&](const Solve& solve) {
     return !std::ranges::binary_search(baseline.solves, place(solve), {}, place);
   });
   const std::size_t all = baseline.solves.size(), missing = all - candidate.solves.size();
-  if (missing == 0) return;
+  if (missing == 0) return left_out;
   const std::string &before = baseline.solvers.front(), &now = candidate.solvers.front();
   throw std::invalid_argument(
       fmt::format("not compared: {} lacks {} of the {} solves that {}; complete it with ikbench run, with as many runs",
@@ -167,9 +168,8 @@ std::optional<double> visible_loss(const Judged& judged) {
 
 Gate gate(StudyResults baseline, StudyResults candidate) {
   refuse_other_task(baseline, candidate);
-  const std::size_t had = candidate.solves.size();
-  keep_common(baseline, candidate);
-  const std::size_t has = candidate.solves.size();
+  const auto left_out = static_cast<double>(keep_common(baseline, candidate));
+  const auto common = static_cast<double>(candidate.solves.size());
   StudyResults study = study_of_both(baseline, candidate);
   Gate gate{.are_same = have_same_solves(study.of(study.solvers.front()), study.of(study.solvers.back()))};
   if (baseline.solvers == candidate.solvers) gate.label = baseline.solvers.front();
@@ -179,11 +179,11 @@ Gate gate(StudyResults baseline, StudyResults candidate) {
   judged.metrics.push_back(judged_answers(judged.study, machine_decides));
   if (!gate.label.empty()) refuse_vanished(judged, gate.label);
   std::ranges::move(doubts_of_limits(baseline, candidate, judged.study), std::back_inserter(judged.doubts));
-  if (had > has)
+  if (left_out > 0)
     judged.doubts.push_back({.kind = DoubtKind::runs_missing,
                              .who = {judged.study.solvers.front()},
-                             .count = static_cast<double>(had - has),
-                             .of = static_cast<double>(had),
+                             .count = left_out,
+                             .of = common + left_out,
                              .what = "solves are left out, since the baseline lacks them"});
   judged.study.solves = {};  // judged, and large
   return gate;
