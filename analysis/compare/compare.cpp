@@ -81,7 +81,7 @@ struct Two {
   Two(const Observations& of, const Pair& pair, bool are_logs) {
     std::vector<double> all = pair.a.values;
     all.insert(all.end(), pair.b.values.begin(), pair.b.values.end());
-    if (of.scale == Scale::ratio) {
+    if (are_logs) {
       for (double& value : all) value = std::max(value, of.floor);
     }
     remove_rounding(all, of.rounding);
