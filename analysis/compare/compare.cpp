@@ -308,8 +308,9 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
   const double alpha = plan.significance / tested_pairs;
   for (Pair& pair : pairs) {
     Finding& finding = pair.finding;
-    if (finding.why == Why::lost || finding.why == Why::apart || size_of(pair.a) * size_of(pair.b) == 0) continue;
     const bool are_logs = are_on_logs(of, pair), is_tested = finding.why == Why::tested;
+    finding.scale = of.scale == Scale::ratio && !are_logs ? Scale::difference : of.scale;
+    if (finding.why == Why::lost || finding.why == Why::apart || size_of(pair.a) * size_of(pair.b) == 0) continue;
     const Tested tested = examined(of, plan, pair, are_logs, alpha, finding);
     if (are_logs && of.absolute_margin > 0) {
       Finding plain = finding;
@@ -317,7 +318,6 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
       finding.is_within_margin |= plain.is_within_margin;
     }
     const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
-    finding.scale = of.scale == Scale::ratio && !are_logs ? Scale::difference : of.scale;
     finding.estimate = shown(tested.estimate);
     finding.is_within_margin &= is_tested;
     if (!is_tested) continue;
