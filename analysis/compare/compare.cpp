@@ -48,6 +48,10 @@ std::size_t size_of(const Group& group) {
   return group.summary ? static_cast<std::size_t>(group.summary->n) : group.values.size();
 }
 
+bool has_no_answer(const Group& group) {
+  return std::ranges::any_of(group.values, [](double value) { return std::isinf(value); });
+}
+
 struct Pair {
   Group a, b;  // of the blocks that both have
   Method method;
@@ -77,6 +81,7 @@ void remove_rounding(std::vector<double>& values, double rounding) {
 // The values of a pair as its test takes them. A group with a summary has none.
 struct Two {
   std::vector<double> a, b, differences;
+  double no_answer = 0;  // stands for infinite values, and is larger than all that comes of others; 0: there are none
 
   Two(const Observations& of, const Pair& pair, bool are_logs) {
     std::vector<double> all = pair.a.values;
@@ -86,6 +91,11 @@ struct Two {
     }
     remove_rounding(all, of.rounding);
     if (are_logs) std::ranges::transform(all, all.begin(), [](double value) { return std::log(value); });
+    double most = std::max(of.absolute_margin, are_logs ? 100.0 : 0.0);
+    for (const double value : all) most = std::isinf(value) ? most : std::max(most, std::abs(value));
+    for (double& value : all) {
+      if (std::isinf(value)) value = no_answer = most > 0 ? 1e4 * most : 1;
+    }
     a.assign(all.begin(), all.begin() + std::ssize(pair.a.values));
     b.assign(all.begin() + std::ssize(pair.a.values), all.end());
     if (!is_by_difference(pair.method)) return;
@@ -160,7 +170,7 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
     interval = newcombe(one.mean, one.n, other.mean, other.n, alpha);
   if (!is_share && finding.are_all_equal) interval.reset();
 
-  const double relative = plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
+  const double relative = two.no_answer > 0 ? 0 : plan.margin * std::min(std::abs(one.mean), std::abs(other.mean));
   const double margin = is_share                ? plan.margin
                         : are_logs              ? std::log1p(plan.margin)
                         : are_on_logs(of, pair) ? of.absolute_margin
@@ -175,6 +185,12 @@ Tested examined(const Observations& of, const Plan& plan, const Pair& pair, bool
   const Method by_means = is_by_difference(pair.method) ? Method::paired_t : Method::welch;
   finding.is_within_margin = !can_fail && lies_within(tested) &&
                              (!is_by_ranks(pair.method) || lies_within(tested_by(by_means, two, one, other, alpha)));
+  const auto unbound = [&](double& value) {
+    if (two.no_answer > 0 && std::abs(value) > two.no_answer / 8)
+      value = std::copysign(std::numeric_limits<double>::infinity(), value);
+  };
+  unbound(tested.estimate);
+  if (interval) unbound(interval->low), unbound(interval->high);
   return tested;
 }
 
@@ -205,12 +221,12 @@ void judge(const Observations& of, const Plan& plan, const Pair& pair, int direc
     return;
   }
   finding.verdict = (direction > 0) == (of.better == Better::larger) ? Verdict::better : Verdict::worse;
-  if ((*finding.estimate - none) * direction <= 0) {
+  if (finding.estimate && (*finding.estimate - none) * direction <= 0) {
     finding.estimate.reset();
     interval.reset();
   }
   if (!interval) return;
-  const double rounding = 1e-9 * (interval->high - interval->low);  // of bisection
+  const double width = interval->high - interval->low, rounding = std::isinf(width) ? 0 : 1e-9 * width;  // of bisection
   if (direction > 0 && interval->low <= none + rounding) interval->low = none, interval->excludes_low = true;
   if (direction < 0 && interval->high >= none - rounding) interval->high = none, interval->excludes_high = true;
 }
@@ -241,7 +257,8 @@ std::vector<Pair> pairs_of(const Observations& of, const Plan& plan) {
       finding.n = static_cast<int>(std::min(size_of(pair.a), size_of(pair.b)));
       if (a->copies > 0 && b->copies > 0) finding.why = Why::fact;
       if (a->is_apart || b->is_apart) finding.why = Why::apart;
-      if (a->lost > 0 || b->lost > 0) finding.why = Why::lost;
+      const bool has_infinite = has_no_answer(*a) || has_no_answer(*b);
+      if (a->lost > 0 || b->lost > 0 || (has_infinite && is_by_t(pair.method))) finding.why = Why::lost;
       if (finding.why != Why::tested || finding.n == 0) continue;
       pair.smallest_p = smallest_p(pair.method, size_of(pair.a), size_of(pair.b));
       if (!is_one_of(pair.method, {Method::sign, Method::sign_and_ranks})) continue;
@@ -318,11 +335,12 @@ std::vector<Finding> compare(const Observations& of, const Plan& plan) {
       finding.is_within_margin |= plain.is_within_margin;
     }
     const auto shown = [&](double value) { return are_logs ? std::exp(value) : value; };
-    finding.estimate = shown(tested.estimate);
+    if (std::isfinite(tested.estimate)) finding.estimate = shown(tested.estimate);
     finding.is_within_margin &= is_tested;
     if (!is_tested) continue;
     finding.test = method_names[static_cast<std::size_t>(pair.method)];
-    if (tested.interval) finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
+    if (tested.interval && finding.estimate)
+      finding.interval = Interval{shown(tested.interval->low), shown(tested.interval->high)};
     finding.p = std::min(1.0, tested.p * tested_pairs);
     judge(of, plan, pair, tested.direction, finding);
   }

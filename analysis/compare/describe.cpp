@@ -15,7 +15,7 @@ double quantile(const std::vector<double>& sorted, double share) {
   const double place = std::clamp(n * share - 0.5, 0.0, n - 1), part = place - std::floor(place);
   const double low = sorted[static_cast<std::size_t>(place)];
   const double high = sorted[std::min(static_cast<std::size_t>(place) + 1, sorted.size() - 1)];
-  return low == high ? low : (1 - part) * low + part * high;
+  return low == high || part == 0 ? low : (1 - part) * low + part * high;
 }
 
 bool can_differ(const Observations& of) {
@@ -32,9 +32,10 @@ Description describe(const Group& group) {
   const Summary summary = summarise(group.values);
   std::vector<double> sorted = group.values;
   std::ranges::sort(sorted);
+  const bool is_finite = std::isfinite(sorted.back());
   return {.n = summary.n,
-          .mean = summary.mean,
-          .sd = summary.n > 1 && group.at_most == 0 ? summary.sd : unknown,
+          .mean = is_finite ? summary.mean : sorted.back(),
+          .sd = summary.n > 1 && group.at_most == 0 && is_finite ? summary.sd : unknown,
           .median = quantile(sorted, 0.5),
           .lower_quartile = quantile(sorted, 0.25),
           .upper_quartile = quantile(sorted, 0.75),

@@ -187,8 +187,11 @@ std::string pill(const std::string& verdict) {
 }  // namespace
 
 std::string interval_text(const compare::Interval& of, Number number, const Ends& ends) {
-  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", number(of.low, digits_apart(of.low, ends)),
-                     of.excludes_high ? "below " : "", number(of.high, digits_apart(of.high, ends)));
+  const auto end = [&](double value) {
+    return std::isinf(value) ? "no bound" : number(value, digits_apart(value, ends));
+  };
+  return fmt::format("{}{} to {}{}", of.excludes_low ? "above " : "", end(of.low), of.excludes_high ? "below " : "",
+                     end(of.high));
 }
 
 std::string to_csv(const Table& table) {

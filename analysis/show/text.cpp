@@ -106,7 +106,7 @@ std::string id_of(std::string_view name) {
 }
 
 std::string number_text(double value, int digits) {
-  if (!std::isfinite(value)) return "-";
+  if (std::isnan(value)) return "-";
   std::string text = fmt::format("{:.{}g}", value, digits);
   const bool is_long = text.find('e') != std::string::npos && std::abs(value) >= 1 && std::abs(value) < 1e7;
   return is_long ? fmt::format("{:.0f}", value) : text;
