@@ -261,6 +261,7 @@ std::optional<std::string> run_study(const Study& study, const std::filesystem::
     say(fmt::format("arm: {}", arm->summary));
     for (const std::string& note : arm->notes) say(note);
   }
+  for (const std::string& note : study.notes) say(note);
   warn_of_unreachable(study);
   std::map<std::string, std::vector<std::string>> left_out;  // labels by why
   for (const LeftOut& each : study.left_out) left_out[each.why].push_back(each.label);

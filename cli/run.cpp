@@ -32,7 +32,7 @@ void refuse_empty_shard(const Study& study, Shard shard) {
 
 struct StudyToRun {
   std::string study;
-  std::vector<std::string> set, sweep;
+  std::vector<std::string> set, sweep, only;
   RunArguments run;
   ReportArguments report;
   bool without_report = false;
@@ -54,6 +54,9 @@ void add_run(CLI::App& app, Invocation& invocation) {
                    fmt::format("run every combination of values: population=10,20,50, ik_bat.alpha=0.5,0.9; at most {}",
                                most_swept))
       ->allow_extra_args(false);
+  command->add_option("--only", arguments->only, "solve and report these labels alone: A,B; of a sweep also its label")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_run_options(*command, arguments->run);
   add_report_options(*command, arguments->report);
   command->add_flag("--no-report", arguments->without_report, "solve, but write no report");
@@ -71,7 +74,8 @@ void add_run(CLI::App& app, Invocation& invocation) {
   command->callback([arguments, &invocation] {
     Overrides overrides = arguments->set;
     std::ranges::transform(arguments->sweep, std::back_inserter(overrides), sweep_override);
-    const Study study = load_study(arguments->study, overrides);
+    Study study = load_study(arguments->study, overrides);
+    if (!arguments->only.empty()) keep_only(study, arguments->only);
     // A mistake in it shows before hours are spent.
     static_cast<void>(styled(study.figures, labels_of(study), arguments->report));
     check_plan(study);

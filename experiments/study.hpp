@@ -108,15 +108,16 @@ struct Study {
   solvers::Trace trace = solvers::Trace::none;
   std::vector<SolverEntry> solvers;
   std::vector<LeftOut> left_out;
-  results::Plan analysis;        // how the solves will be judged; decides no number of them
-  results::FigureStyle figures;  // the look of its figures, without the colours of its entries
+  std::vector<std::string> notes;  // what of it was not taken as it stands
+  results::Plan analysis;          // how the solves will be judged; decides no number of them
+  results::FigureStyle figures;    // the look of its figures, without the colours of its entries
 };
 
 std::vector<std::string> labels_of(const Study& study);  // of its solvers
 
-// The study's arm; std::invalid_argument if there is none of that name.
 solvers::GoalKind goal_kind(Search search);
 
+// The study's arm; std::invalid_argument if there is none of that name.
 robots::Robot arm_of(const Study& study);
 
 // The unit of each joint outside the program: degrees, or metres if the joint slides.

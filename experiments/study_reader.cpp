@@ -557,6 +557,15 @@ void check_study(const TomlReader& reader, const Study& study, const Robot& arm)
 
 // ---- a study ------------------------------------------------------------------------------------------------------
 
+// Drops a control that a sweep splits, or that is not solved.
+void drop_lost_control(Study& study) {
+  std::string& control = study.analysis.control;
+  const std::vector<std::string> labels = labels_of(study);
+  if (control.empty() || std::ranges::find(labels, control) != labels.end()) return;
+  study.notes.push_back(fmt::format("the control, {}, is swept or left out: every pair is compared", control));
+  control.clear();
+}
+
 Study read_study(const toml::table& table, std::string_view source) {
   Study study;
   study.name = std::filesystem::path(source).stem().string();  // so that two files are two studies
@@ -599,7 +608,10 @@ Study read_study(const toml::table& table, std::string_view source) {
   const std::vector<std::string> labels = labels_of(study);
   read_table("analysis", [&](const TomlReader& analysis) {
     read_part(analysis, study.analysis);
-    if (!study.analysis.control.empty()) refuse_unknown(analysis, "control", "label", study.analysis.control, labels);
+    const std::string& control = study.analysis.control;
+    if (!control.empty() && std::ranges::find(study.solvers, control, &SolverEntry::family) == study.solvers.end())
+      refuse_unknown(analysis, "control", "label", control, labels);
+    drop_lost_control(study);
   });
   read_table("figures", [&](const TomlReader& figures) {
     read_style(figures, study.figures);
@@ -634,6 +646,23 @@ std::string no_study(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+void keep_only(Study& study, const std::vector<std::string>& labels) {
+  const auto is_of = [](const SolverEntry& entry, const std::string& label) {
+    return entry.label == label || entry.family == label;
+  };
+  for (const std::string& label : labels) {
+    if (std::ranges::none_of(study.solvers, [&](const SolverEntry& entry) { return is_of(entry, label); }))
+      throw std::invalid_argument(unknown_name("label", label, labels_of(study)));
+  }
+  std::erase_if(study.solvers, [&](const SolverEntry& entry) {
+    return std::ranges::none_of(labels, [&](const std::string& label) { return is_of(entry, label); });
+  });
+  std::erase_if(study.figures.solvers, [kept = labels_of(study)](const std::string& label) {
+    return std::ranges::find(kept, label) == kept.end();
+  });
+  drop_lost_control(study);
+}
 
 std::string sweep_override(const std::string& text) {
   const std::size_t equals = text.find('=');

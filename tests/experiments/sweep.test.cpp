@@ -113,3 +113,21 @@ TEST_CASE("a sweep has at most 200 entries, and the message has the product", "[
   const Overrides each{sweep_override("population=" + values), sweep_override("alpha=0.1,0.2,0.3,0.4,0.5,0.6")};
   CHECK(has_words(complaint_about(two_bats, each), "the sweeps make 240 solvers; expected at most 200"));
 }
+
+TEST_CASE("a control that is swept or left out is none, which is told", "[sweep]") {
+  const std::string controlled = two_bats + "[analysis]\ncontrol = \"BA\"\n[figures]\nsolvers = [\"IK-BA\"]\n";
+  Study split = swept(controlled, {sweep_override("BA.alpha=0.5,0.9")}), whole = swept(controlled);
+  CHECK(split.analysis.control.empty());
+  CHECK(split.notes.size() == 1);
+  keep_only(split, {"BA"});
+  CHECK(split.figures.solvers.empty());
+  CHECK(labels_of(split) == SweptLabels{"BA alpha=0.5", "BA alpha=0.9"});
+  keep_only(whole, {"BA", "IK-BA"});
+  CHECK(whole.analysis.control == "BA");
+  CHECK(whole.notes.empty());
+  CHECK(has_words(complaint<std::invalid_argument>([&] { keep_only(whole, {"AB"}); }), "unknown label \"AB\""));
+  keep_only(whole, {"IK-BA"});
+  CHECK(labels_of(whole) == SweptLabels{"IK-BA"});
+  CHECK(whole.analysis.control.empty());
+  CHECK(has_words(complaint_about(two_bats + "[analysis]\ncontrol = \"AB\"\n"), "unknown label \"AB\""));
+}
