@@ -4,7 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <set>
+#include <sstream>
+
+#include "numerics/utf8.hpp"
 
 namespace ikbench::numerics {
 
@@ -66,6 +71,37 @@ bool is_plain(std::string_view text) {
   const auto is_c1 = [](unsigned char first, unsigned char second) { return first == 0xc2 && second < 0xa0; };
   return text.size() <= 200 && std::none_of(text.begin(), text.end(), is_control) &&
          std::adjacent_find(text.begin(), text.end(), is_c1) == text.end();
+}
+
+std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length) {
+  constexpr std::size_t longest = 60;
+  std::map<std::string, std::map<std::string, std::size_t>> counts;  // of words, by the first word of their names
+  const auto words_of = [](const std::string& name) {
+    std::istringstream all(name);
+    std::vector<std::string> words(std::istream_iterator<std::string>(all), {});
+    if (words.empty()) words.push_back(name);
+    return words;
+  };
+  for (const std::string& name : names) {
+    const std::vector<std::string> words = words_of(name);
+    for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++counts[words.front()][word];
+  }
+  std::map<std::string, std::string> short_of;
+  for (std::set<std::string> different; different.size() < names.size() && length <= longest; ++length) {
+    different.clear();
+    for (const std::string& name : names) {
+      const std::vector<std::string> words = words_of(name);
+      std::string own;
+      for (const std::string& word : words) {
+        if (counts[words.front()][word] < counts[words.front()][words.front()]) own += ' ' + word;
+      }
+      const bool is_long = character_count(name) > length && !own.empty();
+      if (is_long) own = (character_count(words.front() + " …" + own) <= length ? words.front() + " …" : "…") + own;
+      different.insert(short_of[name] = is_long ? shortened(own, longest) : shortened(name, length));
+    }
+    if (length == longest && different.size() < names.size()) return {};  // they look the same, and stay as they are
+  }
+  return short_of;
 }
 
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates) {

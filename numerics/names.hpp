@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,10 @@ std::string_view front(std::string_view text, std::size_t most);
 // True for a text that is safe in a message, a table or a file's name.
 bool is_plain(std::string_view text);
 constexpr std::string_view plain_text = "a text of at most 200 bytes without control characters";
+
+// Each name by a short one of about this length, all different. Of a name that is too long, the words go that all names
+// have that begin with the same word; else it is cut in the middle.
+std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length);
 
 // `unknown solver "ik_bta"; did you mean "ik_bat"? There are: ik_bat, bat, ...`
 std::string unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& candidates);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace ikbench::compare {
@@ -68,14 +69,25 @@ double told(const Judged& judged, std::size_t group, const Plan& plan) {
   return judged.observations.groups[group].lost > 0 ? unknown : is_mean ? its.mean : its.median;
 }
 
-std::vector<std::size_t> best_first(const Judged& judged, const Plan& plan) {
+std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all, const Plan& plan) {
+  const auto evaluations =
+      std::ranges::find(all, "evaluations", [](const Judged& of) { return of.observations.metric; });
+  const auto cost = [&](const std::string& name) {
+    if (evaluations == all.end()) return 0.0;
+    const auto& groups = evaluations->observations.groups;
+    const auto group = std::ranges::find(groups, name, &Group::name);
+    const double value =
+        group == groups.end() ? unknown : told(*evaluations, static_cast<std::size_t>(group - groups.begin()), plan);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
   std::vector<std::size_t> order(judged.described.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = told(judged, i, plan);
-    const bool is_best = std::ranges::count(judged.headline.best, judged.observations.groups[i].name) > 0;
+    const std::string& name = judged.observations.groups[i].name;
+    const bool is_best = std::ranges::count(judged.headline.best, name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    return std::isnan(value) ? std::pair(2, 0.0) : std::pair(is_best ? 0 : 1, place);
+    return std::isnan(value) ? std::tuple(2, 0.0, 0.0) : std::tuple(is_best ? 0 : 1, place, cost(name));
   });
   return order;
 }

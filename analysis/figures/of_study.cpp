@@ -9,8 +9,8 @@
 
 #include "analysis/figures/arm.hpp"
 #include "analysis/figures/solver_styles.hpp"
+#include "numerics/names.hpp"
 #include "numerics/units.hpp"
-#include "numerics/utf8.hpp"
 #include "robots/robot.hpp"
 
 namespace ikbench::figures {
@@ -77,7 +77,7 @@ std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
   std::string without;
   const double factor = is_share ? 100 : drawn_unit(judged.study, errors->observations.unit).factor;
   for (const std::string& solver : shown_solvers(judged.study, look)) {
-    dots.push_back({.label = solver,
+    dots.push_back({.label = name_of(look, solver),
                     .style = style_of(look, solver),
                     .x = value(*motions, solver, are_means),
                     .y = factor * value(*errors, solver, are_means || is_share)});
@@ -95,7 +95,7 @@ std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
   std::vector<Successes> all;
   bool are_counted = study.definition.has_tolerance();
   for (const std::string& solver : shown_solvers(study, look)) {
-    Successes& one = all.emplace_back(Successes{.label = solver, .style = style_of(look, solver)});
+    Successes& one = all.emplace_back(Successes{.label = name_of(look, solver), .style = style_of(look, solver)});
     for (const Solve& solve : study.of(solver)) {
       are_counted = are_counted && solve.counted_by != results::CountedBy::nobody;
       ++one.attempts;
@@ -114,7 +114,9 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
   const Judged& metric = judged.metrics[judged.deciding];
   const Observations& of = metric.observations;
   const std::vector<std::string> shown = shown_solvers(judged.study, look);
-  constexpr std::size_t most = 20;  // characters of a name
+  Look brief = look;  // two names a row
+  brief.names = short_names(shown, 20);
+  const auto name = [&](const std::string& solver) { return name_of(brief, solver); };
   std::vector<IntervalRow> rows;
   bool are_ratios = false;
   for (const Finding& each : metric.findings) {
@@ -125,13 +127,12 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
                           : finding.scale == Scale::share ? 100
                                                           : drawn_unit(judged.study, of.unit).factor;
     IntervalRow& row = rows.emplace_back();
-    row.label = fmt::format("{} {} {}", shortened(finding.first, most), are_ratios ? "/" : "-",
-                            shortened(finding.second, most));
+    row.label = fmt::format("{} {} {}", name(finding.first), are_ratios ? "/" : "-", name(finding.second));
     if (finding.estimate) row.estimate = factor * *finding.estimate;
     if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
     const bool is_better = finding.verdict == Verdict::better, is_worse = finding.verdict == Verdict::worse;
     const std::string& better = is_better ? finding.first : finding.second;
-    row.verdict = is_better || is_worse                    ? shortened(better, most) + " better"
+    row.verdict = is_better || is_worse                    ? name(better) + " better"
                   : finding.verdict == Verdict::same       ? "the same"
                   : finding.verdict == Verdict::not_tested ? "not tested"
                                                            : "not decided";
@@ -161,6 +162,9 @@ Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle s
   });
   Look look{.style = std::move(style), .lines = {}};
   look.lines = line_styles(named, look.style);
+  std::vector<std::string> labels;
+  for (const NamedSolver& solver : named) labels.push_back(solver.label);
+  look.names = short_names(labels, 36);
   return look;
 }
 
@@ -173,6 +177,11 @@ std::vector<std::string> shown_solvers(const StudyResults& study, const Look& lo
 int style_of(const Look& look, const std::string& solver) {
   const auto found = look.lines.find(solver);
   return found == look.lines.end() ? 1 : found->second;
+}
+
+std::string name_of(const Look& look, const std::string& solver) {
+  const auto found = look.names.find(solver);
+  return found == look.names.end() ? solver : found->second;
 }
 
 const Judged* judged_of(const JudgedStudy& judged, std::string_view column) {
@@ -193,7 +202,8 @@ std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, co
   for (const std::string& solver : shown_solvers(judged.study, look)) {
     const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
     const compare::Description all = describe(*group);
-    BoxRow& row = rows.emplace_back(BoxRow{.label = solver, .style = style_of(look, solver), .values = group->values});
+    BoxRow& row = rows.emplace_back(
+        BoxRow{.label = name_of(look, solver), .style = style_of(look, solver), .values = group->values});
     row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
     for (double& value : row.values) value *= factor;
     for (double& value : row.box) value *= factor;
@@ -212,7 +222,7 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
       const double value = factor * metric.value(solve, study);
       if (std::isfinite(value)) values[solve.point].push_back(value);
     }
-    Line& line = all.emplace_back(Line{.label = solver, .style = style_of(look, solver)});
+    Line& line = all.emplace_back(Line{.label = name_of(look, solver), .style = style_of(look, solver)});
     for (const auto& [point, of_point] : values) line.rows.push_back(row_at(point, of_point, average));
   }
   return all;
@@ -228,7 +238,7 @@ std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Aver
     }
     if (traces.empty()) continue;
     const std::size_t longest = std::ranges::max(traces, {}, &std::span<const double>::size).size();
-    Line& line = all.emplace_back(Line{.label = solver, .style = style_of(look, solver)});
+    Line& line = all.emplace_back(Line{.label = name_of(look, solver), .style = style_of(look, solver)});
     const std::size_t step = 1 + (longest - 1) / most_iterations;
     for (std::size_t i = 0; i < longest; i += step) {
       std::vector<double> values;
@@ -249,7 +259,7 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
     return Corner{metres[0] / centimetre, metres[1] / centimetre, metres[2] / centimetre};
   };
   PathRows rows{.targets = {},
-                .reached_label = "reached by " + solver,
+                .reached_label = "reached by " + name_of(look, solver),
                 .style = style_of(look, solver),
                 .is_joined = is_path(study),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
@@ -282,7 +292,7 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
         {fmt::format("joint {}", joint + 1), arm->limits.lower[j] / degree, arm->limits.upper[j] / degree});
   }
   for (const std::string& solver : shown_solvers(study, look)) {
-    JointRow row{.label = solver, .style = style_of(look, solver)};
+    JointRow row{.label = name_of(look, solver), .style = style_of(look, solver)};
     for (const SolveRecord& solve : study.first_run_of(solver)) {
       std::vector<double>& angles = row.angles_deg.emplace_back();
       for (const std::size_t joint : turning)

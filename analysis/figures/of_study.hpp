@@ -17,8 +17,9 @@ namespace ikbench::figures {
 
 // What all figures of a report look like.
 struct Look {
-  results::FigureStyle style;        // with the colours that its solvers were given
-  std::map<std::string, int> lines;  // style of each solver, by label
+  results::FigureStyle style;                     // with the colours that its solvers were given
+  std::map<std::string, int> lines;               // style of each solver, by label
+  std::map<std::string, std::string> names = {};  // short ones of long labels
 };
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
 
@@ -29,6 +30,7 @@ std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& loo
 // The solvers that figures show, in their order.
 std::vector<std::string> shown_solvers(const compare::StudyResults& study, const Look& look);
 int style_of(const Look& look, const std::string& solver);
+std::string name_of(const Look& look, const std::string& solver);
 
 const compare::Judged* judged_of(const compare::JudgedStudy& judged, std::string_view column);
 // Values are drawn times `factor`: 10 for cm in mm.

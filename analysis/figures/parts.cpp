@@ -17,7 +17,7 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::size_t longest_label_of_all = 36;
+constexpr std::size_t longest_label_of_all = 60;
 constexpr double spread_of_logarithmic = 30;
 constexpr int farthest_decade = 300;
 

@@ -10,6 +10,7 @@
 #include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
+#include "numerics/names.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::show {
@@ -88,7 +89,7 @@ Table for_article(Table table, const Reported& of) {
   }
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  const auto short_of = short_names(names, 20);
+  const auto short_of = numerics::short_names(names, 20);
   for (auto& row : table.rows) {
     for (Cell& cell : row) {
       auto* const text = std::get_if<std::string>(&cell);
@@ -158,7 +159,7 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   const std::string& title = of.study.definition.title;
   std::vector<std::string> order;
   if (is_of_study) {
-    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.plan))
+    for (const std::size_t i : best_first(of.shown.decisive(), of.shown.metrics, of.shown.plan))
       order.push_back(of.shown.decisive().observations.groups[i].name);
   }
   results::write_file(published.page,

@@ -9,6 +9,7 @@
 
 #include "analysis/figures/of_study.hpp"
 #include "analysis/show/text.hpp"
+#include "numerics/names.hpp"
 
 namespace ikbench::show {
 
@@ -94,7 +95,7 @@ Shown with_short_names(Shown shown, std::size_t length) {
   for (const Judged& judged : shown.metrics) {
     for (const Group& group : judged.observations.groups) names.insert(group.name);
   }
-  const auto short_of = short_names({names.begin(), names.end()}, length);
+  const auto short_of = numerics::short_names({names.begin(), names.end()}, length);
   const auto shorten = [&](std::string& name) {
     if (const auto found = short_of.find(name); found != short_of.end()) name = found->second;
   };

@@ -31,7 +31,7 @@ struct Shown {
 Shown shown(std::vector<compare::Judged> metrics, const results::Plan& plan);
 Shown shown(const compare::JudgedStudy& judged);
 
-// With names of solvers that fit a line (short_names of text.hpp).
+// With names of solvers that fit a line (numerics::short_names).
 Shown with_short_names(Shown shown, std::size_t length);
 
 bool is_share(const compare::Judged& judged);

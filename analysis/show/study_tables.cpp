@@ -87,7 +87,7 @@ std::string limit(double value, std::string_view unit) {
 Table results_table(const Shown& shown) {
   Table table{.name = "results", .caption = "Results", .columns = {{"solver"}}};
   const Judged& decisive = shown.decisive();
-  const std::vector<std::size_t> order = best_first(decisive, shown.plan);
+  const std::vector<std::size_t> order = best_first(decisive, shown.metrics, shown.plan);
   for (const std::size_t i : order) table.rows.push_back({decisive.observations.groups[i].name});
   const std::string first = order.empty() ? "" : decisive.observations.groups[order[0]].name;
   const std::string reference = shown.plan.control.empty() ? first : shown.plan.control;

@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numeric>
-#include <set>
 #include <span>
-#include <sstream>
 #include <utility>
 
 namespace ikbench::show {
@@ -193,33 +190,6 @@ std::vector<std::string> wrapped(const std::string& text, const std::string& ind
   std::vector<std::string> lines = broken(one_line(text), width - character_count(first), width - indent.size());
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = (i == 0 ? first : indent) + lines[i];
   return lines;
-}
-
-std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length) {
-  constexpr std::size_t longest = 60;
-  const auto words_of = [](const std::string& name) {
-    std::istringstream all(name);
-    return std::set<std::string>(std::istream_iterator<std::string>(all), {});
-  };
-  std::map<std::string, std::size_t> counts;
-  for (const std::string& name : names) {
-    for (const std::string& word : words_of(name)) ++counts[word];
-  }
-  std::map<std::string, std::string> short_of;
-  for (std::set<std::string> different; different.size() < names.size() && length <= longest; ++length) {
-    different.clear();
-    for (const std::string& name : names) {
-      std::istringstream all(name);
-      std::string own;
-      for (std::string word; all >> word;) {
-        if (counts[word] < names.size()) own += (own.empty() ? "" : " ") + word;
-      }
-      const bool is_long = character_count(name) > length && !own.empty();
-      different.insert(short_of[name] = shortened(is_long ? own : name, length));
-    }
-    if (length == longest && different.size() < names.size()) return {};  // they look the same, and stay as they are
-  }
-  return short_of;
 }
 
 }  // namespace ikbench::show

@@ -1,7 +1,6 @@
 // Any text (labels and titles come from files of users) made harmless for each writer, and numbers as text.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +35,5 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
 // Lines of a screen, at most 100 columns, which break between words; the first begins with `first`, others with
 // `indent`.
 std::vector<std::string> wrapped(const std::string& text, const std::string& indent, const std::string& first = {});
-
-// Each name by a short one of about this length: without the words that all have, and cut in the middle, but so that
-// they stay different.
-std::map<std::string, std::string> short_names(const std::vector<std::string>& names, std::size_t length);
 
 }  // namespace ikbench::show

@@ -60,7 +60,7 @@ std::string quantity_of(const Shown& shown) {
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const bool is_solved = judged.observations.metric == "solved";
-  const std::vector<std::size_t> order = best_first(judged, shown.plan);
+  const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
   const bool are_equal = are_many && is_solved && best > 1 &&
@@ -180,7 +180,7 @@ std::string unbeaten(const Shown& shown) {
     if (finding.verdict != Verdict::not_tested) tested.insert({finding.first, finding.second});
   }
   std::vector<std::string> rest;
-  for (const std::size_t i : best_first(judged, shown.plan)) {
+  for (const std::size_t i : best_first(judged, shown.metrics, shown.plan)) {
     if (const std::string& name = judged.observations.groups[i].name; tested.contains(name) && !beaten.contains(name))
       rest.push_back(name);
   }
@@ -218,7 +218,7 @@ std::string most_p(const Judged& judged) {
 
 std::string best(const Shown& shown) {
   const Judged& judged = shown.decisive();
-  const std::vector<std::size_t> order = best_first(judged, shown.plan);
+  const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
   std::vector<std::string> names = judged.headline.best;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = name_of(judged, order[i]);
   const std::size_t others = order.size() - names.size();
@@ -337,7 +337,7 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
   for (const Judged& judged : shown.metrics) {
     if (!has_two && &judged != &shown.decisive()) continue;
     std::vector<Finding> findings = judged.findings;
-    const std::vector<std::size_t> order = best_first(judged, shown.plan);
+    const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
     const auto place = [&](const std::string& name) {
       return std::ranges::find(order, name, [&](std::size_t i) { return name_of(judged, i); });
     };

@@ -3,6 +3,7 @@
 
 #include "analysis/show/block.hpp"
 #include "analysis/show/text.hpp"
+#include "numerics/names.hpp"
 #include "results/csv.hpp"
 #include "tests/catch.hpp"
 #include "tests/show/judged.hpp"
@@ -110,10 +111,13 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
       std::string::npos);
 }
 
-TEST_CASE("short names stay different", "[show]") {
-  CHECK(short_names({"swarm of ours alpha=0.5 k=1", "swarm of ours alpha=0.9 k=1"}, 24).begin()->second == "alpha=0.5");
+TEST_CASE("short names stay different, and lose what they share", "[show]") {
+  const std::vector<std::string> swept{"DLS", "BFGS (ours) h=1e-07 stall=5", "BFGS (ours) h=0.001 stall=20"};
+  CHECK(numerics::short_names(swept, 24)[swept[0]] == "DLS");
+  CHECK(numerics::short_names(swept, 24)[swept[1]] == "BFGS … h=1e-07 stall=5");
+  CHECK(numerics::short_names(swept, 20)[swept[2]] == "… h=0.001 stall=20");
   const std::string half(20, 'x');
-  auto names = short_names({half + "1" + half, half + "2" + half}, 24);
+  auto names = numerics::short_names({half + "1" + half, half + "2" + half}, 24);
   CHECK(names[half + "1" + half] != names[half + "2" + half]);
 }
 
