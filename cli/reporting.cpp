@@ -74,6 +74,7 @@ struct KindOfFigures {
 const KindOfFigures kinds_of_figures[]{
     {{"overview"}, "error, or share solved, against joint motion"},
     {{"error-boxes", "motion-boxes", "time-boxes"}, "the distribution of each solver"},
+    {{"boxes"}, "those of a file that stats reads"},
     {{"error-by-iteration", "error-by-point"}, "medians and quartiles"},
     {{"solved-by-evaluations"}, "share of targets solved within a number of evaluations"},
     {{"differences"}, "pairs of solvers, with intervals, and who is better"},
@@ -134,7 +135,7 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 
 std::string help_of_figures() {
   std::string text =
-      "Figures of a report, those that its study has values for: run, report, reproduce --figures NAME,NAME\n";
+      "Figures of a report, those that it has values for: run, report, reproduce, stats --figures NAME,NAME\n";
   for (const auto& [names, meaning] : kinds_of_figures)
     text += fmt::format("  {:38}{}\n", fmt::format("{}", fmt::join(names, ", ")), meaning);
   return text +

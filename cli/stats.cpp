@@ -8,14 +8,13 @@
 #include <stdexcept>
 
 #include "analysis/csv/user_csv.hpp"
-#include "analysis/show/report.hpp"
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/screen.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
-#include "experiments/environment.hpp"
+#include "cli/reporting.hpp"
 #include "numerics/inputs.hpp"
-#include "numerics/json.hpp"
 #include "results/csv.hpp"
 
 namespace ikbench::cli {
@@ -26,7 +25,8 @@ struct StatsArguments {
   std::string file, test, margin, out, separator, decimal;
   csv::Request csv;
   results::Plan plan;
-  bool are_summaries = false, is_json = false;
+  bool are_summaries = false;
+  ReportArguments report;
 };
 
 std::string name_of_source(const std::string& file) { return file == "-" ? "standard input" : file; }
@@ -40,7 +40,8 @@ std::string contents_of(const std::string& file) {
   return results::csv_text(stream, file);
 }
 
-show::Reported judged(const StatsArguments& arguments) {
+// With figures, and the look that they have, if there is a folder for them.
+show::Reported judged(const StatsArguments& arguments, results::FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
   csv::Quantities quantities = arguments.are_summaries ? csv::read_summaries(text, source, arguments.csv)
                                                        : csv::read(text, source, arguments.csv);
@@ -51,7 +52,15 @@ show::Reported judged(const StatsArguments& arguments) {
   }
   results::Plan plan = arguments.plan;
   if (arguments.are_summaries) plan.test = results::Plan::Test::means;
-  show::Reported reported{.shown = show::shown(std::move(metrics), plan)};
+  show::Reported reported;
+  if (!arguments.out.empty()) {
+    std::vector<results::Series> groups;
+    for (const compare::Group& group : metrics.front().observations.groups)
+      groups.push_back({.label = group.name, .algorithm = group.name});
+    style = styled({}, labels_of({.series = groups}), arguments.report);
+    reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
+  }
+  reported.shown = show::shown(std::move(metrics), plan);
   reported.study.entry.name = std::filesystem::path(source).filename().string();
   reported.shown.notes = std::move(quantities.notes);
   return reported;
@@ -64,16 +73,11 @@ void stats(const StatsArguments& arguments) {
       throw std::invalid_argument(
           fmt::format("--out {}: the {} of a study is there; choose another folder", arguments.out, file));
   }
-  const show::Reported reported = judged(arguments);
-  show::Published published;
-  if (!arguments.out.empty()) published = show::publish(reported, arguments.out, {}, experiments::program_name());
-  if (arguments.is_json) {
-    numerics::OrderedJson json = show::to_json(reported.shown);
-    json["notes"] = reported.shown.notes;
-    json["files"] = published.files;
-    return show_json(json);
-  }
-  fmt::print("{}", printable(show::screen(reported.shown, published.page.string())));
+  results::FigureStyle style;
+  show::Reported reported = judged(arguments, style);
+  if (!arguments.out.empty()) return announce(std::move(reported), arguments.out, arguments.report, style);
+  if (arguments.report.is_json) return show_json(show::to_json(reported.shown));
+  fmt::print("{}", printable(show::screen(reported.shown, "")));
 }
 
 }  // namespace
@@ -104,8 +108,9 @@ void add_stats(CLI::App& app, Invocation&) {
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");
   add("--significance", arguments->plan.significance, "of all pairs together [0.05]")->check(number_in({0.0001, 0.2}));
-  add_json_option(*command, arguments->is_json);
-  add("--out", arguments->out, "folder for a report")->check(not_empty());
+  auto* const out = add("--out", arguments->out, "folder for a report")->check(not_empty());
+  add_report_options(*command, arguments->report);
+  for (const char* name : {"--figures", "--style"}) command->get_option(name)->needs(out);
   command->footer(
       "Examples:\n"
       "  ikbench stats results.csv\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -46,13 +47,39 @@ std::string observation_of(const StudyResults& study, const Metric& metric) {
                                                            : "a target";
 }
 
+std::string caption_of_boxes(std::string_view quantity, std::string_view observation) {
+  return fmt::format("Distribution of {}: a dot is {}; box: quartiles and median; whiskers: smallest and largest.",
+                     quantity, observation);
+}
+
+std::vector<BoxRow> rows_of(const std::vector<std::string>& solvers, const Judged& metric, double factor,
+                            const Look& look) {
+  std::vector<BoxRow> rows;
+  for (const std::string& solver : solvers) {
+    const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
+    const compare::Description all = describe(*group);
+    BoxRow& row = rows.emplace_back(
+        BoxRow{.label = name_of(look, solver), .style = style_of(look, solver), .values = group->values});
+    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
+    for (double& value : row.values) value *= factor;
+    for (double& value : row.box) value *= factor;
+    if (std::isinf(all.largest)) {  // no whisker ends there, and no box
+      std::vector<double> finite = row.values;
+      std::erase_if(finite, [](double value) { return std::isinf(value); });
+      row.remark = fmt::format("no answer in {}", row.values.size() - finite.size());
+      row.box.back() = finite.empty() ? nowhere : std::ranges::max(finite);
+      if (std::isinf(all.upper_quartile)) row.box.fill(nowhere);
+    }
+    if (group->lost > 0) row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
+  }
+  return rows;
+}
+
 Figure boxes_of(const JudgedStudy& judged, const Judged& judged_metric, std::string_view column, std::string name,
                 const Look& look) {
   const Metric& metric = metric_named(column);
-  About about = about_of(
-      judged.study, metric, std::move(name),
-      fmt::format("Distribution of {}: a dot is {}; box: quartiles and median; whiskers: smallest and largest.",
-                  metric.name, observation_of(judged.study, metric)));
+  About about = about_of(judged.study, metric, std::move(name),
+                         caption_of_boxes(metric.name, observation_of(judged.study, metric)));
   const auto [unit, factor] = drawn_unit(judged.study, metric.unit);
   double tolerance = 0;
   for (const Group& group : judged_metric.observations.groups) tolerance = std::max(tolerance, factor * group.at_most);
@@ -110,10 +137,9 @@ std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
                 all);
 }
 
-std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look) {
-  const Judged& metric = judged.metrics[judged.deciding];
+std::optional<Figure> differences_of(const std::vector<std::string>& shown, const Judged& metric, const DrawnUnit& unit,
+                                     const Look& look) {
   const Observations& of = metric.observations;
-  const std::vector<std::string> shown = shown_solvers(judged.study, look);
   Look brief = look;  // two names a row
   brief.names = short_names(shown, 20);
   const auto name = [&](const std::string& solver) { return name_of(brief, solver); };
@@ -123,9 +149,7 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
     const Finding finding = better_first(each, metric.plan.control);
     if (std::ranges::count(shown, finding.first) == 0 || std::ranges::count(shown, finding.second) == 0) continue;
     are_ratios = finding.scale == Scale::ratio;
-    const double factor = are_ratios                      ? 1
-                          : finding.scale == Scale::share ? 100
-                                                          : drawn_unit(judged.study, of.unit).factor;
+    const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
     IntervalRow& row = rows.emplace_back();
     row.label = fmt::format("{} {} {}", name(finding.first), are_ratios ? "/" : "-", name(finding.second));
     if (finding.estimate) row.estimate = factor * *finding.estimate;
@@ -139,7 +163,7 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
     if (is_better || is_worse) row.style = style_of(look, better);
   }
   if (rows.empty()) return std::nullopt;
-  const std::string quantity = of.scale == Scale::share ? "share solved" : of.quantity;
+  const std::string quantity = (of.scale == Scale::share ? "share " : "") + of.quantity;
   return differences(
       {.name = "differences",
        .caption = fmt::format("{} of {} by pairs, with intervals that hold together; at the right who is "
@@ -148,7 +172,7 @@ std::optional<Figure> differences_of(const JudgedStudy& judged, const Look& look
        .quantity = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", quantity),
        .unit = are_ratios                 ? ""
                : of.scale == Scale::share ? "points"
-                                          : drawn_unit(judged.study, of.unit).name},
+                                          : unit.name},
       rows, are_ratios);
 }
 
@@ -197,19 +221,8 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
 }
 
 std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, const Look& look) {
-  const double factor = drawn_unit(judged.study, metric.observations.unit).factor;
-  std::vector<BoxRow> rows;
-  for (const std::string& solver : shown_solvers(judged.study, look)) {
-    const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
-    const compare::Description all = describe(*group);
-    BoxRow& row = rows.emplace_back(
-        BoxRow{.label = name_of(look, solver), .style = style_of(look, solver), .values = group->values});
-    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
-    for (double& value : row.values) value *= factor;
-    for (double& value : row.box) value *= factor;
-    if (group->lost > 0) row.remark = fmt::format("{} lost", group->lost);
-  }
-  return rows;
+  return rows_of(shown_solvers(judged.study, look), metric, drawn_unit(judged.study, metric.observations.unit).factor,
+                 look);
 }
 
 std::vector<Line> by_point(const StudyResults& study, std::string_view column, const Look& look, Average average) {
@@ -303,6 +316,26 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
   return all;
 }
 
+std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look) {
+  std::vector<Figure> all;
+  std::vector<std::string> shown = look.style.solvers;
+  for (const Judged& metric : metrics) {
+    const Observations& of = metric.observations;
+    if (shown.empty()) std::ranges::transform(of.groups, std::back_inserter(shown), &Group::name);
+    const bool has_values = std::ranges::any_of(of.groups, [](const Group& group) { return !group.values.empty(); });
+    if (!has_values || (of.scale == Scale::share && of.trials == 1)) continue;
+    const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
+    all.push_back(boxes({.name = "boxes" + number,
+                         .caption = caption_of_boxes(of.quantity, "a value"),
+                         .quantity = of.quantity,
+                         .unit = of.unit},
+                        rows_of(shown, metric, 1, look)));
+  }
+  const Judged& first = metrics.front();
+  if (auto figure = differences_of(shown, first, {first.observations.unit}, look)) all.push_back(std::move(*figure));
+  return all;
+}
+
 std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
   const std::vector<std::string> shown = shown_solvers(study, look);
@@ -338,8 +371,9 @@ std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
     add(error_curves("point", "point", by_point(study, error, look, Average::median)));
   }
   add(solved_of(study, look));
-  add(differences_of(judged, look));
-  const std::vector<std::string>& best = judged.metrics[judged.deciding].headline.best;
+  const Judged& deciding = judged.metrics[judged.deciding];
+  add(differences_of(shown, deciding, drawn_unit(study, deciding.observations.unit), look));
+  const std::vector<std::string>& best = deciding.headline.best;
   const auto found = std::ranges::find_first_of(shown, best);
   const std::string drawn = found != shown.end() ? *found : shown.front();
   const std::string part = study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";

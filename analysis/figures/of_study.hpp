@@ -27,6 +27,9 @@ Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle s
 // solved-by-evaluations, differences, path, joints.
 std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& look);
 
+// Of a user's file: boxes of each metric that has values, and the differences of the first.
+std::vector<Figure> of_file(const std::vector<compare::Judged>& metrics, const Look& look);
+
 // The solvers that figures show, in their order.
 std::vector<std::string> shown_solvers(const compare::StudyResults& study, const Look& look);
 int style_of(const Look& look, const std::string& solver);

@@ -278,7 +278,8 @@ numerics::OrderedJson to_json(const Shown& shown) {
           {"groups", to_json(descriptives_table(shown))},
           {"tests", to_json(anova_table(shown))},
           {"findings", std::move(findings)},
-          {"doubts", std::move(doubts)}};
+          {"doubts", std::move(doubts)},
+          {"notes", shown.notes}};
 }
 
 Table study_table(const StudyResults& study) {

@@ -43,9 +43,14 @@ succeeds stats many.csv --value error --run run
 succeeds stats comma.csv --out new/report --json
 golden stats-comma
 golden stats-comma new/report/results.json
-json '"report.html" in of["files"] and "tables/descriptives.tex" in of["files"]'
+json '{"report.html", "tables/descriptives.tex", "figures/boxes.png", "figures/differences.pdf"} <= set(of["files"])'
 for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'); do [ -s "new/report/$file" ] || fail "no $file"; done
 [ ! -e new/report/solves.csv ] || fail "solves of a file that has none"
+
+succeeds stats comma.csv --out boxes --figures boxes --json
+json '"figures/boxes.svg" in of["files"] and "figures/differences.svg" not in of["files"]'
+refused "--out" stats comma.csv --figures boxes
+refused "overview" stats comma.csv --out boxes --figures overview
 
 # What lies in the folder is replaced unopened: a pipe, a name of another file. A folder that leads elsewhere is refused.
 mkdir victim
