@@ -37,10 +37,10 @@ def solve(problem):
             turn = math.atan2(dot(axis, cross), dot(tool, to) - dot(axis, tool) * dot(axis, to))
             q[j] = min(max(q[j] + turn, problem["lower"][j]), problem["upper"][j])
 
-say(message="hello", ikbench=2, name="python_descent", version="1.0")
+say(message="hello", ikbench=2, name="python_descent", version="1.0", goals=["position"])
 for line in sys.stdin:
     told = json.loads(line)
     if told["message"] == "robot":
-        arm, can = told, told["goal"] == "position" and all(joint["type"] == "revolute" for joint in told["joints"])
+        arm, can = told, all(joint["type"] == "revolute" for joint in told["joints"])
     elif told["message"] == "solve":
-        solve(told) if can else say(message="declined", why="positions of joints that turn, alone")
+        solve(told) if can else say(message="declined", why="joints that turn, alone")
