@@ -39,6 +39,7 @@ Description describe(const Group& group) {
           .median = quantile(sorted, 0.5),
           .lower_quartile = quantile(sorted, 0.25),
           .upper_quartile = quantile(sorted, 0.75),
+          .quantile_95 = quantile(sorted, 0.95),
           .smallest = sorted.front(),
           .largest = sorted.back()};
 }

@@ -29,7 +29,8 @@ Judged in_unit(Judged judged, double factor, std::string unit) {
     if (group.summary) scale(factor, group.summary->mean, group.summary->sd);
   }
   for (Description& its : judged.described)
-    scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest);
+    scale(factor, its.mean, its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest,
+          its.largest);
   for (Finding& finding : judged.findings) {
     if (finding.scale == Scale::ratio) continue;
     if (finding.estimate) scale(factor, *finding.estimate);

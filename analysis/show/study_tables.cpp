@@ -218,6 +218,7 @@ Table descriptives_table(const Shown& shown) {
                           {"median"},
                           {"lower quartile"},
                           {"upper quartile"},
+                          {"95 %"},
                           {"smallest"},
                           {"largest"},
                           {"interval"},
@@ -232,7 +233,8 @@ Table descriptives_table(const Shown& shown) {
       auto& row = table.rows.emplace_back();
       row = {of.quantity, group.name, std::int64_t{its.n}, value_cell(group, its.mean)};
       const std::optional<Interval> interval = interval_of(judged, its, shown.plan);
-      for (const double value : {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.smallest, its.largest})
+      for (const double value :
+           {its.sd, its.median, its.lower_quartile, its.upper_quartile, its.quantile_95, its.smallest, its.largest})
         row.push_back(interval ? Cell() : value_cell(group, value));
       row.push_back(interval ? Cell(*interval) : Cell());
       is_any_share |= interval.has_value();

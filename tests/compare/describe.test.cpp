@@ -53,6 +53,7 @@ TEST_CASE("a group is described as MATLAB does", "[describe]") {
   CHECK(of.median == 2.5);
   CHECK(of.lower_quartile == 2);
   CHECK(of.upper_quartile == 4);
+  CHECK(of.quantile_95 == of.largest);
   CHECK(of.smallest == 1);
   CHECK(of.largest == 9);
   CHECK(describe({.name = "b", .values = {1, 2, 3, 5}}).lower_quartile == 1.5);  // at n p + 1/2 = 1.5
