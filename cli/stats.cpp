@@ -1,5 +1,6 @@
 // ikbench stats: which group of a user's CSV is better, or of printed means and standard deviations.
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,17 @@ std::string contents_of(const std::string& file) {
   return results::csv_text(stream, file);
 }
 
+// "smaller is better (--better larger turns it)", or "smaller is better, of quality larger".
+std::string direction_of(const std::vector<compare::Judged>& metrics, bool is_assumed) {
+  std::vector<std::string> larger;
+  for (const compare::Judged& metric : metrics) {
+    if (metric.observations.better == compare::Better::larger) larger.push_back(metric.observations.quantity);
+  }
+  if (larger.size() == metrics.size()) return "larger is better";
+  if (!larger.empty()) return fmt::format("smaller is better, of {} larger", fmt::join(larger, ", "));
+  return is_assumed ? "smaller is better (--better larger turns it)" : "smaller is better";
+}
+
 // With figures, and the look that they have, if there is a folder for them.
 show::Reported judged(const StatsArguments& arguments, results::FigureStyle& style) {
   const std::string text = contents_of(arguments.file), source = name_of_source(arguments.file);
@@ -60,7 +72,9 @@ show::Reported judged(const StatsArguments& arguments, results::FigureStyle& sty
     style = styled({}, labels_of({.series = groups}), arguments.report);
     reported.figures = figures::of_file(metrics, figures::look_of(groups, style));
   }
+  const std::string direction = direction_of(metrics, arguments.csv.better.empty());
   reported.shown = show::shown(std::move(metrics), plan);
+  reported.shown.direction = direction;
   reported.study.entry.name = std::filesystem::path(source).filename().string();
   reported.shown.notes = std::move(quantities.notes);
   return reported;
@@ -92,18 +106,20 @@ void add_stats(CLI::App& app, Invocation&) {
   add("FILE", arguments->file,
       "CSV with a column of names and one of values, or one of values a solver; - for standard input")
       ->required();
-  add("--value", csv.values, "column of values; repeat for several; not needed if there is one")
-      ->allow_extra_args(false);
-  add("--label", csv.label, "column of names; not needed if it is called solver or alike, or is the only text");
-  add("--block", csv.block, "column of targets that all groups had: compares within them");
+  const auto add_several = [&](const char* name, std::vector<std::string>& values, const char* meaning) {
+    add(name, values, meaning)->allow_extra_args(false);
+  };
+  add_several("--value", csv.values, "column of values; repeat for several; not needed if there is one");
+  add_several("--label", csv.label,
+              "column of names, or several; not needed if it is called solver or alike, or is the only text");
+  add_several("--block", csv.block, "column of targets that all groups had, or several: compares within them");
   add("--run", csv.run, "column of runs: averages the rows of a run (within a block), which are no repetitions");
-  add("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several")->allow_extra_args(false);
-  command->add_flag("--larger", csv.is_larger_better, "larger values are better");
+  add_several("--where", csv.where, "COLUMN=VALUE: takes these rows alone; repeat for several");
+  add_several("--better", csv.better, "smaller or larger; COLUMN=larger of one of several [smaller]");
   command->add_flag("--summaries", arguments->are_summaries,
                     "FILE has printed numbers: columns name, n, mean, sd and, if there are several, metric");
   add("--separator", arguments->separator, "between cells [found]")->check(CLI::IsMember({",", ";", "tab"}));
-  add("--decimal", arguments->decimal, "mark in numbers [found; a point between commas]")
-      ->check(CLI::IsMember({".", ","}));
+  add("--decimal", arguments->decimal, "mark in numbers [found]")->check(CLI::IsMember({".", ","}));
   add("--test", arguments->test, "of ranks or means [ranks]")->check(CLI::IsMember({"ranks", "means"}));
   add("--control", arguments->plan.control, "compares with this group alone");
   add("--margin", arguments->margin, "difference that matters: 5%, or 0.1 in the unit of the values [5%]");

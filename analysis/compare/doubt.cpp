@@ -27,8 +27,11 @@ std::string words_of(const Doubt& doubt) {
   switch (doubt.kind) {
     case DoubtKind::runs_missing:
       return fmt::format("{} {}{}", share, what.empty() ? "runs are missing or lack targets" : what, of_whom);
+    case DoubtKind::incomplete:
+      return fmt::format("{} {}: no verdict on {}; write inf for no answer, or drop them", share, what, who);
     case DoubtKind::without_answer:
-      return fmt::format("{} {}{}", share, what.empty() ? "solves gave no answer" : what, of_whom);
+      return what.empty() ? fmt::format("{} solves gave no answer{}", share, of_whom)
+                          : fmt::format("no answer in {} {}{}", share, what, of_whom);
     case DoubtKind::claimed_but_wrong:
       return fmt::format("{} solves claimed an error that is wrong, and do not count as solved ({})", share, who);
     case DoubtKind::outside_limits:

@@ -8,6 +8,7 @@ namespace ikbench::compare {
 
 enum class DoubtKind {
   runs_missing,
+  incomplete,
   without_answer,
   claimed_but_wrong,
   outside_limits,

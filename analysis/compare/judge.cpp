@@ -66,7 +66,8 @@ double told(const Judged& judged, std::size_t group, const Plan& plan) {
   const Description& its = judged.described[group];
   const bool is_mean =
       judged.observations.scale == Scale::share || plan.test == Plan::Test::means || std::isnan(its.median);
-  return judged.observations.groups[group].lost > 0 ? unknown : is_mean ? its.mean : its.median;
+  const bool is_told = judged.observations.tells_incomplete || judged.observations.groups[group].lost == 0;
+  return !is_told ? unknown : is_mean ? its.mean : its.median;
 }
 
 std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all, const Plan& plan) {
@@ -84,10 +85,14 @@ std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judg
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {
     const double value = told(judged, i, plan);
-    const std::string& name = judged.observations.groups[i].name;
-    const bool is_best = std::ranges::count(judged.headline.best, name) > 0;
+    const Group& group = judged.observations.groups[i];
+    const bool is_best = std::ranges::count(judged.headline.best, group.name) > 0;
     const double place = judged.observations.better == Better::larger ? -value : value;
-    return std::isnan(value) ? std::tuple(2, 0.0, 0.0) : std::tuple(is_best ? 0 : 1, place, cost(name));
+    return std::isnan(value) ? std::tuple(3, 0.0, 0.0)
+                             : std::tuple(group.lost > 0 ? 2
+                                          : is_best      ? 0
+                                                         : 1,
+                                          place, cost(group.name));
   });
   return order;
 }

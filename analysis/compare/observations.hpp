@@ -40,12 +40,13 @@ struct Observations {
   std::string unit = {};
   Better better = Better::smaller;
   Scale scale = Scale::ratio;
-  double absolute_margin = 0;  // of the plan, in this unit
-  double floor = 0;            // of ratios: a smaller value counts as this
-  double rounding = 0;         // values that differ by no more are equal
-  bool is_paired = false;      // values of one block belong together; without blocks, values[i]
-  bool is_of_solved = false;   // so each group has its own targets: numbers of two are comparable in findings alone
-  int trials = 1;              // of shares: attempts in an observation; one makes it 0 or 1
+  double absolute_margin = 0;     // of the plan, in this unit
+  double floor = 0;               // of ratios: a smaller value counts as this
+  double rounding = 0;            // values that differ by no more are equal
+  bool is_paired = false;         // values of one block belong together; without blocks, values[i]
+  bool tells_incomplete = false;  // tables have numbers of groups that lost values, though nothing is said of them
+  bool is_of_solved = false;      // so each group has its own targets: numbers of two are comparable in findings alone
+  int trials = 1;                 // of shares: attempts in an observation; one makes it 0 or 1
   std::vector<Group> groups = {};
   std::vector<Doubt> doubts = {};
 };

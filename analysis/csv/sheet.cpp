@@ -25,13 +25,37 @@ bool is_missing(std::string_view cell) {
          is_one_of(cell, {"", "-", "--", "na", "n/a", "#n/a", "nan", "-nan", "null", "none", "<na>"});
 }
 
-std::optional<double> parsed(std::string_view text, char decimal) {
-  if (decimal == '.') return numerics::number_from(text);
-  if (text.find('.') != std::string_view::npos) return std::nullopt;
-  std::string pointed(text);
-  std::ranges::replace(pointed, ',', '.');
-  return numerics::number_from(pointed);
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// "1,234,567"
+bool is_grouped(std::string_view whole, char mark) {
+  whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
+  const std::size_t first = whole.find(mark);
+  if (first == 0 || first > 3 || whole.front() == '0' || (whole.size() - first) % 4 != 0) return false;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (i >= first && (i - first) % 4 == 0 ? whole[i] != mark : !is_digit(whole[i])) return false;
+  }
+  return true;
 }
+
+bool has_mark(std::string_view text) { return text.find_first_of(".,") != std::string_view::npos; }
+
+// Of a text with this mark of decimals; the other one marks thousands.
+std::optional<double> parsed(std::string_view text, char decimal) {
+  if (!has_mark(text)) return numerics::number_from(text);
+  const char thousand = decimal == '.' ? ',' : '.';
+  std::string plain(text);
+  if (text.find(thousand) != std::string_view::npos) {
+    const std::string_view whole = text.substr(0, text.find(decimal));
+    if (!is_grouped(whole, thousand) || text.find(thousand, whole.size()) != std::string_view::npos)
+      return std::nullopt;
+    std::erase(plain, thousand);
+  }
+  std::ranges::replace(plain, ',', '.');
+  return numerics::number_from(plain);
+}
+
+bool is_number(std::string_view text) { return parsed(text, '.') || parsed(text, ','); }
 
 // What the header has most often outside quotes.
 char separator_of(std::string_view text) {
@@ -66,14 +90,16 @@ std::string in_quotes(std::string_view text) {
 }
 
 Sheet::Sheet(std::string_view text, std::string_view source, char separator, char decimal)
-    : source_(source), view_(text), decimal_(decimal) {
+    : source_(source), view_(text) {
   results::expect_text(text, source);
   if (std::ranges::count(text, '\n') > most_lines + 1)
     refuse(fmt::format("more than {} rows; expected at most that: compare a part, or means of runs", most_lines));
   if (separator == 0) separator = separator_of(text);
-  if (decimal_ == 0 && separator == ',') decimal_ = '.';  // "1,234" may be a thousand
   view_ = results::view_csv(text, source, separator);
   for (const std::string& title : view_.header) titles_.emplace_back(trimmed(title));
+  decimals_.assign(titles_.size(), decimal);
+  if (const auto number = std::ranges::find_if(titles_, is_number); number != titles_.end())
+    refuse(fmt::format("{} in the header; expected names of columns in the first line", in_quotes(*number)));
   for (std::uint32_t row = 0; row < view_.rows(); ++row) {
     std::size_t empty = 0;
     while (empty < titles_.size() && cell(row, empty).empty()) ++empty;
@@ -94,7 +120,10 @@ void Sheet::choose(std::string_view condition) {
         fmt::format("no row has {}; the first has {}", in_quotes(condition), in_quotes(titles_[chosen] + "=" + first)));
 }
 
-std::string_view Sheet::cell(std::size_t row, std::size_t column) const { return trimmed(view_.cell(row, column)); }
+std::string_view Sheet::cell(std::size_t row, std::size_t column) const {
+  const std::size_t own = view_.header.size();
+  return column < own ? trimmed(view_.cell(row, column)) : joined_[column - own][row];
+}
 
 std::size_t Sheet::column(std::string_view name) const {
   const auto number = std::ranges::count(titles_, name);
@@ -103,6 +132,21 @@ std::size_t Sheet::column(std::string_view name) const {
     refuse(fmt::format("no column {}{}; there are {}", in_quotes(name), numerics::did_you_mean(name, titles_),
                        numerics::front(fmt::format("{}", fmt::join(titles_, ", ")), 300)));
   return static_cast<std::size_t>(std::ranges::find(titles_, name) - titles_.begin());
+}
+
+std::size_t Sheet::joined(const std::vector<std::string>& names) {
+  std::vector<std::size_t> parts;
+  for (const std::string& name : names) parts.push_back(column(name));
+  if (parts.size() == 1) return parts.front();
+  std::vector<std::string>& texts = joined_.emplace_back(view_.rows());
+  for (const std::uint32_t row : rows_) {
+    const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
+    if (std::ranges::any_of(parts, is_empty)) continue;
+    for (const std::size_t part : parts) texts[row].append(texts[row].empty() ? "" : " ").append(cell(row, part));
+  }
+  titles_.push_back(fmt::format("{}", fmt::join(names, " ")));
+  decimals_.push_back(0);
+  return titles_.size() - 1;
 }
 
 std::optional<std::size_t> Sheet::column_like(const Words& names) const {
@@ -120,30 +164,67 @@ std::string Sheet::names_of(const std::vector<std::size_t>& columns) const {
   return std::string(numerics::front(names, 300));
 }
 
-bool Sheet::has_numbers(std::size_t column) const {
-  const auto is_lost = [&](std::uint32_t row) { return is_missing(cell(row, column)); };
-  const auto is_number = [&](std::uint32_t row) {
-    return is_lost(row) || parsed(cell(row, column), '.') || parsed(cell(row, column), ',');
-  };
-  return std::ranges::all_of(rows_, is_number) && !std::ranges::all_of(rows_, is_lost);
+Sheet::Content Sheet::content(std::size_t column) const {
+  std::size_t filled = 0, numbers = 0, almost = 0;
+  for (const std::uint32_t row : rows_) {
+    std::string_view text = cell(row, column);
+    if (is_missing(text)) continue;
+    ++filled;
+    const bool is_one = is_number(text);
+    numbers += is_one;
+    text.remove_prefix(text.starts_with('<') || text.starts_with('>') ? 1 : 0);
+    text.remove_suffix(text.ends_with('%') ? 1 : 0);
+    almost += is_one || is_number(trimmed(text)) || is_one_of(text, {"true", "false"});
+  }
+  return 2 * numbers > filled ? Content::numbers : 2 * almost > filled ? Content::almost_numbers : Content::text;
+}
+
+// Of the first cell that is a number by one mark alone; 0 if there is none. Else one that is two numbers may be there.
+char Sheet::decimal_of(std::size_t column, std::optional<std::uint32_t>& doubtful) const {
+  for (const std::uint32_t row : rows_) {
+    const std::string_view text = cell(row, column);
+    if (!has_mark(text)) continue;
+    const bool is_by_point = parsed(text, '.').has_value(), is_by_comma = parsed(text, ',').has_value();
+    if (is_by_point != is_by_comma) return is_by_point ? '.' : ',';
+    if (is_by_point && !doubtful) doubtful = row;
+  }
+  return 0;
+}
+
+char Sheet::decimal_of(std::size_t column) const {
+  std::optional<std::uint32_t> doubtful, other;
+  const char own = decimal_of(column, doubtful);
+  if (own != 0 || !doubtful) return own == 0 ? '.' : own;
+  std::string marks;  // of other columns
+  for (std::size_t i = 0; i < view_.header.size(); ++i) {
+    const char mark = has_numbers(i) ? decimal_of(i, other) : '\0';
+    if (mark != 0 && marks.find(mark) == std::string::npos) marks += mark;
+  }
+  if (marks.size() != 1) {
+    const std::string_view text = cell(*doubtful, column);
+    refuse(*doubtful, column,
+           fmt::format("is {} with --decimal . and {} with --decimal , and no cell tells which: say it",
+                       *parsed(text, '.'), *parsed(text, ',')));
+  }
+  return marks.front();
 }
 
 double Sheet::number(std::size_t row, std::size_t column) {
   const std::string_view text = cell(row, column);
   if (is_missing(text)) return std::numeric_limits<double>::quiet_NaN();
-  const bool has_comma = text.find(',') != std::string_view::npos;
-  if (decimal_ == 0 && (has_comma || text.find('.') != std::string_view::npos)) decimal_ = has_comma ? ',' : '.';
-  const auto value = parsed(text, decimal_ == 0 ? '.' : decimal_);
+  if (decimals_[column] == 0) decimals_[column] = decimal_of(column);
+  const auto value = parsed(text, decimals_[column]);
+  if (!value && is_number(text))
+    refuse(row, column,
+           fmt::format("is no number with a decimal {}; --decimal says what marks decimals",
+                       decimals_[column] == ',' ? "comma" : "point"));
   if (!value)
-    refuse(
-        row, column,
-        fmt::format("is no number with a decimal {}: write NA where there is none, and say with --decimal what marks "
-                    "decimals",
-                    decimal_ == ',' ? "comma" : "point"));
+    refuse(row, column,
+           "is no number: write NA where there is none, inf where there was no answer, 1 and 0 for true and false");
   const double size = std::abs(*value);  // tests take squares of squares
   if (std::isfinite(size) && size != 0 && (size < 1e-60 || size > 1e60))
     refuse(row, column, "is beyond what can be compared, 1e-60 to 1e60");
-  return std::isfinite(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
+  return *value;
 }
 
 void Sheet::refuse(std::string_view what) const { throw std::invalid_argument(fmt::format("{}: {}", source_, what)); }

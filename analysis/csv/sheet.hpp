@@ -21,8 +21,7 @@ std::string in_quotes(std::string_view text);               // one line, cut, fo
 
 class Sheet {
  public:
-  // Separator and decimal mark are found where they are 0; between commas the mark is a point. The text must outlive
-  // the sheet.
+  // Separator and decimal mark are found where they are 0. The text must outlive the sheet.
   Sheet(std::string_view text, std::string_view source, char separator, char decimal);
 
   // Takes the rows with this value in this column alone: "metric=error".
@@ -34,11 +33,17 @@ class Sheet {
   std::string_view cell(std::size_t row, std::size_t column) const;  // without blanks at its ends
 
   std::size_t column(std::string_view name) const;
+  // The column of this name; of several a new one, of their texts joined by blanks, empty where one of them is.
+  std::size_t joined(const std::vector<std::string>& names);
   std::optional<std::size_t> column_like(const Words& names) const;  // named so; earlier names first
   std::string names_of(const std::vector<std::size_t>& columns) const;
 
-  bool has_numbers(std::size_t column) const;
-  // Not a number where it is missing or infinite.
+  // What most cells of a column are. Almost: "93%", "<1", "True", which number() refuses with their place.
+  enum class Content { text, almost_numbers, numbers };
+  Content content(std::size_t column) const;
+  bool has_numbers(std::size_t column) const { return content(column) == Content::numbers; }
+  // Not a number where it is missing. "1.020" may be 1.02 or 1020: other cells of the column say which mark is of
+  // decimals, else those of the file, else the column is refused.
   double number(std::size_t row, std::size_t column);
 
   [[noreturn]] void refuse(std::string_view what) const;
@@ -49,7 +54,11 @@ class Sheet {
   results::CsvView view_;
   std::vector<std::string> titles_;
   std::vector<std::uint32_t> rows_;
-  char decimal_;
+  std::vector<std::vector<std::string>> joined_;  // columns after the file's
+  std::vector<char> decimals_;                    // of each column; 0: not known yet
+
+  char decimal_of(std::size_t column, std::optional<std::uint32_t>& doubtful) const;
+  char decimal_of(std::size_t column) const;
 };
 
 }  // namespace ikbench::csv

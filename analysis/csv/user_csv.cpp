@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_map>
@@ -30,11 +33,12 @@ const Words row_names{"id", "index", "row", "point", "target", "problem", "no", 
 
 // Where things are. Without a label each column of values is a group.
 struct Layout {
-  Column label, block, run, rows = {};  // rows: without a label, what tells rows apart
-  std::vector<std::size_t> values;
+  Column label, block, run, rows = {};    // rows: without a label, what tells rows apart
+  std::vector<std::size_t> values, used;  // used: columns that the user named
 
   bool has(std::size_t column) const {
-    return column == label || column == block || column == run || std::ranges::count(values, column) > 0;
+    return column == label || column == block || column == run || std::ranges::count(values, column) > 0 ||
+           std::ranges::count(used, column) > 0;
   }
 };
 
@@ -51,22 +55,40 @@ bool tells_rows(const Sheet& sheet, std::size_t column) {
   return counts || (is_whole && is_one_of(sheet.titles()[column], row_names));
 }
 
-Layout layout_of(const Sheet& sheet, const Request& request) {
-  const auto column = [&](const std::string& name) { return name.empty() ? Column() : sheet.column(name); };
-  Layout layout{.label = column(request.label), .block = column(request.block), .run = column(request.run)};
+// Numbers as settings and labels have them: whole, in order, or repeated.
+bool is_setting(Sheet& sheet, std::size_t column) {
+  std::vector<double> values;
+  for (const Index row : sheet.rows()) values.push_back(sheet.number(row, column));
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  const std::set<double> different(values.begin(), values.end());
+  return std::ranges::all_of(values, [](double value) { return value == std::floor(value); }) ||
+         std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::greater()) ||
+         2 * different.size() <= values.size();
+}
+
+Layout layout_of(Sheet& sheet, const Request& request) {
+  Layout layout;
+  const auto named = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names) layout.used.push_back(sheet.column(name));
+    return names.empty() ? Column() : sheet.joined(names);
+  };
+  const std::size_t columns = sheet.titles().size();  // those of the file
+  layout.label = named(request.label), layout.block = named(request.block);
+  if (!request.run.empty()) layout.run = sheet.column(request.run);
   for (const std::string& each : request.values) {
     const std::size_t at = sheet.column(each);
     if (std::ranges::count(layout.values, at) == 0) layout.values.push_back(at);
   }
   if (!layout.label) layout.label = sheet.column_like(label_names);
   if (layout.label && !layout.values.empty()) return layout;
-  std::vector<std::size_t> numbers, texts;
-  for (std::size_t i = 0; i < sheet.titles().size(); ++i) {
+  std::vector<std::size_t> numbers, almost, texts;
+  for (std::size_t i = 0; i < columns; ++i) {
     const std::string& title = sheet.titles()[i];
     const auto is_chosen = [&](const std::string& where) { return where.starts_with(title + '='); };
     if (layout.has(i) || is_one_of(title, run_names) || std::ranges::any_of(request.where, is_chosen)) continue;
     if (title.empty() || title == "Unnamed: 0") continue;  // numbers of rows, as R and pandas write them
-    (sheet.has_numbers(i) ? numbers : texts).push_back(i);
+    const Sheet::Content content = sheet.content(i);
+    (content == Sheet::Content::numbers ? numbers : content == Sheet::Content::text ? texts : almost).push_back(i);
   }
   if (!layout.label && texts.size() > 1)
     sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", sheet.names_of(texts)));
@@ -81,10 +103,22 @@ Layout layout_of(const Sheet& sheet, const Request& request) {
     const auto is_row = [&](std::size_t each) { return tells_rows(sheet, each); };
     if (const auto found = std::ranges::find_if(numbers, is_row); found != numbers.end()) layout.rows = *found;
     std::erase_if(numbers, is_row);
+    const bool has_other = !layout.block && !layout.values.empty() && !numbers.empty();
+    if (has_other || layout.values.size() == 1 || (layout.values.empty() && numbers.size() == 1))
+      sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
+    const auto is_alike = [&](std::size_t each) { return is_setting(sheet, each); };  // as counts are
+    if (layout.values.empty() && !numbers.empty() && is_setting(sheet, numbers.front()) &&
+        !(layout.block && std::ranges::all_of(numbers, is_alike))) {
+      std::string groups;
+      for (const std::size_t each : numbers) groups += fmt::format(" --value '{}'", sheet.titles()[each]);
+      sheet.refuse(
+          fmt::format("the numbers of '{0}' are whole, in order or repeated: say --block '{0}' if they are of "
+                      "problems, --label '{0}' if of groups, or name the column of each group,{1}",
+                      sheet.titles()[numbers.front()], numerics::front(groups, 300)));
+    }
   }
-  if (!layout.label && (!layout.values.empty() || numbers.size() == 1))
-    sheet.refuse("no column of labels; name that of the groups with --label COLUMN");
-  if (layout.values.empty()) layout.values = numbers;
+  if (layout.values.empty()) layout.values = !numbers.empty() ? numbers : !almost.empty() ? almost : texts;
+  std::erase(layout.values, layout.label);
   if (layout.values.empty()) sheet.refuse("no column of numbers; expected one of values");
   for (const std::size_t each : layout.values) sheet.column(sheet.titles()[each]);  // refuses two of one name
   return layout;
@@ -125,11 +159,8 @@ Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
   for (const std::size_t column : columns) {
-    Index used = 0;  // a column that ends before others has fewer values
-    for (const Index row : sheet.rows()) used = sheet.cell(row, column).empty() ? used : row;
     for (const Index row : sheet.rows()) {
       const std::string_view name = layout.label ? sheet.cell(row, *layout.label) : sheet.titles()[column];
-      if (!layout.label && !layout.block && row > used) break;
       items.unlabelled += name.empty();
       if (name.empty()) continue;
       const std::string_view own = unit ? sheet.cell(row, *unit) : "";
@@ -199,16 +230,60 @@ const Metric* metric_of(const Sheet& sheet, const std::string& name) {
   return &*metric;
 }
 
+// Whether a word of the text begins so: "success_rate", "SuccessRate".
+bool has_word(std::string_view text, std::string_view word) {
+  const std::string lower = lower_case(text);
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
+    if (at == 0 || !is_small(lower[at - 1]) || (is_small(text[at - 1]) && !is_small(text[at]))) return true;
+  }
+  return false;
+}
+
+// Asks where larger values may be better.
+Better better_of(const Sheet& sheet, const Request& request, const std::string& title, bool are_shares) {
+  std::string_view said;
+  for (const std::string_view each : request.better) {
+    const std::size_t equals = each.rfind('=');
+    const bool is_of_all = equals == std::string_view::npos;
+    const std::string_view way = is_of_all ? each : each.substr(equals + 1);
+    if (way != "smaller" && way != "larger")
+      sheet.refuse(fmt::format("--better {}; expected smaller, larger or COLUMN=larger", in_quotes(each)));
+    if (is_of_all ? said.empty() : each.substr(0, equals) == title) said = way;
+  }
+  std::vector<std::string_view> texts(request.where.begin(), request.where.end());
+  texts.emplace_back(title);
+  const bool may_be_larger =
+      are_shares || std::ranges::any_of(texts, [](std::string_view text) {
+        constexpr std::array<std::string_view, 5> words{"success", "rate", "accuracy", "reward", "score"};
+        return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
+      });
+  if (said.empty() && may_be_larger)
+    sheet.refuse(
+        fmt::format("which values of {0} are better{1}? Say --better larger or --better smaller; of this column alone "
+                    "--better '{2}=larger'",
+                    in_quotes(title), are_shares ? ", 0 or 1" : "", title));
+  return said == "larger" ? Better::larger : Better::smaller;
+}
+
+void refuse_others(const Sheet& sheet, const Request& request, const std::vector<std::string>& titles) {
+  for (const std::string& each : request.better) {
+    const std::string title = each.substr(0, each.rfind('='));
+    if (title != each && std::ranges::count(titles, title) == 0)
+      sheet.refuse(
+          fmt::format("--better {}: {}", in_quotes(each), numerics::unknown_name("column of values", title, titles)));
+  }
+}
+
 // "error_cm" and "error [cm]" have a unit; columns of our own have the names of a report.
-Observations quantity_of(const std::string& title, bool is_larger_better) {
+Observations quantity_of(const std::string& title) {
   const bool is_bracketed = title.ends_with(']');
   const std::size_t at = title.rfind(is_bracketed ? '[' : '_');
-  Observations of{.metric = "", .quantity = title, .better = is_larger_better ? Better::larger : Better::smaller};
+  Observations of{.metric = "", .quantity = title, .tells_incomplete = true};
   for (const char c : lower_case(title)) of.metric += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
   const auto metric = std::ranges::find(metrics(), title, &Metric::column);
   if (metric != metrics().end()) {
     of.metric = metric->slug, of.quantity = metric->name, of.unit = metric->unit;
-    if (metric->kind == Kind::share) of.better = Better::larger;
     return of;
   }
   if (at == std::string::npos || at == 0) return of;
@@ -238,70 +313,93 @@ void fill(const Layout& layout, const Items& items, Observations& of) {
   for (const Mean& each : means) most_of(each) = std::max(most_of(each), each.rows);
   of.is_paired = layout.block.has_value();
   of.trials = static_cast<int>(std::ranges::max(most));
-  std::vector<int> without(items.groups.size()), all(items.groups.size());
+  std::vector<std::size_t> complete(items.units);  // groups that have the block
+  std::vector<int> all(items.groups.size());
   for (const std::string& name : items.groups) of.groups.push_back({.name = name});
   for (const Mean& each : means) {
     Group& group = of.groups[each.group];
     ++all[each.group];
-    const bool is_lost = std::isnan(each.value()), is_short = each.rows < most_of(each);
-    without[each.group] += is_lost;
-    group.lost += is_lost || is_short;
-    if (!is_lost && !is_short) group.values.push_back(each.value());
+    const bool is_lost = std::isnan(each.value()) || each.rows < most_of(each);
+    group.lost += is_lost;
+    if (!is_lost) group.values.push_back(each.value());
+    if (!is_lost && layout.block) ++complete[each.unit];
   }
-  const std::string rows = layout.block ? "blocks have fewer rows" : "runs have fewer rows";
-  Doubt none{.kind = DoubtKind::without_answer, .what = "values are missing"};
-  Doubt fewer{.kind = DoubtKind::runs_missing, .what = rows + " than others, and count as lost"};
-  Doubt unlabelled{.kind = DoubtKind::runs_missing, .what = "rows have no label and are left out"};
-  const auto count = [](Doubt& doubt, const std::string& who, auto number, auto most_possible) {
-    if (number == 0) return;
-    if (!who.empty()) doubt.who.push_back(who);
-    doubt.count += static_cast<double>(number);
-    doubt.of += static_cast<double>(most_possible);
-  };
+  Doubt lost{.kind = DoubtKind::incomplete,
+             .what = layout.block ? "blocks are incomplete"
+                     : layout.run ? "runs are incomplete"
+                                  : "values are missing"};
+  Doubt without{.kind = DoubtKind::without_answer, .what = "values, by ranks larger than any"};
   for (std::size_t i = 0; i < of.groups.size(); ++i) {
     Group& group = of.groups[i];
-    const int expected = layout.block ? static_cast<int>(items.units) : all[i];
-    group.lost += expected - all[i];
-    count(none, group.name, without[i], expected);
-    count(fewer, group.name, group.lost - without[i], expected);
+    if (layout.block) group.lost += static_cast<int>(items.units) - all[i];
+    if (group.lost > 0) {
+      lost.who.push_back(group.name);
+      lost.count += group.lost, lost.of += all[i];
+    }
+    const auto infinite = std::ranges::count_if(group.values, [](double value) { return std::isinf(value); });
+    if (infinite == 0) continue;
+    without.who.push_back(group.name);
+    without.count += static_cast<double>(infinite), without.of += static_cast<double>(group.values.size());
   }
-  count(unlabelled, "", items.unlabelled, items.unlabelled + items.values.size());
-  for (Doubt* doubt : {&none, &fewer, &unlabelled}) {
+  if (layout.block) {
+    const auto in_all = std::ranges::count(complete, items.groups.size());
+    lost.count = static_cast<double>(std::ssize(complete) - in_all), lost.of = static_cast<double>(complete.size());
+  }
+  const auto unlabelled = static_cast<double>(items.unlabelled);
+  Doubt stray{.kind = DoubtKind::runs_missing,
+              .count = unlabelled,
+              .of = unlabelled + static_cast<double>(items.values.size()),
+              .what = "rows have no label and are left out"};
+  for (Doubt* doubt : {&lost, &without, &stray}) {
     if (doubt->count > 0) of.doubts.push_back(std::move(*doubt));
   }
 }
 
+bool are_shares(const Items& items) {
+  const auto is_share = [](const Value& each) { return std::isnan(each.value) || each.value == 0 || each.value == 1; };
+  const auto is_known = [](const Value& each) { return !std::isnan(each.value); };
+  return std::ranges::all_of(items.values, is_share) && std::ranges::any_of(items.values, is_known);
+}
+
 // Chooses shares, ratios or differences by all values.
 void settle(const Items& items, Observations& of, std::vector<std::string>& notes) {
-  const auto is_outcome = [](const Value& each) {
-    return std::isnan(each.value) || each.value == 0 || each.value == 1;
-  };
-  const auto is_above = [](const Value& each) { return each.value > 0; };
-  const auto negative = std::ranges::count_if(items.values, [](const Value& each) { return each.value < 0; });
-  const auto zero = std::ranges::count(items.values, 0.0, &Value::value);
-  if (std::ranges::all_of(items.values, is_outcome) && std::ranges::any_of(items.values, is_above)) {
+  if (are_shares(items)) {
     of.scale = Scale::share;
-    of.better = Better::larger;
-    notes.push_back(
-        fmt::format("All values of {} are 0 or 1: shares are compared, and larger ones are better.", of.quantity));
+    notes.push_back(fmt::format("All values of {} are 0 or 1: shares are compared.", of.quantity));
     return;
   }
   of.trials = 1;
-  if (negative > 0 || std::ranges::none_of(items.values, is_above)) {
-    of.scale = Scale::difference;
-    if (negative > 0)
-      notes.push_back(fmt::format("{} of {} values of {} are negative: differences are compared, not ratios.", negative,
-                                  items.values.size(), of.quantity));
-  } else if (of.scale == Scale::ratio && of.floor == 0 && zero > 0) {
-    of.floor = std::numeric_limits<double>::max();
-    for (const Value& each : items.values) of.floor = each.value > 0 ? std::min(of.floor, each.value) : of.floor;
-    notes.push_back(fmt::format("{} of {} values of {} are 0 and count as {}, the smallest above it.", zero,
-                                items.values.size(), of.quantity, of.floor));
-  }
+  const auto low = std::ranges::count_if(items.values, [](const Value& each) { return each.value <= 0; });
+  if (low == 0 || of.floor > 0) return;
+  of.scale = Scale::difference;
+  notes.push_back(fmt::format("{} of {} values of {} are 0 or below: differences are compared, not ratios.", low,
+                              items.values.size(), of.quantity));
 }
 
+// The first column that has the same texts in all groups, and several: its rows look paired.
+Column shared_by_groups(const Sheet& sheet, const Layout& layout, const Items& items) {
+  const std::size_t groups = items.groups.size(), most = items.values.size() / groups;
+  for (std::size_t column = 0; column < sheet.titles().size() && groups > 1; ++column) {
+    if (layout.has(column)) continue;
+    std::unordered_map<std::string_view, std::vector<Index>> counts;
+    for (const Value& each : items.values) {
+      std::vector<Index>& of = counts[sheet.cell(each.row, column)];
+      of.resize(groups);
+      ++of[each.group];
+      if (counts.size() > most) break;
+    }
+    const auto is_even = [](const auto& each) {
+      return std::ranges::count(each.second, each.second.front()) == std::ssize(each.second);
+    };
+    if (counts.size() > 1 && std::ranges::all_of(counts, is_even)) return column;
+  }
+  return {};
+}
+
+// Such as time-outs have no end that anybody knows, so they repeat nothing.
 bool is_constant(const Group& group) {
-  return group.values.size() > 1 && std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
+  return group.values.size() > 1 && std::isfinite(group.values.front()) &&
+         std::ranges::count(group.values, group.values.front()) == std::ssize(group.values);
 }
 
 }  // namespace
@@ -315,26 +413,37 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
     for (const Index row : sheet.rows()) refuse_other(sheet, sheet.rows().front(), row, *metric);
   }
   Quantities quantities;
-  if (layout.rows && !layout.block)
-    quantities.notes.push_back(
-        fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
-                    sheet.titles()[*layout.rows]));
-  const std::size_t count = layout.label ? layout.values.size() : 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string title = layout.label ? sheet.titles()[layout.values[i]] : "value";
+  std::vector<std::string> titles;
+  for (const std::size_t each : layout.values) titles.push_back(sheet.titles()[each]);
+  if (!layout.label) titles = {"value"};
+  refuse_others(sheet, request, titles);
+  Column rows = layout.rows;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
-    Observations of = quantity_of(title, request.is_larger_better);
-    const Metric* metric = metric_of(sheet, title);
+    Observations of = quantity_of(titles[i]);
+    const Metric* metric = metric_of(sheet, titles[i]);
     if (metric) {
       of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
     } else {
       refuse_mixed(sheet, layout, items);
+      if (layout.label && !layout.run) rows = shared_by_groups(sheet, layout, items);
+    }
+    of.better = better_of(sheet, request, titles[i], are_shares(items));
+    for (const Value& each : items.values) {
+      if (std::isinf(each.value) && (each.value < 0 || of.better == Better::larger))
+        sheet.refuse(each.row, layout.values[layout.label ? i : each.group],
+                     "is no worst value: inf stands for no answer where smaller is better; else write NA");
     }
     fill(layout, items, of);
     settle(items, of, quantities.notes);
     for (Group& group : of.groups) group.may_repeat = is_constant(group);
     quantities.observed.push_back(std::move(of));
   }
+  if (rows && !layout.block)
+    quantities.notes.insert(
+        quantities.notes.begin(),
+        fmt::format("Rows count as unrelated; if each was the same problem for all groups, add --block '{}'.",
+                    sheet.titles()[*rows]));
   return quantities;
 }
 
@@ -346,14 +455,17 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     if (!found) sheet.refuse(fmt::format("no column {}; expected name, n, mean and sd", *names.begin()));
     return *found;
   };
-  const std::size_t label = column(label_names), n = column({"n", "count"}), mean = column({"mean"}),
-                    sd = column({"sd", "std", "stddev"});
+  const std::size_t label = column(label_names), n = column({"n", "count", "n_runs"}),
+                    mean = column({"mean", "avg", "average"}), sd = column({"sd", "std", "stddev", "std_dev"});
   const Column quantity = sheet.column_like(metric_names);
   Quantities quantities;
+  std::vector<std::string> titles;
   for (const Index row : sheet.rows()) {
     const std::string title(quantity ? sheet.cell(row, *quantity) : "value");
-    Observations of = quantity_of(title, request.is_larger_better);
+    Observations of = quantity_of(title);
+    of.better = better_of(sheet, request, title, false);
     of.scale = Scale::difference;
+    if (std::ranges::count(titles, title) == 0) titles.push_back(title);
     auto found = std::ranges::find(quantities.observed, of.metric, &Observations::metric);
     if (found == quantities.observed.end()) found = quantities.observed.insert(found, of);
     std::vector<Group>& groups = found->groups;
@@ -362,7 +474,7 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
       sheet.refuse(row, label, "is no name of another group");
     const auto number = [&](std::size_t at, double least) {
       const double value = sheet.number(row, at);
-      if (!(value >= least)) sheet.refuse(row, at, "is not known or too small");
+      if (!(value >= least && std::isfinite(value))) sheet.refuse(row, at, "is not known or too small");
       return value;
     };
     const double size = number(n, 2);
@@ -375,6 +487,7 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
       found->doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
+  refuse_others(sheet, request, titles);
   return quantities;
 }
 

@@ -19,7 +19,8 @@ struct Shown {
   std::vector<compare::Doubt> doubts;  // of all
   std::string noun = "values";         // what observations are
   std::vector<std::string> notes;      // of the table of results
-  std::string verdict = {};  // of `compare`, in place of the headline; labels and metrics share its significance
+  std::string verdict = {};    // of `compare`, in place of the headline; labels and metrics share its significance
+  std::string direction = {};  // of a file: "smaller is better"
 
   const compare::Judged& decisive() const { return metrics[deciding]; }
   // Those of all and of each metric, each once; what several metrics have alike, as one.

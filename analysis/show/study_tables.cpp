@@ -43,11 +43,11 @@ std::optional<Interval> interval_of(const Judged& judged, const Description& its
 Cell result_cell(const Shown& shown, const Judged& judged, const std::string& solver, const std::string& reference) {
   const std::vector<Group>& groups = judged.observations.groups;
   const auto group = std::ranges::find(groups, solver, &Group::name);
-  if (group == groups.end() || group->lost > 0) return {};
+  if (group == groups.end() || (group->lost > 0 && !judged.observations.tells_incomplete)) return {};
   const auto i = static_cast<std::size_t>(group - groups.begin());
   const Finding* const pair = finding_of(judged, solver, reference);
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
-  const bool is_untested = group->is_apart || (pair && finding.verdict == Verdict::not_tested);
+  const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
   const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
   const std::string mark = is_untested ? not_compared : is_worse ? star : "";
   if (judged.observations.is_of_solved && solver != reference) {
@@ -113,6 +113,11 @@ Table results_table(const Shown& shown) {
     if (&judged != &decisive) add(judged, judged.observations.quantity);
   }
   std::string key = has_numbers ? average + "s" + (has_quartiles ? " (quartiles)" : "") : "";
+  if (has_numbers && !shown.direction.empty()) {
+    const auto [least, most] = std::ranges::minmax(decisive.described, {}, &Description::n);
+    key += fmt::format(" of {}{}", least.n == most.n ? "" : fmt::format("{} to ", least.n),
+                       numerics::counted(most.n, "values"));
+  }
   if (!kinds.empty()) {
     const bool are_common = std::ranges::any_of(shown.metrics, [](const Judged& judged) {
       return judged.observations.is_of_solved && judged.observations.is_paired;
@@ -121,6 +126,7 @@ Table results_table(const Shown& shown) {
                       fmt::join(kinds, " or "),
                       are_common ? fmt::format("on {} that both solved", shown.noun) : "of solved " + shown.noun);
   }
+  if (!shown.direction.empty()) key += (key.empty() ? "" : "; ") + shown.direction;
   std::vector<std::string> meanings;
   if (marks.contains(star)) {
     const std::string level = fmt::format(" (p < {})", number_text(shown.plan.significance));
@@ -268,9 +274,10 @@ Table anova_table(const Shown& shown) {
 
 numerics::OrderedJson to_json(const Shown& shown) {
   constexpr std::array<const char*, 5> verdicts{"better", "worse", "same", "undecided", "not_tested"};
-  numerics::OrderedJson findings = to_json(pairs_table(shown)), doubts = numerics::OrderedJson::array();
+  numerics::OrderedJson findings = to_json(pairs_table(shown)), doubts = numerics::OrderedJson::array(), direction;
   std::size_t row = 0;
   for (const Judged& judged : shown.metrics) {
+    direction[judged.observations.quantity] = judged.observations.better == Better::larger ? "larger" : "smaller";
     for (const Finding& finding : judged.findings)
       findings[row++]["verdict"] = verdicts[static_cast<std::size_t>(finding.verdict)];
   }
@@ -280,6 +287,7 @@ numerics::OrderedJson to_json(const Shown& shown) {
           {"groups", to_json(descriptives_table(shown))},
           {"tests", to_json(anova_table(shown))},
           {"findings", std::move(findings)},
+          {"direction", std::move(direction)},
           {"doubts", std::move(doubts)},
           {"notes", shown.notes}};
 }

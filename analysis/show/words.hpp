@@ -16,7 +16,8 @@ std::string headline(const Shown& shown);
 std::string verdict_words(const compare::Finding& finding, const compare::Judged& judged);
 // "times", "points", or the metric's unit.
 std::string unit_of(const compare::Finding& finding, const compare::Judged& judged);
-// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of comparisons"
+// "12 points (4 to 22)", "0.45 cm (above 0 to 0.8)"; where that would refute the verdict "better in 71 % of
+// comparisons"
 std::string amount_words(const compare::Finding& finding, const compare::Judged& judged);
 // Of each pair of the deciding metric, those of the best solvers first, "DLS vs PSO", the verdict, the amount and p; of
 // only two solvers one of each metric. None of more than most_pairs.

@@ -28,7 +28,7 @@ judged means "$data/zero.csv" --test means
 judged stray-label "$data/stray-label.csv"
 json 'of["doubts"] and "4 of 12" in of["doubts"][0]'
 judged where "$data/mixed-metrics.csv" --value value --where metric=error
-judged larger comma.csv --larger --separator ';' --decimal ,
+judged larger comma.csv --better larger --separator ';' --decimal ,
 judged comma comma.csv
 judged summaries --summaries "$root/results/published/slim2023/table-3.csv"
 judged many many.csv --value error --run run --control S1
@@ -39,11 +39,24 @@ golden stats-comma .input
 succeeds stats many.csv --value error --run run
 [ "$(wc -l <.out)" -le 30 ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
 
+# Blocks that lack a group are counted once, and what is there is told.
+{
+  printf 'problem;solver;ms\n'
+  for i in 1 2 3 4 5 6 7 8; do printf '%s;A;1%s\n%s;B;2%s\n%s;C;3%s\n' $i $i $i $i $i $i; done | grep -v '^[27];[BC]'
+} >gaps.csv
+succeeds stats gaps.csv --block problem
+has "$out" "2 of 8 blocks are incomplete: no verdict on B, C"
+has "$out" "24.5 !"
+
 # A report, and its files.
 succeeds stats comma.csv --out new/report --json
 golden stats-comma
 golden stats-comma new/report/results.json
 json '{"report.html", "tables/descriptives.tex", "figures/boxes.png", "figures/differences.pdf"} <= set(of["files"])'
+json 'of["direction"] == {"wert": "smaller"}'
+for file in report.html report.md tables/results.tex; do
+  grep -q 'smaller is better' new/report/$file || fail "no direction in $file"
+done
 for file in $(python3 -c 'import json; print(*json.load(open(".out"))["files"])'); do [ -s "new/report/$file" ] || fail "no $file"; done
 [ ! -e new/report/solves.csv ] || fail "solves of a file that has none"
 
@@ -69,7 +82,7 @@ equal "the folder that a link leads to" "$(ls victim) $(<victim/file)" "file pre
 mkdir in && cp comma.csv in/report.md
 refused "in/report.md" stats in/report.md --out in
 cmp comma.csv in/report.md || fail "an input was replaced"
-printf 'id,A,B\n1,5,7\n2,6,8\n3,5,9\n4,6,7\n5,5,7\n' >wide.csv
+printf 'id,A,B\n1,5.1,7\n2,6,8\n3,5.2,9\n4,6.1,7\n5,5,7\n' >wide.csv
 succeeds stats wide.csv --json
 json '{each["solver"] for each in of["groups"]} == {"A", "B"} and "--block" in of["notes"][0]'
 

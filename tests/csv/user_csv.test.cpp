@@ -49,7 +49,7 @@ std::string complaint(const std::string& text, const Request& request = {}) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-const std::string wide = "a,b\n1,4\n2,5\n3,6\n2,7\n";
+const std::string wide = "a,b\n1.1,4.5\n2,5\n3,6.5\n2.5,4\n";
 
 }  // namespace
 
@@ -81,7 +81,7 @@ TEST_CASE("values near -5 are the same within 1, on differences") {
 }
 
 TEST_CASE("ten times smaller errors on 20 problems of 20 scales are better within blocks") {
-  const Request request{.block = "problem"};
+  const Request request{.block = {"problem"}};
   const std::string text = file_text("tests/data/csv/ten.csv");
   CHECK(observations(text, request).is_paired);
   const Finding found = finding(text, request);
@@ -106,8 +106,8 @@ TEST_CASE("a zero in a third group changes no verdict on the two others") {
   CHECK(with.verdict == Verdict::better);
   CHECK(zero.verdict == Verdict::better);
   CHECK(*with.p == *zero.p);
-  CHECK(*with.estimate == *zero.estimate);
-  CHECK(observations(file_text("tests/data/csv/zero0.csv")).floor == 0.0471);
+  CHECK(with.scale == Scale::ratio);
+  CHECK(zero.scale == Scale::difference);
 }
 
 TEST_CASE("rows without a label are left out and counted") {
@@ -152,11 +152,9 @@ TEST_CASE("separators and decimal marks are found, or given") {
     CHECK(of.groups[1].values == b);
   }
   CHECK(has(complaint("s;v\nA;0,5\nA;1.5\nB;3\nB;4\n", {.values = {"v"}}), "data.csv:3:2"));
-  const std::string in_quotes = "s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n";  // or a thousand?
-  CHECK(has(complaint(in_quotes), "data.csv:2:2"));
-  CHECK(observations(in_quotes, {.decimal = ','}).groups[0].values == a);
+  CHECK(observations("s,v\nA,\"0,5\"\nA,\"1,25\"\nB,3\nB,4\n").groups[0].values == a);
   CHECK(observations("s;v,w\nA;1\nB;2\n", {.separator = ';'}).groups.size() == 2);
-  CHECK(has(complaint("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = "s", .decimal = '.'}), "data.csv:2:2"));
+  CHECK(has(complaint("s;v\nA;0,5\nB;4\n", {.values = {"v"}, .label = {"s"}, .decimal = '.'}), "data.csv:2:2"));
 }
 
 TEST_CASE("titles are trimmed, and units belong to quantities") {
@@ -167,52 +165,190 @@ TEST_CASE("titles are trimmed, and units belong to quantities") {
   CHECK(observations("solver,mean_rank\nA,1\nB,2\n").unit.empty());
 }
 
-TEST_CASE("missing and infinite values are lost, and such a group is not tested") {
-  for (const std::string gap : {"", "NA", "-", "nan", "inf", "-Inf", "None", "#N/A", "1e999999"}) {
+TEST_CASE("a mark of thousands is told from that of decimals, or asked for") {
+  const auto read = [](const std::string& cells, char decimal = 0) {
+    return observations("s;v;w\nA;" + cells + "\nB;916;7\n", {.values = {"v"}, .decimal = decimal}).groups[0].values[0];
+  };
+  for (const char* cells : {"1.020;7", "1,020;7", "-12.345;7", "1.020;1,020"}) {
+    CAPTURE(cells);
+    CHECK(has(complaint("s;v;w\nB;916;7\nA;" + std::string(cells) + "\n", {.values = {"v"}}), "data.csv:3:2"));
+  }
+  CHECK(has(complaint("s,v\nA,1.020\nB,2.040\n"), "--decimal"));
+  CHECK(read("1.020;7", ',') == 1020);
+  CHECK(read("1.020;7", '.') == 1.02);
+  CHECK(read("1.020;0,5") == 1020);  // by another column
+  CHECK(read("1,020;0,5") == 1.02);
+  CHECK(read("1,020;0.5") == 1020);
+  CHECK(read("1.020,5;7") == 1020.5);
+  CHECK(read("1,234,567;7") == 1234567);
+  CHECK(read("0.123;7") == 0.123);
+  CHECK(read("1020.123;7") == 1020.123);
+  CHECK(read("1,5e3;7") == 1500);
+  CHECK(observations("s;v\nA;1.020\nB;0.5\n").groups[0].values[0] == 1.02);  // by another cell
+  CHECK(has(complaint("s;v\nA;1.5\nB;12,34\n", {.values = {"v"}}), "data.csv:3:2"));
+  CHECK(has(complaint("s;v\nA;12,34,567\nB;2\n", {.values = {"v"}}), "data.csv:2:2"));
+}
+
+TEST_CASE("which way is better is said, or asked for where it is open") {
+  std::string rates = "solver,success_rate\n", outcomes = "solver,collisions\n";
+  for (int i = 0; i < 20; ++i) {
+    rates += fmt::format("A,0.9{0}\nB,0.4{0}\n", i + 10);
+    outcomes += "A,0\nB,1\n";
+  }
+  for (const std::string& text : {rates, outcomes}) CHECK(has(complaint(text), "--better larger"));
+  CHECK(finding(rates, {.better = {"smaller"}}).verdict == Verdict::worse);
+  CHECK(finding(outcomes, {.better = {"smaller"}}).verdict == Verdict::better);
+  CHECK(finding(rates, {.better = {"larger"}}).verdict == Verdict::better);
+  CHECK(finding(rates, {.better = {"smaller", "success_rate=larger"}}).verdict == Verdict::better);
+  CHECK(finding(outcomes, {.better = {"larger"}}).verdict == Verdict::worse);
+  CHECK(observations(outcomes, {.better = {"smaller"}}).scale == Scale::share);
+  for (const char* title : {"accuracy", "F1 Score", "meanReward", "hit_rate", "SUCCESS"})
+    CHECK(has(complaint(fmt::format("s,{}\nA,2\nB,3\n", title)), "--better"));
+  for (const char* title : {"iterations", "generated", "underscored", "time"})
+    CHECK(observations(fmt::format("s,{}\nA,2\nB,3\n", title)).better == Better::smaller);
+  const std::string metrics = "s,metric,v\nA,score,2\nB,score,3\n";
+  CHECK(has(complaint(metrics, {.where = {"metric=score"}}), "--better"));
+  CHECK(has(complaint(rates, {.better = {"rate=larger"}}), "success_rate"));
+  CHECK(has(complaint(rates, {.better = {"bigger"}}), "expected smaller"));
+  CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd,metric\nA,5,1,1,rate\n", "s.csv", {}), std::invalid_argument);
+}
+
+TEST_CASE("values of 0 are what they are, and differences are compared") {
+  std::string blocks = "solver,problem,failures\n", runs = "solver,collisions\nA,5\nB,6\n";
+  for (int i = 0; i < 80; ++i) blocks += fmt::format("A,{0},0\nB,{0},2\n", i);
+  for (int i = 0; i < 99; ++i) runs += "A,0\nB,5\n";
+  const Finding of_blocks = finding(blocks, {.values = {"failures"}, .block = {"problem"}});
+  CHECK(of_blocks.verdict == Verdict::better);
+  CHECK(*of_blocks.estimate == -2);
+  CHECK(*of_blocks.p == Approx(std::exp2(-79)));
+  CHECK(*finding(runs).p == Approx(4.09e-44).epsilon(0.01));  // SciPy's Mann-Whitney
+  CHECK(*finding(runs).estimate == -5);
+  const Finding of_means = compare::compare(observations(runs), {.test = Plan::Test::means}).front();
+  CHECK(*of_means.estimate == Approx(-4.96));
+  std::string three = "s,p,v\n";
+  for (int i = 0; i < 14; ++i) three += fmt::format("A,{0},{1}\nB,{0},{2}\nC,{0},1\n", i, i % 4, i % 5 + 1);
+  const std::string other = three + "A,x,1\nB,x,1\nC,x,1\n", tiny = three + "A,x,1\nB,x,1\nC,x,1e-12\n";
+  const Request request{.values = {"v"}, .block = {"p"}};
+  CHECK(*finding(other, request).p == *finding(tiny, request).p);
+}
+
+TEST_CASE("missing values are lost, and such a group is not tested") {
+  for (const std::string gap : {"", "NA", "-", "nan", "None", "#N/A"}) {
     CAPTURE(gap);
-    if (gap == "1e999999") {
-      CHECK(has(complaint("s,v\nA," + gap + "\nA,1\nB,2\n", {.values = {"v"}}), "data.csv:2:2"));
-      continue;
-    }
     const std::string text = "s,v\nA," + gap + "\nA,1\nA,2\nA,3\nA,4\nB,5\nB,6\nB,7\nB,8\n";
-    const Observations observed = csv::read(text, "data.csv", {}).observed.front();
+    const Observations observed = observations(text);
     CHECK(observed.groups.front().lost == 1);
-    CHECK(observed.doubts.front().kind == DoubtKind::without_answer);
+    CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
     CHECK(observed.doubts.front().of == 5);
     CHECK(finding(text).why == Why::lost);
   }
+  CHECK(has(complaint("s,v\nA,1e999999\nA,1\nB,2\n", {.values = {"v"}}), "data.csv:2:2"));
 }
 
-TEST_CASE("wide files have a group a column; a shorter column has fewer values") {
+// A against B, the last values of a group being infinite.
+std::string with_infinite(int in_a, int in_b) {
+  std::string text = "s,p,v\n";
+  for (int i = 1; i <= 10; ++i)
+    text += fmt::format("A,{0},{1}\nB,{0},{2}\n", i, i > 10 - in_a ? "inf" : fmt::to_string(i),
+                        i > 10 - in_b ? "Inf" : fmt::to_string(2 * i));
+  return text;
+}
+
+TEST_CASE("infinite values are no answer, larger than any, in tests of ranks") {
+  const Request rows{.values = {"v"}}, blocks{.values = {"v"}, .block = {"p"}};
+  const Finding paired = finding(with_infinite(0, 3), blocks);
+  CHECK(paired.verdict == Verdict::better);
+  CHECK(*paired.p == Approx(std::exp2(-9)));
+  CHECK(paired.interval->low == 0);  // B may be infinitely worse
+  CHECK(paired.interval->high < 1);
+  const Finding unpaired = finding(with_infinite(0, 3), rows);
+  CHECK(unpaired.interval->low == 0);
+  const Finding all = finding(with_infinite(0, 10), rows);
+  CHECK(*all.p == Approx(2 / 184756.0));  // 2 / C(20, 10)
+  CHECK(!all.estimate);
+  CHECK(*all.effect == 1);
+  CHECK(finding(with_infinite(10, 10), rows).are_all_equal);
+  const Finding turned = better_first(finding(with_infinite(10, 2), blocks), "");
+  CHECK(turned.first == "B");
+  CHECK(turned.verdict == Verdict::better);
+  std::string differences = with_infinite(0, 3);  // a value of 0
+  differences += "A,0,0\nB,0,1\n";
+  CHECK(std::isinf(finding(differences, blocks).interval->low));
+  CHECK(finding(with_infinite(2, 2), rows, "5%").verdict == Verdict::undecided);
+  std::string near = "s,v\nA,inf\n";  // the rest is within the margin
+  for (int i = 0; i < 200; ++i) near += fmt::format("A,1\nB,1.000{}\n", i);
+  CHECK(!finding(near).is_within_margin);
+  CHECK(!finding(near, {}, "1").is_within_margin);
+  const Observations observed = observations(with_infinite(0, 3), rows);
+  CHECK(words_of(observed.doubts.front()) == "no answer in 3 of 10 values, by ranks larger than any (B)");
+  CHECK(compare::compare(observed, {.test = Plan::Test::means}).front().why == Why::lost);
+  CHECK(std::isinf(describe(observed.groups[1]).mean));
+  CHECK(describe(observed.groups[1]).median == 11);
+  CHECK(has(complaint(with_infinite(0, 3), {.values = {"v"}, .better = {"larger"}}), "data.csv:17:3"));
+  CHECK(has(complaint("s,v\nA,-inf\nB,2\n"), "data.csv:2:2"));
+}
+
+TEST_CASE("wide files have a group a column, and tell where one ends early") {
   CHECK(observations(wide).groups.size() == 2);
   CHECK(finding(wide).verdict == Verdict::better);
-  const Observations of = observations("seed,a,b\n1,1,4\n2,2,5\n3,,6\n");
+  const Observations of = observations("seed,a,b\n1,1.5,4\n2,1.2,5\n3,2.1,6\n4,1.7,6\n5,,\n6,,5\n");
   REQUIRE(of.groups.size() == 2);
-  CHECK(of.groups[0].lost == 0);
-  CHECK(of.groups[0].values.size() == 2);
-  CHECK(observations("seed,a,b\n1,1,4\n2,,5\n3,3,6\n").groups[0].lost == 1);
-  const Observations blocks = observations("set,a,b\nx,1,4\ny,2,5\nz,,6\n", {.block = "set"});
+  CHECK(of.groups[0].lost == 2);
+  CHECK(of.groups[1].lost == 1);
+  CHECK(of.doubts.front().count == 3);
+  const Observations blocks = observations("set,a,b\nx,1,4\ny,2,5\nz,,6\n", {.block = {"set"}});
   CHECK(blocks.is_paired);
   CHECK(blocks.groups[0].lost == 1);
   CHECK(has(complaint("set,a,b\nx,1,4\ny,2,5\n"), "--block 'set'"));
-  CHECK(has(complaint("a,a\n1,4\n2,5\n"), "2 columns 'a'"));
-  const std::string trials = "trial,a,b\n1,1,4\n2,2,5\n";
+  CHECK(has(complaint("a,a\n1,4\n2,5\n", {.values = {"a"}}), "2 columns 'a'"));
+  const std::string trials = "trial,a,b\n1,1.5,4\n2,2,5\n3,1,6\n";
   CHECK(csv::read(trials, "data.csv", {}).notes.size() == 1);  // names --block
-  CHECK(csv::read(trials, "data.csv", {.block = "trial"}).notes.empty());
+  CHECK(csv::read(trials, "data.csv", {.block = {"trial"}}).notes.empty());
+}
+
+TEST_CASE("a first column of settings or labels is no group") {
+  const std::string begin = "size,a,b\n", rows[]{"100,1.5,4.2\n7,1.2,5\n30,2.1,6\n",                   // whole
+                                                 "0.1,1.5,4.2\n0.2,1.2,5\n0.5,2.1,6\n",                // in order
+                                                 "0.5,1.5,4.2\n0.1,1.2,5\n0.5,2.1,6\n0.1,1.1,5.5\n"};  // repeated
+  for (const std::string& each : rows) {
+    CHECK(has(complaint(begin + each), "--block 'size'"));
+    CHECK(observations(begin + each, {.values = {"size", "a", "b"}}).groups.size() == 3);
+    CHECK(has(complaint(begin + each, {.values = {"a", "b"}}), "--label"));
+  }
+  CHECK(observations(begin + rows[0], {.values = {"a", "b"}, .block = {"size"}}).groups.size() == 2);
+  CHECK(has(complaint("set,size,a\nx,100,0.5\ny,7,0.4\nz,9,0.45\n", {.block = {"set"}}), "--block 'size'"));
+  CHECK(has(complaint("algorithm_id,evaluations\n1,1125\n1,1148\n2,2000\n2,1900\n"), "--label 'algorithm_id'"));
+  CHECK(has(complaint("0.11,0.18\n0.12,0.16\n"), "'0.11' in the header"));
+}
+
+TEST_CASE("rows of a file that look paired are told") {
+  const std::string text = "solver,scene,time\nA,x,1\nA,y,2\nB,x,3\nB,y,3\n";
+  CHECK(has(csv::read(text, "d.csv", {}).notes.front(), "--block 'scene'"));
+  CHECK(csv::read(text, "d.csv", {.block = {"scene"}}).notes.empty());
+  CHECK(csv::read(text + "B,z,4\n", "d.csv", {}).notes.empty());
+}
+
+TEST_CASE("several columns of labels or blocks are joined") {
+  const std::string text = "scene,seed,alg,h,time\nx,1,A,1,1\nx,2,A,1,2\ny,1,A,1,3\nx,1,A,2,4\nx,2,A,2,5\ny,1,A,2,6\n";
+  const Observations of = observations(text, {.values = {"time"}, .label = {"alg", "h"}, .block = {"scene", "seed"}});
+  REQUIRE(of.groups.size() == 2);
+  CHECK(of.groups[1].name == "A 2");
+  CHECK(of.groups[1].values == std::vector{4.0, 5.0, 6.0});
+  CHECK(observations(text, {.label = {"alg", "h"}, .block = {"scene", "seed"}}).groups.size() == 2);
 }
 
 TEST_CASE("rows of a run are averaged where asked, else refused") {
   const std::string text = "solver,run,point,e\nA,1,1,1\nA,1,2,3\nA,2,1,2\nA,2,2,6\nB,1,1,9\nB,1,2,9\nB,2,1,7\n";
   CHECK(has(complaint(text, {.values = {"e"}}), "data.csv:3:2"));
-  CHECK(has(complaint(text, {.values = {"e"}, .block = "point"}), "--run COLUMN"));
+  CHECK(has(complaint(text, {.values = {"e"}, .block = {"point"}}), "--run COLUMN"));
   const Observations observed = csv::read(text, "data.csv", {.values = {"e"}, .run = "run"}).observed.front();
   CHECK(observed.groups[0].values == std::vector{2.0, 4.0});
   CHECK(observed.groups[1].lost == 1);  // a row of its second run is missing
-  CHECK(observed.doubts.front().kind == DoubtKind::runs_missing);
-  const Observations blocks = observations(text, {.values = {"e"}, .block = "point", .run = "run"});
+  CHECK(observed.doubts.front().kind == DoubtKind::incomplete);
+  const Observations blocks = observations(text, {.values = {"e"}, .block = {"point"}, .run = "run"});
   CHECK(blocks.groups[0].values == std::vector{1.5, 4.5});
   CHECK(blocks.groups[1].lost == 1);
-  CHECK(observations(text, {.values = {"e"}, .block = "run", .run = "run"}).is_paired);
+  CHECK(observations(text, {.values = {"e"}, .block = {"run"}, .run = "run"}).is_paired);
 }
 
 TEST_CASE("rows without a run are observations of their own") {
@@ -223,26 +359,26 @@ TEST_CASE("rows without a run are observations of their own") {
 
 TEST_CASE("a block without a row of a group is lost to it") {
   const Observations observed =
-      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,1\n", "data.csv", {.values = {"v"}, .block = "p"}).observed.front();
+      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,1\n", "data.csv", {.values = {"v"}, .block = {"p"}}).observed.front();
   CHECK(observed.groups[1].lost == 1);
   CHECK(observed.doubts.front().who == std::vector<std::string>{"B"});
   CHECK(observed.doubts.front().of == 2);
 }
 
 TEST_CASE("values of 0 and 1 are shares, and of several runs a target too") {
-  Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n");
+  const std::vector<std::string> better{"larger"};
+  Observations of = observations("s,v\nA,1\nA,1\nA,0\nB,0\nB,0\nB,1\n", {.better = better});
   CHECK(of.scale == Scale::share);
-  CHECK(of.better == Better::larger);
   CHECK(of.trials == 1);
   CHECK_THROWS_AS(csv::with_margin({}, "0.1", of), std::invalid_argument);
-  const Observations several =
-      observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n", {.values = {"v"}, .block = "p", .run = "r"});
+  const Observations several = observations("s,p,r,v\nA,1,1,1\nA,1,2,0\nB,1,1,1\nB,1,2,1\n",
+                                            {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
   CHECK(several.trials == 2);
   CHECK(several.groups[0].values == std::vector{0.5});
   std::string text = "s,p,r,v\n";
   for (int run = 0; run < 1000; ++run)
     text += fmt::format("A,1,{0},{1}\nB,1,{0},{2}\n", run, run % 3 ? 0 : 1, run > 333 ? 0 : 1);
-  const Observations equal = observations(text, {.values = {"v"}, .block = "p", .run = "r"});
+  const Observations equal = observations(text, {.values = {"v"}, .block = {"p"}, .run = "r", .better = better});
   CHECK(equal.groups[0].values == equal.groups[1].values);  // in whichever order the runs were solved
 }
 
@@ -267,6 +403,8 @@ TEST_CASE("printed means are compared by means") {
   CHECK(found.front().test == "Welch's t");
   CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
   CHECK(*found.front().estimate == Approx(0.0019 - 1.6849));
+  const Quantities usual = csv::read_summaries("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", {});
+  CHECK(usual.observed.front().groups.front().summary->sd == 2);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,2.5,1,1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,5,1,-1\n", "s.csv", {}), std::invalid_argument);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean\nA,5,1\n", "s.csv", {}), std::invalid_argument);
@@ -310,8 +448,13 @@ TEST_CASE("an exported file of solves is judged as its report does, or says what
 TEST_CASE("mistakes say where and what to do") {
   CHECK(has(complaint(""), "data.csv:1"));
   CHECK(has(complaint("s,v\n"), "no rows"));
-  CHECK(has(complaint("s,v\n,1\n", {.label = "s"}), "label"));
+  CHECK(has(complaint("s,v\n,1\n", {.label = {"s"}}), "label"));
   CHECK(has(complaint("s,v\nA,1\nA,x1\n", {.values = {"v"}}), "data.csv:3:2: 'x1' in column 'v'"));
+  CHECK(has(complaint("solver,v\nA,1\nA,2\nB,TIMEOUT\n"), "data.csv:4:2"));
+  CHECK(has(complaint("solver,v\nA,TIMEOUT\nB,TIMEOUT\n"), "data.csv:2:2"));
+  CHECK(has(complaint("alg,ok\nA,True\nB,False\n"), "data.csv:2:2: 'True' in column 'ok'"));
+  CHECK(has(complaint("alg,ok\nA,93%\nB,92 %\n"), "data.csv:2:2"));
+  CHECK(observations("alg,ok,v\nA,True,1\nB,False,2\n").quantity == "v");
   CHECK(has(complaint("s,v\nA,1\nB,2,3\n"), "data.csv:3"));
   CHECK(has(complaint("solver,v,w\nA,1,2\n"), "--value"));
   CHECK(has(complaint("s,t,v\nA,x,1\n"), "--label"));
@@ -354,7 +497,7 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
     });
     const std::string text = file_text((folder.path / "solves.csv").string());
     Request request{.values = {"position_error_cm"}, .run = "run"};
-    if (start == "home") request.block = "point";
+    if (start == "home") request.block = {"point"};
     for (const std::string column : {"position_error_cm", "variation_deg", "evaluations"}) {
       request.values = {column};
       const Observations read = observations(text, request);
@@ -378,12 +521,12 @@ TEST_CASE("an exported file of solves gives the observations of its report") {
 
 TEST_CASE("doubts of a file read as sentences") {
   const Observations observed =
-      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,\n,y,3\n", "d.csv", {.values = {"v"}, .label = "s", .block = "p"})
+      csv::read("s,p,v\nA,x,1\nA,y,2\nB,x,\n,y,3\n", "d.csv", {.values = {"v"}, .label = {"s"}, .block = {"p"}})
           .observed.front();
-  REQUIRE(observed.doubts.size() == 3);
-  CHECK(words_of(observed.doubts[0]) == "1 of 2 values are missing (B)");
-  CHECK(words_of(observed.doubts[1]) == "1 of 2 blocks have fewer rows than others, and count as lost (B)");
-  CHECK(words_of(observed.doubts[2]) == "1 of 4 rows have no label and are left out");
+  REQUIRE(observed.doubts.size() == 2);
+  CHECK(words_of(observed.doubts[0]) ==
+        "2 of 2 blocks are incomplete: no verdict on B; write inf for no answer, or drop them");
+  CHECK(words_of(observed.doubts[1]) == "1 of 4 rows have no label and are left out");
 }
 
 TEST_CASE("a number whose squares are beyond a double is refused", "[user_csv]") {
