@@ -6,21 +6,22 @@
 
 namespace ikbench::compare {
 
+// In the order of what they change.
 enum class DoubtKind {
+  plan_changed,
   runs_missing,
   incomplete,
-  without_answer,
-  claimed_but_wrong,
-  outside_limits,
-  budgets_differ,
-  times_not_comparable,
-  seconds_decide,
-  out_of_reach,
-  too_few,
-  few_decide_mean,
-  plan_changed,
-  repeats_itself,
   other_version,
+  claimed_but_wrong,
+  seconds_decide,
+  budgets_differ,
+  outside_limits,
+  without_answer,
+  times_not_comparable,
+  out_of_reach,
+  repeats_itself,
+  few_decide_mean,
+  too_few,
 };
 
 struct Doubt {

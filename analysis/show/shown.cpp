@@ -57,6 +57,7 @@ std::vector<Doubt> Shown::all_doubts() const {
       }
     }
   }
+  std::ranges::stable_sort(all, {}, &Doubt::kind);
   return all;
 }
 
