@@ -33,8 +33,7 @@ std::size_t keep_common(const StudyResults& baseline, StudyResults& candidate) {
 
 void refuse_other_task(const StudyResults& one, const StudyResults& other) {
   const Definition &a = one.definition, &b = other.definition;
-  const auto &of_a = one.solves, &of_b = other.solves;
-  const char* differ = of_a.empty()                               ? "numbers of solves: the baseline has none"
+  const char* differ = one.solves.empty()                         ? "numbers of solves: the baseline has none"
                        : a.robot != b.robot || a.arm != b.arm     ? "arms"
                        : a.path != b.path || a.points != b.points ? "targets"
                        : a.search != b.search                     ? "searches"
@@ -44,10 +43,6 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
                        : a.stop.tolerance_cm != b.stop.tolerance_cm || a.stop.tolerance_deg != b.stop.tolerance_deg
                            ? "tolerances"
                            : nullptr;
-  for (std::size_t i = 0; !differ && !a.draws_targets && i < std::min(of_a.size(), of_b.size()); ++i) {
-    const bool is_one_place = of_a[i].run == of_b[i].run && of_a[i].point == of_b[i].point;
-    if (is_one_place && of_a[i].target != of_b[i].target) differ = "targets";
-  }
   if (differ)
     throw std::invalid_argument(
         fmt::format("{} and {} had different {}", one.solvers.front(), other.solvers.front(), differ));
@@ -56,6 +51,7 @@ void refuse_other_task(const StudyResults& one, const StudyResults& other) {
 // Of both sides, as solvers of one study. Takes their solves.
 StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
   const bool are_named = baseline.solvers != candidate.solvers;
+  const bool is_other_seed = candidate.definition.seed != baseline.definition.seed;
   StudyEntry entry = candidate.entry;
   entry.series.clear();
   std::vector<Solve> solves;
@@ -78,11 +74,13 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
     for (Solve solve : side->solves) {
       solve.solver = side == &candidate ? 0 : 1;
       solve.session = numbers[solve.session];
+      if (is_other_seed) solve.start = 0;  // drawn, too
       solves.push_back(solve);
     }
     side->solves = {};
   }
-  StudyResults study = study_of(entry, std::move(solves), sessions);
+  StudyResults study =
+      study_of(entry, std::move(solves), sessions, !is_other_seed || !candidate.definition.draws_targets);
   study.runs = std::min(baseline.runs, candidate.runs);
   study.definition.plan = candidate.definition.plan;
   study.definition.plan.control = study.solvers.back();  // shown second

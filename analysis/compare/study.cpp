@@ -105,19 +105,24 @@ class Adder {
   Bend bend_;
 };
 
-bool had_same_targets(const StudyResults& study) {
+// No solver chooses its targets, nor its starts, but those that its own answers left.
+void refuse_other_targets(const StudyResults& study) {
   const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
-  const auto is_same = [&](const Solve& one, const Solve& other) {
-    return one.target == other.target && (study.definition.is_chained() || one.start == other.start);
-  };
+  const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
   const std::span<const Solve> first = study.of(study.solvers.empty() ? "" : study.solvers.front());
-  return std::ranges::all_of(study.solvers, [&](const std::string& solver) {
+  for (const std::string& solver : study.solvers) {
     auto here = first.begin();
-    return std::ranges::all_of(study.of(solver), [&](const Solve& solve) {
+    for (const Solve& solve : study.of(solver)) {
       while (here != first.end() && place(*here) < place(solve)) ++here;
-      return here == first.end() || place(*here) != place(solve) || is_same(*here, solve);
-    });
-  });
+      if (here == first.end() || place(*here) != place(solve)) continue;
+      if (here->target == solve.target && (here->start == solve.start || is_own(solve))) continue;
+      throw std::invalid_argument(fmt::format(
+          "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
+          "another folder",
+          study.entry.name, solve.run, solve.point, study.solvers.front(), solver,
+          here->target == solve.target ? "starts" : "targets"));
+    }
+  }
 }
 
 // Of an entry, without its solves.
@@ -145,7 +150,7 @@ StudyResults complete(StudyResults study, const std::vector<Session>& sessions) 
                        [&](const Session& session) { return used.contains(session.id); });
   std::string& control = study.definition.plan.control;
   if (std::ranges::count(study.solvers, control) == 0) control.clear();
-  study.had_same_targets = had_same_targets(study);
+  if (study.had_same_targets) refuse_other_targets(study);
   return study;
 }
 
@@ -172,8 +177,10 @@ StudyResults study_of(const StudyEntry& entry, const std::vector<SolveRecord>& r
   return complete(std::move(study), sessions);
 }
 
-StudyResults study_of(const StudyEntry& entry, std::vector<Solve> solves, const std::vector<Session>& sessions) {
+StudyResults study_of(const StudyEntry& entry, std::vector<Solve> solves, const std::vector<Session>& sessions,
+                      bool had_same_targets) {
   StudyResults study = begun(entry);
+  study.had_same_targets = had_same_targets;
   study.solves = std::move(solves);
   return complete(std::move(study), sessions);
 }

@@ -42,7 +42,7 @@ struct StudyResults {
   std::vector<Solve> solves;                // by solver, run and point; only current ones
   std::vector<results::SolveRecord> drawn;  // whole, in this order: the first run of each solver, and all with a trace
   std::vector<results::Session> sessions;   // that made them
-  bool had_same_targets = true;             // all solvers, and where solves are not chained the same starts
+  bool had_same_targets = true;             // false only in a gate, of random targets of two seeds
   std::int64_t solves_of_other_versions = 0;                // that stand in the store instead of missing ones
   std::vector<std::string> solvers_of_other_versions = {};  // whose these are
 
@@ -57,14 +57,14 @@ constexpr int most_drawn = 10'000;  // of a first run
 constexpr std::size_t most_traces = 2'000'000;
 
 // Reads the current solves of a study, and passes each on to `also`. Throws std::invalid_argument for more than
-// `most_solves`, or more than `most_traces` with a trace.
+// `most_solves`, or more than `most_traces` with a trace; and, as all do, if solvers had other targets or starts.
 StudyResults read_study(const results::Store& store, const results::StudyEntry& entry,
                         const results::TakeSolve& also = {});
 // The same from records by solver, run and point, whose solvers are those of the entry.
 StudyResults study_of(const results::StudyEntry& entry, const std::vector<results::SolveRecord>& records,
                       const std::vector<results::Session>& sessions = {});
-// The same from solves. Nothing of it can be drawn.
+// The same from solves, whose targets may differ if they are said to. Nothing of it can be drawn.
 StudyResults study_of(const results::StudyEntry& entry, std::vector<Solve> solves,
-                      const std::vector<results::Session>& sessions);
+                      const std::vector<results::Session>& sessions, bool had_same_targets);
 
 }  // namespace ikbench::compare

@@ -13,6 +13,8 @@ namespace {
 
 const Asked of_100{.start = "home", .runs = 1, .points = 100, .tolerance_cm = 0.1};
 const Asked drawn_100{.start = "home", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1};
+const Asked other_seed{
+    .start = "home", .targets = "drawn", .runs = 1, .points = 100, .tolerance_cm = 0.1, .rest = R"(, "seed": 2)"};
 
 // A study of one solver whose numbers are drawn: 70 of 100 targets are solved, with about 100 evaluations, the others
 // use up 1000.
@@ -79,7 +81,7 @@ TEST_CASE("the gate says the smallest loss that its test shows") {
   CHECK(*paired.visible_loss == Approx(0.06));  // McNemar: 2^(1 - 6) < 0.05
   CHECK(sight_of(paired) == "A loss of 6 points or more would show in 100 targets.");
   const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
-  const Gate unpaired = gate_of(version(1, drawn_100), version(2, drawn_100, further));
+  const Gate unpaired = gate_of(version(1, drawn_100), version(2, other_seed, further));
   CHECK(*unpaired.visible_loss == Approx(0.18));  // Fisher at 0.05 / 3 metrics: p = 0.0135 of 70 and 52
   Asked few = of_100;
   few.points = 5;
@@ -88,12 +90,13 @@ TEST_CASE("the gate says the smallest loss that its test shows") {
 
 TEST_CASE("random targets of another seed are unpaired groups, other fixed targets another task") {
   const auto further = [](SolveRecord& solve) { solve.target_position_m[0] += 1000; };
-  const Gate gate = gate_of(version(1, drawn_100), version(2, drawn_100, further));
+  const Gate gate = gate_of(version(1, drawn_100), version(2, other_seed, further));
   CHECK_FALSE(gate.judged.study.had_same_targets);
   CHECK_FALSE(gate.judged.metrics.front().observations.is_paired);
   CHECK(exit_code({gate}, false) == 0);
   CHECK(gate_of(version(1, drawn_100), version(2, drawn_100)).judged.metrics.front().observations.is_paired);
   CHECK_THROWS_AS(gate_of(version(1), version(2, of_100, further)), std::invalid_argument);
+  CHECK_THROWS_AS(gate_of(version(1, drawn_100), version(2, drawn_100, further)), std::invalid_argument);
   Asked looser = of_100;
   looser.tolerance_cm = 0.2;
   CHECK_THROWS_AS(gate_of(version(1), version(2, looser)), std::invalid_argument);

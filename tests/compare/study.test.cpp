@@ -7,6 +7,7 @@
 using namespace ikbench;
 using namespace ikbench::compare;
 using namespace ikbench::results;
+using Catch::Matchers::StartsWith;
 
 TEST_CASE("A study has the solves of each solver by run and point, and the sessions that made them") {
   const Asked asked{.runs = 2, .points = 2};
@@ -21,15 +22,17 @@ TEST_CASE("A study has the solves of each solver by run and point, and the sessi
   CHECK(study.points == 2);
 }
 
-TEST_CASE("A study knows whether all solvers had the same targets, and starts unless they are chained") {
+TEST_CASE("Solvers of a study have the same targets, and starts but where their own answers left the arm") {
   const Asked chained{.start = "previous"}, unchained{.start = "middle"};
-  const auto other_target = [](SolveRecord& solve) { solve.target_position_m[1] = solve.solver == "B"; };
-  const auto other_start = [](SolveRecord& solve) { solve.start_rad = {solve.solver == "B" ? 1.0 : 0.0}; };
-  const auto same = [](SolveRecord&) {};
-  CHECK(study(chained, same).had_same_targets);
-  CHECK_FALSE(study(chained, other_target).had_same_targets);
-  CHECK(study(chained, other_start).had_same_targets);
-  CHECK_FALSE(study(unchained, other_start).had_same_targets);
+  const auto other_target = [](SolveRecord& solve) { solve.target_position_m[1] = solve.solver == "B" ? 1e-12 : 0; };
+  const auto other_start = [](int point) {
+    return [=](SolveRecord& solve) { solve.start_rad = {solve.solver == "B" && solve.point == point ? 1.0 : 0.0}; };
+  };
+  const std::string place = "study hand-made, run 1, point ";
+  CHECK_THROWS_WITH(study(chained, other_target), StartsWith(place + "1: A and B had different targets"));
+  CHECK_THROWS_WITH(study(chained, other_start(1)), StartsWith(place + "1: A and B had different starts"));
+  CHECK_THROWS_WITH(study(unchained, other_start(2)), StartsWith(place + "2: A and B had different starts"));
+  CHECK_NOTHROW(study(chained, other_start(2)));
 }
 
 TEST_CASE("A control that is no solver is none") {
