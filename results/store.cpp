@@ -46,15 +46,30 @@ std::string create_views() {
   columns.replace(columns.find("study, robot, solver,"), std::string_view("study, robot, solver,").size(),
                   "studies.name AS study, robot, label AS solver,");
   return fmt::format(
-      "CREATE VIEW IF NOT EXISTS current_solves AS SELECT {} FROM studies JOIN series ON series.study = studies.name "
+      "CREATE VIEW current_solves AS SELECT {} FROM studies JOIN series ON series.study = studies.name "
       "JOIN solves ON solves.series = series.key "
       "WHERE run <= json_extract(definition, '$.runs') AND point <= json_extract(definition, '$.points');\n"
-      "CREATE VIEW IF NOT EXISTS run_means AS SELECT study, solver, run, count(*) AS solves, "
+      "CREATE VIEW run_means AS SELECT study, solver, run, count(*) AS solves, "
       "avg(status = 'ok') AS solved, avg(position_error_cm) AS position_error_cm, "
       "avg(orientation_error) AS orientation_error, avg(variation_deg) AS variation_deg, avg(seconds) AS seconds, "
       "avg(iif(counted_by = 'nobody', NULL, evaluations)) AS evaluations "
       "FROM current_solves GROUP BY study, solver, run;\n",
       columns);
+}
+
+// All that is in a database: its tables and views, letter by letter.
+std::string schema_of(SQLite::Database& sqlite) {
+  return sqlite
+      .execAndGet(
+          "SELECT group_concat(concat, char(10)) FROM (SELECT type || name || tbl_name || coalesce(sql, '') AS concat "
+          "FROM sqlite_master ORDER BY name)")
+      .getString();
+}
+
+std::string our_schema() {
+  SQLite::Database empty(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  empty.exec(create_tables() + create_views());
+  return schema_of(empty);
 }
 
 // The path for SQLite, absolute so that it has no special meaning (":memory:").
@@ -124,8 +139,8 @@ std::string checked_path(const fs::path& file, Store::Mode mode) {
                                            file, error.what()));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw std::runtime_error(fmt::format("another process has kept '{}' locked for {} s; wait until it has ended",
-                                           file, patience_ms / 1000));
+      throw std::runtime_error(
+          fmt::format("another process has locked '{}'; wait until it has ended, then run again", file));
     default:
       throw std::runtime_error(fmt::format("cannot use '{}': {}", file, error.what()));
   }
@@ -150,7 +165,7 @@ struct Last {
     const auto is_count = [&](const char* key) {
       return definition.contains(key) && definition[key].is_number_integer();
     };
-    if (!definition.is_object() || !is_count("runs") || !is_count("points"))
+    if (!is_count("runs") || !is_count("points"))
       throw Damage(
           fmt::format("the definition of study {} has no whole numbers as runs and points", excerpt(study.name)));
     run = definition["runs"].get<std::int64_t>();
@@ -171,14 +186,12 @@ struct Store::Database {
                patience_ms),
         identity(identity_there()) {
     for (const char* part : {"", "-wal", "-shm", "-journal"}) numerics::note_input(name + part);
-    sqlite3_db_config(sqlite.getHandle(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);  // a stranger's
     if (mode != Mode::read) sqlite.exec("PRAGMA page_size = 16384");  // of a new file; fewer pages are faster
     using enum SQLite::TransactionBehavior;
     SQLite::Transaction transaction(sqlite, mode == Mode::read ? DEFERRED : IMMEDIATE);
     const bool is_new = number("SELECT count(*) FROM sqlite_master") == 0 && number("PRAGMA application_id") == 0;
-    if (mode != Mode::read && is_new) sqlite.exec(create_tables());
+    if (mode != Mode::read && is_new) sqlite.exec(create_tables() + create_views());
     check_file();
-    if (mode != Mode::read) sqlite.exec(create_views());
     transaction.commit();
     if (mode == Mode::write) sqlite.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
     if (mode == Mode::write_shared) sqlite.exec("PRAGMA journal_mode = DELETE");
@@ -208,6 +221,8 @@ struct Store::Database {
     // SQLite takes missing bytes of the last page for zeros.
     if (fs::file_size(name) % static_cast<std::uintmax_t>(number("PRAGMA page_size")) != 0)
       throw Damage("it is truncated");
+    // A view may be endless, and a column be computed.
+    if (schema_of(sqlite) != our_schema()) throw Damage("its tables and views are not those that ikbench makes");
     const std::string found = sqlite.execAndGet("PRAGMA quick_check(1)").getString();
     if (found != "ok") throw Damage(found.substr(found.rfind('\n') + 1));
   }
@@ -258,14 +273,18 @@ struct Store::Database {
     SQLite::Statement of_study(sqlite,
                                "SELECT key, label, algorithm, options FROM series WHERE study = ? ORDER BY position");
     std::vector<StudyEntry> list;
+    const auto object = [](SQLite::Column column) {
+      if (!numerics::parsed_json(column.getString()).is_object())
+        throw Damage(fmt::format("{} {} is no JSON object", column.getName(), excerpt(column.getString())));
+      return column.getString();
+    };
     while (query.executeStep()) {
-      StudyEntry study{
-          .name = query.getColumn(0).getString(), .definition = query.getColumn(1).getString(), .series = {}};
+      StudyEntry study{.name = query.getColumn(0).getString(), .definition = object(query.getColumn(1)), .series = {}};
       for (of_study.bind(1, study.name); of_study.executeStep();)
         study.series.push_back({.key = of_study.getColumn(0).getString(),
                                 .label = of_study.getColumn(1).getString(),
                                 .algorithm = of_study.getColumn(2).getString(),
-                                .options = of_study.getColumn(3).getString()});
+                                .options = object(of_study.getColumn(3))});
       of_study.reset();
       list.push_back(std::move(study));
     }

@@ -169,17 +169,6 @@ TEST_CASE("a store that a kill left half-written is mended, and merged", "[merge
   CHECK(merge(folder.path / "out", {folder.path / "a", folder.path / "b", folder.path / "c"}).added == 42);
 }
 
-TEST_CASE("a value of another type, in a store made by hand, is refused", "[merge]") {
-  const ScratchFolder folder;
-  make_store(folder.path / "a", "one", {1});
-  edit(folder.path / "a",
-       "CREATE TABLE loose AS SELECT * FROM solves; UPDATE loose SET seconds = 'long'; DROP VIEW run_means; "
-       "DROP VIEW current_solves; DROP TABLE solves; ALTER TABLE loose RENAME TO solves");
-  CHECK_THAT(complaint<std::invalid_argument>([&] { merge(folder.path / "out", {folder.path / "a"}); }),
-             ContainsSubstring(quoted(folder.path / "a") + " is damaged (cannot store TEXT value"));
-  CHECK_FALSE(fs::exists(folder.path / "out"));
-}
-
 TEST_CASE("of two merges into a new store both have their solves in it, and a refused one removes nothing", "[merge]") {
   for (int attempt = 0; attempt < 5; ++attempt) {
     const ScratchFolder folder;
