@@ -116,5 +116,12 @@ gate 1 failed STUDY=shorter.toml OUT=shorter
 gate 1 failed STUDY=none.toml OUT=none GITHUB_ACTIONS=true
 [[ $(head -n 1 .out) == ::stop-commands::???* && $(tail -n 1 .out) == "::$(head -n 1 .out | cut -d : -f 5)::" ]] ||
   fail "a label may command the forge: $(<.out)"
+gate 1 failed STRICT=yes
+gate 1 failed STUDY=
+gate 1 failed BASELINE=ikbench-gate/../ikbench-gate/store.sqlite
+ln -s nowhere dangling.sqlite
+gate 1 failed BASELINE=dangling.sqlite OUT=-x
+has "$(<.err)" dangling.sqlite
+[ -s ./-x/store.sqlite ] || fail "no store in -x: $(<.err)"
 echo "no store" >broken.sqlite
 gate 1 failed BASELINE=broken.sqlite OUT=broken
