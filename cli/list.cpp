@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -18,9 +19,11 @@
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
+#include "numerics/inputs.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
+#include "numerics/toml_table.hpp"
 #include "results/export.hpp"
 #include "solvers/registry.hpp"
 
@@ -119,6 +122,16 @@ show::Table study_list() {
 }
 
 Listed study_details(const std::string& name) {
+  if (std::error_code none; std::filesystem::is_regular_file(name, none)) {  // perhaps a stranger's
+    const toml::table study = parse_toml(text_of_file(name), name);
+    const toml::array* const solvers = study["solvers"].as_array();
+    const auto is_program = [](const toml::node& entry) {
+      return entry.is_table() && entry.as_table()->contains("process");
+    };
+    if (solvers != nullptr && std::any_of(solvers->begin(), solvers->end(), is_program))
+      throw std::invalid_argument(
+          fmt::format("{} names programs, and a list starts none; read it, or try one: ikbench check-solver", name));
+  }
   const Study study = load_study(name);
   return {to_toml(study), parsed_ordered_json(to_json(study))};
 }

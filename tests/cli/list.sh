@@ -54,6 +54,9 @@ for study in $("$program" list studies | grep -E '^[a-z]' | cut -d' ' -f1); do
   succeeds list studies "$study.toml"
   diff <(grep "^[^#]" .out) <(grep "^[^#]" "$study.toml") || fail "the listed study, listed again, is another"
 done
+study theirs '[[solvers]]' 'label = "X"' 'process = ["touch", "ran"]'
+refused "a list starts none" list studies theirs.toml
+[ ! -e ran ] || fail "a list started a program"
 succeeds run slim2023-time.toml "${small[@]}" --no-report --out from-file
 succeeds run slim2023-time "${small[@]}" --no-report --out by-name
 same_fingerprint from-file/store.sqlite by-name/store.sqlite
