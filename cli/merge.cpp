@@ -15,7 +15,6 @@
 #include "experiments/shard.hpp"
 #include "numerics/json.hpp"
 #include "numerics/names.hpp"
-#include "results/files.hpp"
 
 namespace ikbench::cli {
 
@@ -72,7 +71,6 @@ void add_merge(CLI::App& app, Invocation& invocation) {
     const fs::path out = store_in(arguments->out);
     std::vector<fs::path> stores;
     for (const std::string& place : arguments->places) std::ranges::copy(stores_in(place), std::back_inserter(stores));
-    remove_litter(arguments->out);
     const EndOnSignal signals("Stopped. All was merged, or nothing; give the same command again.");
     const Merged merged = [&] {
       ProgressBar bar("merging", "stores");

@@ -2,12 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -75,43 +74,44 @@ std::error_code write_into(const fs::path& file, const Contents& contents, int h
   }
 }
 
-// Of unfinished files and folders; the number of their process follows.
-constexpr std::string_view mark = ".ikbench-";
-
-// Names what a process left that no longer lives: a file NAME.ikbench-PROCESS, or a folder .ikbench-PROCESS-LETTERS.
-bool is_litter(const fs::directory_entry& entry) {
-  const std::string name = entry.path().filename().string();
-  const std::size_t at = name.rfind(mark);
-  if (at == std::string::npos) return false;
-  pid_t process = 0;
-  const char* const end = name.data() + name.size();
-  const auto [rest, error] = std::from_chars(name.data() + at + mark.size(), end, process);
-  std::error_code none;
-  const bool is_ours = at > 0 ? rest == end && entry.is_regular_file(none) : end - rest == 7 && *rest == '-';
-  return error == std::errc() && is_ours && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH;
-}
-
 fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : fs::path("."); }
+
+// The folders of this process; they must not stay when a signal ends it.
+std::mutex temporary_mutex;
+std::set<fs::path> temporary_folders;
+
+constexpr std::string_view scratch_name = ".ikbench-XXXXXX";
+
+// Removes what killed processes left: scratch folders of ours that are a day old. Younger ones may be those of another
+// machine or container.
+void remove_litter(const fs::path& folder) {
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, 9))) continue;
+    const bool is_old = entry->last_write_time(ignored) < fs::file_time_type::clock::now() - std::chrono::hours(24);
+    if (is_old && entry->symlink_status(ignored).type() == fs::file_type::directory)
+      fs::remove_all(entry->path(), ignored);
+  }
+}
 
 // Replaces `former`, or writes a new file; whole or not at all.
 std::error_code replace(const fs::path& file, const Contents& contents, const struct stat* former) {
-  remove_litter(folder_of(file));
-  const fs::path half = fmt::format("{}{}{}", file.string(), mark, ::getpid());
-  std::error_code error, ignored;
-  fs::remove(half, ignored);  // of an earlier process with our number
+  const TemporaryFolder scratch(folder_of(file), file);
+  const fs::path half = scratch.path() / file.filename();
   const int descriptor = ::open(half.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, former == nullptr ? 0666 : 0600);
   if (descriptor < 0) return last_error();
+  std::error_code error;
   try {
     error = write_all(descriptor, contents);
   } catch (...) {  // an error of the contents
     ::close(descriptor);
-    fs::remove(half, ignored);
     throw;
   }
   if (former != nullptr) ::fchmod(descriptor, former->st_mode & 07777);
   error = closed(descriptor, error);
+  const std::scoped_lock lock(temporary_mutex);
   if (!error) fs::rename(half, file, error);
-  if (error) fs::remove(half, ignored);
   return error;
 }
 
@@ -132,10 +132,6 @@ std::error_code write_where_it_leads(const fs::path& file, const Contents& conte
   const bool takes_new_files = ::access(place.parent_path().c_str(), W_OK) == 0;
   return takes_new_files ? replace(place, contents, &there) : write_into(place, contents);
 }
-
-// The folders of this process; they must not stay when a signal ends it.
-std::mutex temporary_mutex;
-std::set<fs::path> temporary_folders;
 
 template <class Write>
 void write_or_refuse(const fs::path& file, Write&& write) {
@@ -187,13 +183,14 @@ std::optional<std::string> read_file(const fs::path& file) {
   return text.str();
 }
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const fs::path& of) {
   const std::scoped_lock lock(temporary_mutex);
   std::error_code error;
   fs::create_directories(parent, error);
-  std::string name = (parent / fmt::format("{}{}-XXXXXX", mark, ::getpid())).string();
+  remove_litter(parent);
+  std::string name = (parent / scratch_name).string();
   if (!error && ::mkdtemp(name.data()) == nullptr) error = last_error();
-  if (error) refuse(fmt::format("into '{}'", parent.string()), error.message(), error);
+  if (error) refuse(fmt::format("'{}'", (of.empty() ? parent : of).string()), error.message(), error);
   path_ = name;
   temporary_folders.insert(path_);
 }
@@ -216,19 +213,11 @@ void remove_temporary_folders() {
   }
 }
 
-void remove_litter(const fs::path& folder) {
-  std::error_code error, ignored;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_litter(*entry) && !entry->is_symlink(ignored)) fs::remove_all(entry->path(), ignored);
-  }
-}
-
 void write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
   std::error_code error, ignored;
   fs::path place = folder.has_filename() ? folder : folder.parent_path();
   if (fs::exists(place, ignored)) place = fs::canonical(place, ignored);
-  remove_litter(folder_of(place));
-  const TemporaryFolder scratch(folder_of(place));
+  const TemporaryFolder scratch(folder_of(place), folder);
   const fs::path half = scratch.path() / place.filename();
   fs::create_directory(half, error);
   if (!error) fill(half);

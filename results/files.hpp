@@ -10,7 +10,7 @@
 namespace ikbench::results {
 
 // Creates the folder if it is missing. Keeps the permissions of a replaced file. Replaces a link, a pipe or a device,
-// and opens none, since somebody else may have put it into a folder of results. Removes the litter there. Throws
+// and opens none, since somebody else may have put it into a folder of results. Throws
 // std::invalid_argument, or std::runtime_error if a disk is full or fails, with the file and the system's reason; and
 // std::invalid_argument if the file is an input (numerics/inputs.hpp).
 void write_file(const std::filesystem::path& file, std::string_view text);
@@ -31,11 +31,13 @@ void refuse_link(const std::filesystem::path& folder);
 // Reads a regular file, where a link leads too; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
-// A new folder inside another, for unfinished work; removed at the end. Nobody else's link or file is in it.
+// A new folder .ikbench-XXXXXX inside another, for unfinished work; removed at the end, and what a killed process left
+// a day ago when the next is made. Nobody else's link or file is in it.
 class TemporaryFolder {
  public:
-  // Throws std::invalid_argument, or std::runtime_error as above, with the folder and the system's reason.
-  explicit TemporaryFolder(const std::filesystem::path& parent);
+  // Throws std::invalid_argument, or std::runtime_error as above, with the system's reason and the place: the parent,
+  // or the file or folder that it is for.
+  explicit TemporaryFolder(const std::filesystem::path& parent, const std::filesystem::path& of = {});
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -48,8 +50,5 @@ class TemporaryFolder {
 
 // Removes those of this process, for a sudden end: nothing after it makes, removes or renames such a folder.
 void remove_temporary_folders();
-
-// Removes the half-written files and scratch folders of killed processes of this machine from a folder.
-void remove_litter(const std::filesystem::path& folder);
 
 }  // namespace ikbench::results

@@ -162,8 +162,8 @@ Merged merge(const fs::path& out, const std::vector<fs::path>& stores, const Mer
   if (fs::exists(out, none)) refuse_another_study(studies, out);
 
   // SQLite attaches few files at once, so all are gathered in a new store, which becomes `out` or is copied into it.
-  const TemporaryFolder scratch(out.parent_path());
-  const fs::path gathered = scratch.path() / out.filename();
+  const TemporaryFolder scratch(out.parent_path(), out);
+  const fs::path gathered = scratch.path() / "gathered";
   std::map<std::int64_t, fs::path> places;  // by the last session of each
   const PlaceOf place_of = [&](std::int64_t session) {
     const auto found = places.lower_bound(session);

@@ -133,7 +133,6 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   const std::vector<Blocks> sections = sections_of(of);
   const std::vector<figures::Figure> figures = figures_in(sections);
   Published published{.page = folder / own_files[0]};
-  for (const fs::path& place : {folder, folder / "tables", folder / "figures"}) results::remove_litter(place);
   published.warnings = figures::write_figures(figures, folder / "figures", options);
 
   std::vector<std::string>& files = published.files;
