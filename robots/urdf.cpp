@@ -425,7 +425,24 @@ double moved_by_snapping(const Description& printed, const Description& snapped,
   return farthest;
 }
 
+// The parser compares each attribute of an element with all before it.
+void refuse_many_attributes(std::string_view text, const Place& place) {
+  constexpr int most = 1000;
+  for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
+    const bool is_comment = text.substr(at).starts_with("<!--"), is_data = text.substr(at).starts_with("<![CDATA[");
+    if (is_comment || is_data) at = text.find(is_comment ? "-->" : "]]>", at);
+    for (int attributes = 0; at < text.size() && text[at] != '>'; ++at) {
+      if (text[at] != '"' && text[at] != '\'') continue;
+      at = std::min(text.find(text[at], at + 1), text.size() - 1);
+      if (++attributes > most)
+        place.fail(static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) + 1,
+                   fmt::format("an element has more than {} attributes", most));
+    }
+  }
+}
+
 const XMLElement& parsed(tinyxml2::XMLDocument& document, std::string_view text, const Place& place) {
+  refuse_many_attributes(text, place);
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     place.fail(std::max(document.ErrorLineNum(), 1),
                document.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT

@@ -265,6 +265,13 @@ TEST_CASE("an origin turns by angles or by a quaternion", "[urdf][traps]") {
   CHECK((tool.linear() - turn.normalized().toRotationMatrix()).norm() < 1e-14);
 }
 
+TEST_CASE("an element with very many attributes is refused", "[urdf][traps]") {
+  std::string many;
+  for (int i = 0; i < 40'000; ++i) many += fmt::format(" a{}='<>'", i);
+  CHECK(said_of("<!-- it's one '<' -->\n<robot" + many + "/>") ==
+        "my_arm.urdf:2: an element has more than 1000 attributes");
+}
+
 TEST_CASE("what of a joint would be left out or be misread is told with its line, its name and what is meant",
           "[urdf][traps]") {
   struct Mistake {
