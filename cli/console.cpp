@@ -181,6 +181,7 @@ SignalWatch::SignalWatch() {
   const sigset_t set = watched_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);  // also in all later threads
   std::signal(SIGXFSZ, SIG_IGN);              // beyond `ulimit -f` a write fails, and its sentence is told
+  std::signal(SIGCHLD, SIG_DFL);              // else, where a parent ignored it, nobody hears how a program ended
   thread_ = std::thread([set] { watch(set); });
 }
 

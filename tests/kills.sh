@@ -132,9 +132,18 @@ kill_report() { # while it is drawn
     at_work "drawn/figures/.ikbench-*" $signal report whole/store.sqlite --out drawn
     equal "SIG$signal left" "$(find drawn -name '.ikbench-*')" ""
   done
+  mkdir hanging
+  printf '#!/bin/sh\necho $$ >%s/hangs\nexec sleep 1000\n' "$work" >hanging/gnuplot
+  chmod +x hanging/gnuplot
+  for signal in KILL TERM; do
+    rm -f hangs
+    PATH=$work/hanging:$PATH at_work hangs $signal report whole/store.sqlite --out drawn
+    sleep 0.2
+    ! grep -qvs ') Z' "/proc/$(<hangs)/stat" || fail "a gnuplot that hangs outlives SIG$signal"
+  done
 }
 
-kill_files() { # whole or not there, and the same command again succeeds and cleans
+kill_files() { # whole or not there, and the same command again succeeds
   local format k
   look() { echo 0; }
   succeeds run slim2023 --set runs=8 --set trace=best_error --out traced --no-report

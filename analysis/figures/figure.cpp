@@ -204,17 +204,9 @@ std::vector<std::string> write_figures(const std::vector<Figure>& figures, const
                                        const RenderOptions& options) {
   if (figures.empty()) return {};
   const std::vector<Source> sources = sources_of(figures, options.style);
-  std::set<std::string> changed;  // files
-  for (const Source& source : sources) {
-    if (!options.render && read_file(folder / source.file) != source.text) changed.insert(source.file);
-    write_file(folder / source.file, source.text);
-  }
+  for (const Source& source : sources) write_file(folder / source.file, source.text);
   if (!options.render) {
-    for (const Figure& figure : figures) {
-      const bool is_same = !changed.contains(std::string(style_file->name)) && !changed.contains(figure.name + ".gp") &&
-                           !changed.contains(figure.name + ".dat");
-      remove_pictures(figure, folder, is_same ? options.style.formats : std::vector<Picture>());
-    }
+    for (const Figure& figure : figures) remove_pictures(figure, folder, {});
     return {};
   }
 

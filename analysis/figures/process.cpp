@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -67,27 +67,26 @@ ProcessResult run_process(const std::vector<std::string>& words, const std::file
   }
   variables.push_back(nullptr);
 
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, pipe[1], STDERR_FILENO);
-  posix_spawnattr_t attributes;  // the program decides itself what signals do to it
-  ::posix_spawnattr_init(&attributes);
   sigset_t none;
   ::sigemptyset(&none);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t process = 0;
-  const int failure = ::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), variables.data());
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&actions);
+  const pid_t us = ::getpid(), process = ::fork();
+  if (process == 0) {  // nothing here needs a lock, which another thread may have
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+    const bool is_ready = ::getppid() == us && ::chdir(folder.c_str()) == 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
+                          ::dup2(pipe[1], STDOUT_FILENO) >= 0 && ::dup2(pipe[1], STDERR_FILENO) >= 0;
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);  // the program decides itself what signals do to it
+    if (is_ready) ::execvpe(arguments[0], arguments.data(), variables.data());
+    for (const std::string_view text : {std::string_view("cannot start "), std::string_view(arguments[0]),
+                                        std::string_view(": "), std::string_view(::strerrordesc_np(errno))})
+      static_cast<void>(::write(pipe[1], text.data(), text.size()) < 0);
+    ::_exit(127);
+  }
   ::close(pipe[1]);
 
   ProcessResult result;
-  if (failure != 0) {
-    result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(failure));
+  if (process < 0) {
+    result.output = fmt::format("cannot start {}: {}", words[0], std::strerror(errno));
   } else {
     std::optional<std::string> output = read_all(pipe[0]);
     if (!output) ::kill(process, SIGKILL);

@@ -96,3 +96,9 @@ succeeds report theirs/store.sqlite
 for script in theirs/figures/*.gp; do echo "system 'touch $PWD/ran'" >>"$script"; done
 succeeds report theirs/store.sqlite
 [ ! -e ran ] && ! grep -q "touch" theirs/figures/*.gp || fail "a script of the folder was run, or stayed"
+
+# A parent that ignores SIGCHLD takes no picture away, and `--figures none` all.
+(trap '' CHLD; exec "$program" report theirs/store.sqlite) >.out 2>.err || fail "a report without SIGCHLD: $(<.err)"
+has_no "$(<.err)" "not drawn"
+succeeds report theirs/store.sqlite --figures none
+[[ -z $(compgen -G "theirs/figures/*.svg") ]] || fail "pictures of an earlier report stayed"

@@ -159,10 +159,6 @@ TEST_CASE("a picture takes the place of a link, and keeps the permissions of a f
   CHECK_FALSE(fs::is_symlink(png));
   CHECK(text_of_file(png).starts_with("\x89PNG"));
   CHECK(text_of_file(folder.path / "victim") == "precious");
-
-  const std::string drawn = text_of_file(svg);
-  write_figures({figure}, folder.path, {.render = false});
-  CHECK(text_of_file(svg) == drawn);
 }
 
 TEST_CASE("a script or a style that lies in the folder is written anew and never run", "[files][figure]") {
@@ -222,13 +218,10 @@ TEST_CASE("a picture has a title, a width in points, and the same bytes each tim
   CHECK(text_of_file(folder.path / "f.pdf") == pdf);
 }
 
-TEST_CASE("without drawing only the pictures of the same data stay", "[files][figure]") {
+TEST_CASE("without drawing the pictures of an earlier report go", "[files][figure]") {
   const ScratchFolder folder;
-  Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
+  const Figure figure{.name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1", .data = "1 1\n2 2\n"};
   write_figures({figure}, folder.path, {});
-  write_figures({figure}, folder.path, {.render = false});
-  for (const char* const type : {".svg", ".pdf", ".png"}) CHECK(fs::exists(folder.path / ("f" + std::string(type))));
-  figure.data = "1 1\n2 3\n";
   write_figures({figure}, folder.path, {.render = false});
   for (const char* const type : {".svg", ".pdf", ".png"})
     CHECK_FALSE(fs::exists(folder.path / ("f" + std::string(type))));
