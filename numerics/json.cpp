@@ -24,7 +24,7 @@ std::string text_of(const Json& json, int indent) {
 }
 
 std::string text_of(const OrderedJson& json, int indent) {
-  return json.dump(indent, ' ', false, OrderedJson::error_handler_t::replace);
+  return json.dump(indent, ' ', true, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace ikbench::numerics

@@ -16,7 +16,8 @@ Json parsed_json(std::string_view text);
 // The same; leaves out what is nested deeper than `deepest`.
 OrderedJson parsed_ordered_json(std::string_view text, int deepest = deepest_json);
 
-// Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD.
+// Writes one line, or a member a line with `indent` spaces a level. Replaces bytes that are not UTF-8 by U+FFFD. What
+// keeps its order is for others, so it is ASCII with escapes.
 std::string text_of(const Json& json, int indent = -1);
 std::string text_of(const OrderedJson& json, int indent = -1);
 

@@ -24,4 +24,5 @@ TEST_CASE("a text that is not JSON is discarded, and bytes that are not UTF-8 ar
   CHECK(parsed_json("{").is_discarded());
   CHECK(parsed_json("").is_discarded());
   CHECK(text_of(Json("a\xff")) == "\"a\xef\xbf\xbd\"");
+  CHECK(text_of(OrderedJson("\u202e\u009b")) == R"("\u202e\u009b")");
 }
