@@ -19,7 +19,6 @@
 #include <utility>
 
 #include "analysis/figures/process.hpp"
-#include "analysis/figures/solver_styles.hpp"
 #include "numerics/embedded_file.hpp"
 #include "numerics/number.hpp"
 #include "results/files.hpp"
@@ -162,12 +161,11 @@ struct Source {
 std::vector<Source> sources_of(const std::vector<Figure>& figures, const FigureStyle& look) {
   std::vector<Source> sources;
   std::string style(style_file->text);
-  const std::pair<std::string_view, std::string> values[]{
-      {"TEXT_PT", text_of(look.text_pt)},
-      {"FONT", look.font},
-      {"WIDTH_CM", text_of(look.width_cm)},
-      {"HEIGHT_CM", text_of(look.height_cm)},
-      {"COLOURS", fmt::format("{}", fmt::join(colours_and_shades(look), " "))}};
+  const std::pair<std::string_view, std::string> values[]{{"TEXT_PT", text_of(look.text_pt)},
+                                                          {"FONT", look.font},
+                                                          {"WIDTH_CM", text_of(look.width_cm)},
+                                                          {"HEIGHT_CM", text_of(look.height_cm)},
+                                                          {"COLOURS", fmt::format("{}", fmt::join(look.palette, " "))}};
   for (const auto& [name, value] : values) style.replace(style.find(name), name.size(), value);
   sources.push_back({std::string(style_file->name), style});
   for (const Figure& figure : figures) {

@@ -1,10 +1,6 @@
 #include "analysis/figures/solver_styles.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -49,39 +45,6 @@ std::size_t place_in(std::vector<std::string>& palette, const std::string& colou
   return place;
 }
 
-using Rgb = std::array<double, 3>;  // from 0 to 255
-
-Rgb rgb_of(const std::string& hex) {  // "#1A2B3C"
-  Rgb rgb{};
-  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = std::stoi(hex.substr(1 + 2 * i, 2), nullptr, 16);
-  return rgb;
-}
-
-// Relative luminance (WCAG 2.1).
-double luminance(const Rgb& rgb) {
-  const auto linear = [&](std::size_t i) {
-    const double value = rgb[i] / 255;
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(0) + 0.7152 * linear(1) + 0.0722 * linear(2);
-}
-
-// A lighter or darker colour that stands out from paper.
-std::string shade_of(const std::string& colour) {
-  constexpr double share = 0.42, least_contrast = 3;  // of graphics (WCAG 2.1)
-  const Rgb own = rgb_of(colour);
-  const auto mixed_with = [&](double other) {
-    Rgb result = own;
-    for (double& part : result) part = std::round(std::lerp(part, other, share));
-    return result;
-  };
-  constexpr double dark = 0, light = 255;
-  const bool is_dark = luminance(own) < 0.13;
-  Rgb shade = mixed_with(is_dark ? light : dark);
-  if (1.05 / (luminance(shade) + 0.05) < least_contrast) shade = mixed_with(is_dark ? dark : light);
-  return fmt::format("#{:02X}{:02X}{:02X}", std::lround(shade[0]), std::lround(shade[1]), std::lround(shade[2]));
-}
-
 }  // namespace
 
 std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, FigureStyle& style) {
@@ -114,13 +77,6 @@ std::map<std::string, int> line_styles(const std::vector<NamedSolver>& solvers, 
     styles.emplace(solver.label, static_cast<int>(1 + place + style.palette.size() * users[place]++));
   }
   return styles;
-}
-
-std::vector<std::string> colours_and_shades(const FigureStyle& style) {
-  std::vector<std::string> colours;
-  for (const std::string& colour : style.palette) colours.push_back(hex_colour(colour).value());
-  for (std::size_t i = 0; i < style.palette.size(); ++i) colours.push_back(shade_of(colours[i]));
-  return colours;
 }
 
 }  // namespace ikbench::figures

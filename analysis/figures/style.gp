@@ -6,22 +6,22 @@ array character[126]
 do for [i = 33:126] { character[i] = sprintf("%c", i) }
 
 # What [figures] of the study or --style says: size of text [pt] and font; width and height of every figure [cm], 0: each
-# its own; colours, and then a shade of each.
+# its own; colours.
 text = TEXT_PT
 font = "FONT"
 all_width_cm = WIDTH_CM
 all_height_cm = HEIGHT_CM
 colours = "COLOURS"
-hues = words(colours) / 2
+hues = words(colours)
 
-# Markers tell the curves apart without colour, and shades and dashes those of one colour.
-markers = "7 5 9 11 13 4 2 6 8 10 12 1 3"
+# Markers tell the curves apart without colour, and dashes those of one colour. Rings are what is printed.
+markers = "7 5 9 11 13 15 2 4 8 10 12 1 3"
 dashes = "1 11 12 13 14"
 set dashtype 11 (5, 2)
 set dashtype 12 (1.5, 2)
 set dashtype 13 (6, 2, 1.5, 2)
 set dashtype 14 (2.5, 1.5)
-colour_of(i) = word(colours, (i - 1) % hues + 1 + (i - 1) / hues % 2 * hues)
+colour_of(i) = word(colours, (i - 1) % hues + 1)
 do for [i = 1:13 * hues] {
   set style line i lw 0.9 ps 0.45 lc rgb colour_of(i) pt int(word(markers, (i - 1) % 13 + 1)) \
     dt int(word(dashes, (i - 1) / hues % 5 + 1))
