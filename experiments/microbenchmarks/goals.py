@@ -80,8 +80,10 @@ def chart(costs):
     bars = [(SOLVERS[solver], end, min(costs[f"solvers/{solver}/{end}"]))
             for solver in SOLVERS for end in COLOURS if f"solvers/{solver}/{end}" in costs]
     scale = 420 / max((time for _, _, time in bars), default=1)
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="640" height="{17 * len(bars) + 40}" '
-             'font-family="sans-serif" font-size="12">', "<title>Time of an evaluation</title>"]
+    height = 17 * len(bars) + 40
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="640" height="{height}" viewBox="0 0 640 {height}" '
+             'font-family="sans-serif" font-size="12">', "<title>Time of an evaluation</title>",
+             f'<rect width="640" height="{height}" fill="#ffffff"/>']
     for k, (end, colour) in enumerate(COLOURS.items()):
         lines.append(f'<rect x="{80 + 190 * k}" y="8" width="10" height="10" fill="{colour}"/>'
                      f'<text x="{95 + 190 * k}" y="17">{NAMES[end]}</text>')
