@@ -67,20 +67,15 @@ void warn_of_unreachable(const Study& study) {
     warn(fmt::format("out of reach as well: {}", counted(std::ssize(found) - std::int64_t{most}, "points")));
 }
 
-struct KindOfFigures {
-  std::vector<std::string> names;
-  std::string_view meaning;
-};
-const KindOfFigures kinds_of_figures[]{
-    {{"overview"}, "error, or share solved, against joint motion"},
-    {{"error-boxes", "motion-boxes", "time-boxes"}, "the distribution of each solver"},
-    {{"boxes"}, "those of a file that stats reads"},
-    {{"error-by-iteration", "error-by-point"}, "medians and quartiles"},
-    {{"solved-by-evaluations"}, "share of targets solved within a number of evaluations"},
-    {{"differences"}, "pairs of solvers, with intervals, and who is better"},
-    {{"printed"}, "shares solved minus those that a paper prints"},
-    {{"path", "joints"}, "targets and arm; joint angles along the path"},
-    {{"figure-5", "figure-18"}, "those of slim2023, 5 to 18"}};
+// Name and meaning of each figure that some report has.
+std::vector<std::pair<std::string, std::string>> all_figures() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const figures::KindOfFigure& kind : figures::kinds_of_figures()) all.emplace_back(kind.name, kind.meaning);
+  all.emplace_back("boxes", "of a file that stats reads");
+  all.emplace_back("printed", "of beeson2015: shares solved minus those that it prints");
+  all.emplace_back("figure", "of slim2023: figure-5 to figure-18");
+  return all;
+}
 
 bool is_meant(const std::string& figure, const std::string& name) {
   return figure == name || figure.starts_with(name + "-");
@@ -89,10 +84,9 @@ bool is_meant(const std::string& figure, const std::string& name) {
 // Before anything is solved; a study may lack a figure that others have.
 void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
-  for (const KindOfFigures& kind : kinds_of_figures) all.insert(all.end(), kind.names.begin(), kind.names.end());
+  for (const auto& [name, meaning] : all_figures()) all.push_back(name);
   for (const std::string& name : names) {
-    if (!name.starts_with("figure-") &&
-        std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name); }))
+    if (std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name) || is_meant(name, "figure"); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
   }
 }
@@ -116,7 +110,9 @@ void choose_figures(show::Reported& of, const std::vector<std::string>& names) {
       return figure != nullptr && is_left_out(*figure);
     });
   }
-  if (!unknown.empty()) throw std::invalid_argument(unknown_name("figure", *unknown.begin(), there));
+  if (!unknown.empty())
+    throw std::invalid_argument(
+        fmt::format("this study has no figure \"{}\"; it has {}", *unknown.begin(), fmt::join(there, ", ")));
 }
 
 bool are_drawn(const std::vector<std::string>& names) { return std::ranges::find(names, "none") == names.end(); }
@@ -136,10 +132,8 @@ void add_report_options(CLI::App& command, ReportArguments& arguments) {
 std::string help_of_figures() {
   std::string text =
       "Figures of a report, those that it has values for: run, report, reproduce, stats --figures NAME,NAME\n";
-  for (const auto& [names, meaning] : kinds_of_figures)
-    text += fmt::format("  {:38}{}\n", fmt::format("{}", fmt::join(names, ", ")), meaning);
-  return text +
-         "error stands for all that begin with it, figure for all that slim2023 numbers, none for no figure.\n\n" +
+  for (const auto& [name, meaning] : all_figures()) text += fmt::format("  {:24}{}\n", name, meaning);
+  return text + "error stands for all that begin with it, none for no figure.\n\n" +
          "Keys of [figures] in a study, or of a file (--style FILE)\n" + to_toml(FigureStyle(), "'IK-BA', 'PSO'");
 }
 

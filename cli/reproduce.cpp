@@ -151,8 +151,8 @@ void report(const std::vector<Study>& studies, const Paper& paper, const Argumen
   if (sentences.empty()) sentences = papers::rates_sentences(repeated);
   if (sentences.empty()) sentences = {papers::tally_words(claims)};
   reported.first = papers::beginning(paper, sentences, means);
-  if (!paper.rates.rows.empty())
-    reported.additions.push_back({show::Heading{"Ours and the printed"}, papers::rates_figure(repeated)});
+  if (const auto figure = papers::rates_figure(repeated))
+    reported.additions.push_back({show::Heading{"Ours and the printed"}, *figure});
   reported.claims = papers::claims_section(claims);
   if (!readings.claims.empty()) {
     reported.additions.push_back({show::Heading{"What the paper leaves open"}, readings.table});

@@ -146,7 +146,7 @@ std::string tool_text(const Robot& arm, const Configuration& q, AngleUnit unit) 
 }
 
 Figure picture(const Robot& arm, const Configuration& q, const std::string& caption) {
-  figures::PathRows rows{.targets = {}};
+  figures::PathRows rows;
   auto& [label, corners] = rows.arms.emplace_back(arm.name, std::vector<figures::Corner>());
   for (const Point& point : arm_points(arm, q))
     corners.push_back({point[0] / centimetre, point[1] / centimetre, point[2] / centimetre});

@@ -1,9 +1,11 @@
 #include "analysis/figures/of_study.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -28,6 +30,10 @@ constexpr std::size_t most_iterations = 200;  // drawn
 // Targets that have an order.
 bool is_path(const StudyResults& study) { return !study.definition.draws_targets && study.points > 1; }
 
+bool is_solved(const StudyResults& study, const Solve& solve) {
+  return study.definition.has_tolerance() && solve.status == results::Status::ok;
+}
+
 CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   const compare::Description all = describe({.name = "", .values = values});
   if (average == Average::mean) return {.x = x, .y = all.mean, .dotted = values.size() > 1 ? all.median : nowhere};
@@ -35,9 +41,9 @@ CurveRow row_at(double x, const std::vector<double>& values, Average average) {
   return {.x = x, .y = all.median, .low = all.lower_quartile, .high = all.upper_quartile};
 }
 
-About about_of(const StudyResults& study, const Metric& metric, std::string name, std::string caption) {
+About about_of(const StudyResults& study, const Metric& metric, std::string caption) {
   const auto [unit, factor] = drawn_unit(study, metric.unit);
-  return {std::move(name), std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
+  return {"", std::move(caption), std::string(metric.name), unit, factor * metric.rounding};
 }
 
 std::string observation_of(const StudyResults& study, const Metric& metric) {
@@ -52,131 +58,165 @@ std::string caption_of_boxes(std::string_view quantity, std::string_view observa
                      quantity, observation);
 }
 
-std::vector<BoxRow> rows_of(const std::vector<std::string>& solvers, const Judged& metric, double factor,
-                            const Look& look) {
-  std::vector<BoxRow> rows;
-  for (const std::string& solver : solvers) {
-    const auto group = std::ranges::find(metric.observations.groups, solver, &Group::name);
-    const compare::Description all = describe(*group);
-    BoxRow& row = rows.emplace_back(
-        BoxRow{.label = name_of(look, solver), .style = style_of(look, solver), .values = group->values});
-    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
-    for (double& value : row.values) value *= factor;
-    for (double& value : row.box) value *= factor;
-    if (std::isinf(all.largest)) {  // no whisker ends there, and no box
-      std::vector<double> finite = row.values;
-      std::erase_if(finite, [](double value) { return std::isinf(value); });
-      row.remark = fmt::format("no answer in {}", row.values.size() - finite.size());
-      row.box.back() = finite.empty() ? nowhere : std::ranges::max(finite);
-      if (std::isinf(all.upper_quartile)) row.box.fill(nowhere);
-    }
-    if (group->lost > 0) row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
-  }
-  return rows;
-}
-
-Figure boxes_of(const JudgedStudy& judged, const Judged& judged_metric, std::string_view column, std::string name,
-                const Look& look) {
+// None where solvers solved different targets, and so their values do not compare.
+std::optional<Figure> boxes_of(const JudgedStudy& judged, std::string_view column, const Look& look) {
+  const Judged* const of = judged_of(judged, column);
+  if (of == nullptr || of->observations.is_of_solved) return std::nullopt;
   const Metric& metric = metric_named(column);
-  About about = about_of(judged.study, metric, std::move(name),
-                         caption_of_boxes(metric.name, observation_of(judged.study, metric)));
-  const auto [unit, factor] = drawn_unit(judged.study, metric.unit);
-  double tolerance = 0;
-  for (const Group& group : judged_metric.observations.groups) tolerance = std::max(tolerance, factor * group.at_most);
-  if (tolerance > 0) about.caption += fmt::format(" Values up to {0:.3g} {1} count as {0:.3g} {1}.", tolerance, unit);
-  about.floor = std::max(about.floor, tolerance);
-  return boxes(about, box_rows(judged, judged_metric, look));
+  const About about =
+      about_of(judged.study, metric, caption_of_boxes(metric.name, observation_of(judged.study, metric)));
+  return boxes(about, box_rows(*of, drawn_unit(judged.study, metric.unit), shown_solvers(judged.study, look), look));
 }
 
-// With a tolerance the share solved, which tells more than errors that all are below it.
-std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look) {
-  const bool is_share = judged.study.definition.has_tolerance();
-  const Judged* const errors = judged_of(judged, is_share ? "solved" : error);
-  const Judged* const motions = judged_of(judged, motion);
-  if (errors == nullptr || motions == nullptr) return std::nullopt;
-  const bool are_means = motions->plan.test == results::Plan::Test::means;
-  const std::string average = are_means ? "mean" : "median";
-  const auto value = [](const Judged& of, const std::string& solver, bool is_mean) {
-    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
-    return is_mean ? all.mean : all.median;
-  };
-  std::vector<Dot> dots;
-  std::string without;
-  const double factor = is_share ? 100 : drawn_unit(judged.study, errors->observations.unit).factor;
-  for (const std::string& solver : shown_solvers(judged.study, look)) {
-    dots.push_back({.label = name_of(look, solver),
-                    .style = style_of(look, solver),
-                    .x = value(*motions, solver, are_means),
-                    .y = factor * value(*errors, solver, are_means || is_share)});
-    if (std::isnan(dots.back().x)) without += (without.empty() ? "" : ", ") + solver;
+// Solvers whose times are not compared; all, where those of none are.
+std::vector<std::string> without_times(const JudgedStudy& judged) {
+  const Judged* const times = judged_of(judged, time);
+  if (times == nullptr) return judged.study.solvers;
+  std::vector<std::string> without;
+  for (const Doubt& doubt : times->observations.doubts) {
+    if (doubt.kind != DoubtKind::times_not_comparable) continue;
+    if (doubt.who.empty()) return judged.study.solvers;
+    without.insert(without.end(), doubt.who.begin(), doubt.who.end());
   }
-  About about = about_of(judged.study, metric_named(error), "overview",
-                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
-  about.quantity = fmt::format("{} {}", average, about.quantity);
-  if (is_share) about = {"overview", "Share solved against joint motion: best is the upper left.", "solved", "%"};
-  if (!without.empty()) about.caption += fmt::format(" Without a known joint motion: {}.", without);
-  return overview(about, average + " joint motion [deg]", dots);
+  return without;
 }
 
-std::optional<Figure> solved_of(const StudyResults& study, const Look& look) {
+// The cost of a solve; NaN if it has none, as an attempt that failed.
+std::optional<Figure> shares_of(const StudyResults& study, About about, const std::string& y_axis,
+                                const std::vector<std::string>& without, std::string_view why, const Look& look,
+                                double dashed, const std::function<double(const Solve&)>& cost) {
   std::vector<Successes> all;
-  bool are_counted = study.definition.has_tolerance();
+  std::vector<std::string> left_out;
   for (const std::string& solver : shown_solvers(study, look)) {
+    if (std::ranges::count(without, solver) > 0) {
+      left_out.push_back(name_of(look, solver));
+      continue;
+    }
     Successes& one = all.emplace_back(Successes{.label = name_of(look, solver), .style = style_of(look, solver)});
     for (const Solve& solve : study.of(solver)) {
-      are_counted = are_counted && solve.counted_by != results::CountedBy::nobody;
       ++one.attempts;
-      if (solve.status == results::Status::ok)
-        one.costs.push_back(std::max(1.0, static_cast<double>(solve.evaluations)));
+      if (const double value = cost(solve); !std::isnan(value)) one.costs.push_back(value);
     }
   }
-  if (!are_counted) return std::nullopt;
-  return shares({.name = "solved-by-evaluations",
-                 .caption = "Share of targets solved within a number of evaluations.",
-                 .quantity = "evaluations"},
+  if (!left_out.empty()) about.caption += fmt::format(" Without {}, {}.", fmt::join(left_out, ", "), why);
+  return shares(about, y_axis, all, dashed);
+}
+
+std::optional<Figure> error_by(const StudyResults& study, std::string_view axis, const std::vector<Line>& all) {
+  return curves(about_of(study, metric_named(error), fmt::format("Error by {}: medians.", axis)), std::string(axis),
                 all);
 }
 
-std::optional<Figure> differences_of(const std::vector<std::string>& shown, const Judged& metric, const DrawnUnit& unit,
-                                     const Look& look) {
-  const Observations& of = metric.observations;
-  Look brief = look;  // two names a row
-  brief.names = short_names(shown, 20);
-  const auto name = [&](const std::string& solver) { return name_of(brief, solver); };
-  std::vector<IntervalRow> rows;
-  bool are_ratios = false;
-  for (const Finding& each : metric.findings) {
-    const Finding finding = better_first(each, metric.plan.control);
-    if (std::ranges::count(shown, finding.first) == 0 || std::ranges::count(shown, finding.second) == 0) continue;
-    are_ratios = finding.scale == Scale::ratio;
-    const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
-    IntervalRow& row = rows.emplace_back();
-    row.label = fmt::format("{} {} {}", name(finding.first), are_ratios ? "/" : "-", name(finding.second));
-    if (finding.estimate) row.estimate = factor * *finding.estimate;
-    if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
-    const bool is_better = finding.verdict == Verdict::better, is_worse = finding.verdict == Verdict::worse;
-    const std::string& better = is_better ? finding.first : finding.second;
-    row.verdict = is_better || is_worse                    ? name(better) + " better"
-                  : finding.verdict == Verdict::same       ? "the same"
-                  : finding.verdict == Verdict::not_tested ? "not tested"
-                                                           : "not decided";
-    if (is_better || is_worse) row.style = style_of(look, better);
-  }
-  if (rows.empty()) return std::nullopt;
-  const std::string quantity = (of.scale == Scale::share ? "share " : "") + of.quantity;
-  return differences(
-      {.name = "differences",
-       .caption = fmt::format("{} of {} by pairs, with intervals that hold together; at the right who is "
-                              "better.",
-                              are_ratios ? "Ratio" : "Difference", quantity),
-       .quantity = fmt::format("{} of {}", are_ratios ? "ratio" : "difference", quantity),
-       .unit = are_ratios                 ? ""
-               : of.scale == Scale::share ? "points"
-                                          : unit.name},
-      rows, are_ratios);
+std::string first_points(const StudyResults& study) {
+  return study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
 }
 
 }  // namespace
+
+#define FIGURE(function, meaning) std::optional<Figure> function(const JudgedStudy& judged, const Look& look);
+#include "analysis/figures/figures.inc"
+#undef FIGURE
+
+std::optional<Figure> overview(const JudgedStudy& judged, const Look& look) {
+  const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
+  if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
+  const bool are_means = motions->plan.test == results::Plan::Test::means;
+  const std::string average = are_means ? "mean" : "median";
+  const auto value = [&](const Judged& of, const std::string& solver) {
+    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
+    return are_means ? all.mean : all.median;
+  };
+  std::vector<Dot> dots;
+  const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
+  for (const std::string& solver : shown_solvers(judged.study, look))
+    dots.push_back({.label = solver,
+                    .style = style_of(look, solver),
+                    .x = value(*motions, solver),
+                    .y = factor * value(*errors, solver)});
+  About about = about_of(judged.study, metric_named(error),
+                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
+  about.quantity = fmt::format("{} {}", average, about.quantity);
+  return overview(about, average + " joint motion [deg]", dots);
+}
+
+std::optional<Figure> error_boxes(const JudgedStudy& judged, const Look& look) { return boxes_of(judged, error, look); }
+
+std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  const Metric& metric = metric_named(error);
+  const auto [unit, factor] = drawn_unit(study, metric.unit);
+  const double tolerance = factor * study.definition.stop.tolerance_cm;
+  if (tolerance == 0) return std::nullopt;
+  constexpr double farthest = 1000;  // tolerances from it, on both sides
+  const About about = about_of(
+      study, metric, fmt::format("Share of targets within an error, up to {} times the tolerance (dashed).", farthest));
+  return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
+    const double value = factor * std::max(solve.position_error_cm, metric.floor);
+    return value > farthest * tolerance ? nowhere : std::max(value, tolerance / farthest);
+  });
+}
+
+std::optional<Figure> time_boxes(const JudgedStudy& judged, const Look& look) {
+  return without_times(judged).empty() ? boxes_of(judged, time, look) : std::nullopt;
+}
+
+std::optional<Figure> motion_boxes(const JudgedStudy& judged, const Look& look) {
+  return without_times(judged).empty() ? std::nullopt : boxes_of(judged, motion, look);
+}
+
+std::optional<Figure> error_by_iteration(const JudgedStudy& judged, const Look& look) {
+  return error_by(judged.study, "iteration", by_iteration(judged.study, look, Average::median));
+}
+
+std::optional<Figure> error_by_point(const JudgedStudy& judged, const Look& look) {
+  if (!is_path(judged.study) || error_by_iteration(judged, look)) return std::nullopt;
+  return error_by(judged.study, "point", by_point(judged.study, error, look, Average::median));
+}
+
+std::optional<Figure> solved_by_evaluations(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  std::vector<std::string> uncounted = study.solvers;
+  std::erase_if(uncounted, [&](const std::string& solver) {
+    return std::ranges::count(study.of(solver), results::CountedBy::nobody, &Solve::counted_by) == 0;
+  });
+  return shares_of(
+      study, about_of(study, metric_named("evaluations"), "Share of targets solved within a number of evaluations."),
+      "solved", uncounted, "whose evaluations nobody counted", look, nowhere, [&](const Solve& solve) {
+        return is_solved(study, solve) ? std::max(1.0, static_cast<double>(solve.evaluations)) : nowhere;
+      });
+}
+
+std::optional<Figure> solved_by_time(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  const Metric& metric = metric_named(time);
+  const double factor = drawn_unit(study, metric.unit).factor;
+  return shares_of(study, about_of(study, metric, "Share of targets solved within a time."), "solved",
+                   without_times(judged), "whose times are not comparable", look, nowhere, [&](const Solve& solve) {
+                     return is_solved(study, solve) ? factor * std::max(solve.seconds, metric.floor) : nowhere;
+                   });
+}
+
+std::optional<Figure> differences(const JudgedStudy& judged, const Look& look) {
+  const Judged& metric = judged.metrics[judged.deciding];
+  return differences_of(metric, drawn_unit(judged.study, metric.observations.unit), shown_solvers(judged.study, look),
+                        look);
+}
+
+std::optional<Figure> path(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  if (!is_path(study)) return std::nullopt;
+  const std::string solver = shown_solvers(study, look).front();
+  return path({"", fmt::format("Targets, and what {} reached in its first run.{}", solver, first_points(study))},
+              path_rows(study, solver, 1, look));
+}
+
+std::optional<Figure> joints(const JudgedStudy& judged, const Look& look) {
+  const StudyResults& study = judged.study;
+  if (!is_path(study)) return std::nullopt;
+  const auto [rows, columns] = joint_rows(study, look);
+  return joints({"", "Joint angles along the path, first run of each solver. Dashed: limits." + first_points(study)},
+                rows, columns);
+}
 
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style) {
   std::vector<NamedSolver> named;
@@ -220,9 +260,77 @@ DrawnUnit drawn_unit(const StudyResults& study, std::string_view unit) {
   return {std::string(unit), 1};
 }
 
-std::vector<BoxRow> box_rows(const JudgedStudy& judged, const Judged& metric, const Look& look) {
-  return rows_of(shown_solvers(judged.study, look), metric, drawn_unit(judged.study, metric.observations.unit).factor,
-                 look);
+std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
+                             const Look& look) {
+  std::vector<BoxRow> rows;
+  for (const std::string& name : shown) {
+    const auto group = std::ranges::find(metric.observations.groups, name, &Group::name);
+    const compare::Description all = describe(*group);
+    BoxRow& row =
+        rows.emplace_back(BoxRow{.label = name_of(look, name), .style = style_of(look, name), .values = group->values});
+    row.box = {all.smallest, all.lower_quartile, all.median, all.upper_quartile, all.largest};
+    for (double& value : row.values) value *= unit.factor;
+    for (double& value : row.box) value *= unit.factor;
+    if (std::isinf(all.largest)) {  // no whisker ends there, and no box
+      std::vector<double> finite = row.values;
+      std::erase_if(finite, [](double value) { return std::isinf(value); });
+      row.remark = fmt::format("no answer in {}", row.values.size() - finite.size());
+      row.box.back() = finite.empty() ? nowhere : std::ranges::max(finite);
+      if (std::isinf(all.upper_quartile)) row.box.fill(nowhere);
+    }
+    if (group->lost > 0) row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
+  }
+  return rows;
+}
+
+std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,
+                                     const Look& look) {
+  const Observations& of = metric.observations;
+  constexpr std::size_t most_pairs = 15;
+  Look brief = look;  // two names a row
+  brief.names = short_names(shown, 20);
+  const auto name_in_row = [&](const std::string& solver) { return name_of(brief, solver); };
+  const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
+  const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
+  std::vector<Finding> findings = metric.findings;
+  std::erase_if(findings, [&](const Finding& each) {
+    return each.verdict == Verdict::not_tested || places(each).second == std::ssize(shown);
+  });
+  std::string only;
+  if (findings.size() > most_pairs && metric.plan.control.empty()) {
+    std::erase_if(findings, [&](const Finding& each) { return places(each).first != 0; });
+    only = fmt::format(" Only the pairs of {}.", shown.front());
+  }
+  std::ranges::stable_sort(findings, {}, places);
+  std::vector<IntervalRow> rows;
+  bool are_ratios = false;
+  for (const Finding& each : findings) {
+    const Finding finding = better_first(each, metric.plan.control);
+    are_ratios = finding.scale == Scale::ratio;
+    const double factor = are_ratios ? 1 : finding.scale == Scale::share ? 100 : unit.factor;
+    IntervalRow& row = rows.emplace_back();
+    row.label =
+        fmt::format("{} {} {}", name_in_row(finding.first), are_ratios ? "/" : "-", name_in_row(finding.second));
+    if (finding.estimate) row.estimate = factor * *finding.estimate;
+    if (finding.interval) row.low = factor * finding.interval->low, row.high = factor * finding.interval->high;
+    const std::string& better = finding.verdict == Verdict::better ? finding.first : finding.second;
+    const bool is_decided = is_difference(finding.verdict);
+    row.verdict = is_decided                         ? name_in_row(better) + " better"
+                  : finding.verdict == Verdict::same ? "the same"
+                                                     : "not decided";
+    if (is_decided) row.style = style_of(look, better);
+  }
+  const std::string quantity = of.scale == Scale::share ? "share solved" : of.quantity;
+  const std::string what = are_ratios ? "ratio" : "difference";
+  return differences(
+      {.name = "differences",
+       .caption = fmt::format("Pairs: {} of {}, with intervals for all pairs at once; at the right who is better.{}",
+                              what, quantity, only),
+       .quantity = fmt::format("{} of {}", what, quantity),
+       .unit = are_ratios                 ? ""
+               : of.scale == Scale::share ? "points"
+                                          : unit.name},
+      rows, are_ratios);
 }
 
 std::vector<Line> by_point(const StudyResults& study, std::string_view column, const Look& look, Average average) {
@@ -243,19 +351,18 @@ std::vector<Line> by_point(const StudyResults& study, std::string_view column, c
 
 std::vector<Line> by_iteration(const StudyResults& study, const Look& look, Average average) {
   const double factor = drawn_unit(study, "cm").factor;
+  std::size_t longest = 0;
+  for (const SolveRecord& solve : study.drawn) longest = std::max(longest, solve.trace_cm.size());
+  const std::size_t n = std::min(longest, most_iterations);
   std::vector<Line> all;
   for (const std::string& solver : shown_solvers(study, look)) {
-    std::vector<std::span<const double>> traces;
-    for (const SolveRecord& solve : study.drawn) {
-      if (solve.solver == solver && !solve.trace_cm.empty()) traces.emplace_back(solve.trace_cm);
-    }
-    if (traces.empty()) continue;
-    const std::size_t longest = std::ranges::max(traces, {}, &std::span<const double>::size).size();
     Line& line = all.emplace_back(Line{.label = name_of(look, solver), .style = style_of(look, solver)});
-    const std::size_t step = 1 + (longest - 1) / most_iterations;
-    for (std::size_t i = 0; i < longest; i += step) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = n == 1 ? 0 : k * (longest - 1) / (n - 1);
       std::vector<double> values;
-      for (const std::span<const double> trace : traces) {
+      for (const SolveRecord& solve : study.drawn) {
+        const std::vector<double>& trace = solve.trace_cm;
+        if (solve.solver != solver || trace.empty()) continue;
         const double value = factor * trace[std::min(i, trace.size() - 1)];
         if (std::isfinite(value)) values.push_back(value);
       }
@@ -274,7 +381,6 @@ PathRows path_rows(const StudyResults& study, const std::string& solver, std::si
   PathRows rows{.targets = {},
                 .reached_label = "reached by " + name_of(look, solver),
                 .style = style_of(look, solver),
-                .is_joined = is_path(study),
                 .is_closed = study.definition.path == "circle" && std::ssize(solves) == study.points};
   const std::optional<robots::Robot> arm = robots::stored_arm(study.definition.arm);
   const std::size_t every = arms == 0 ? 1 : std::max<std::size_t>(1, (solves.size() + arms - 1) / arms);
@@ -318,6 +424,9 @@ JointRows joint_rows(const StudyResults& study, const Look& look) {
 
 std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look) {
   std::vector<Figure> all;
+  const auto add = [&](std::optional<Figure> figure) {
+    if (figure) all.push_back(std::move(*figure));
+  };
   std::vector<std::string> shown = look.style.solvers;
   for (const Judged& metric : metrics) {
     const Observations& of = metric.observations;
@@ -325,67 +434,41 @@ std::vector<Figure> of_file(const std::vector<Judged>& metrics, const Look& look
     const bool has_values = std::ranges::any_of(of.groups, [](const Group& group) { return !group.values.empty(); });
     if (!has_values || (of.scale == Scale::share && of.trials == 1)) continue;
     const std::string number = all.empty() ? "" : fmt::format("-{}", all.size() + 1);
-    all.push_back(boxes({.name = "boxes" + number,
-                         .caption = caption_of_boxes(of.quantity, "a value"),
-                         .quantity = of.quantity,
-                         .unit = of.unit},
-                        rows_of(shown, metric, 1, look)));
+    add(boxes({.name = "boxes" + number,
+               .caption = caption_of_boxes(of.quantity, "a value"),
+               .quantity = of.quantity,
+               .unit = of.unit},
+              box_rows(metric, {of.unit}, shown, look)));
   }
   const Judged& first = metrics.front();
-  if (auto figure = differences_of(shown, first, {first.observations.unit}, look)) all.push_back(std::move(*figure));
+  add(differences_of(first, {first.observations.unit}, shown, look));
   return all;
 }
 
+std::vector<KindOfFigure> kinds_of_figures() {
+  std::vector<KindOfFigure> kinds{
+#define FIGURE(function, meaning) {#function, meaning, function},
+#include "analysis/figures/figures.inc"
+#undef FIGURE
+  };
+  for (KindOfFigure& kind : kinds) std::ranges::replace(kind.name, '_', '-');
+  return kinds;
+}
+
 std::vector<Figure> of_study(const JudgedStudy& judged, const Look& look) {
-  const StudyResults& study = judged.study;
-  const std::vector<std::string> shown = shown_solvers(study, look);
-  if (shown.empty()) return {};
-  std::vector<Figure> all;
-  const auto add = [&](std::optional<Figure> figure) {
-    if (figure) all.push_back(std::move(*figure));
-  };
-  add(overview_of(judged, look));
-  if (const Judged* const errors = judged_of(judged, error))
-    add(boxes_of(judged, *errors, error, "error-boxes", look));
-  else if (study.definition.has_tolerance())  // where errors are not judged
-    add(boxes_of(judged, {.observations = observe(study, metric_named(error))}, error, "error-boxes", look));
-  const auto has_doubt = [](const std::vector<Doubt>& doubts) {
-    return std::ranges::count(doubts, DoubtKind::times_not_comparable, &Doubt::kind) > 0;
-  };
-  const Judged *const times = judged_of(judged, time), *const motions = judged_of(judged, motion);
-  if (times != nullptr && !has_doubt(times->observations.doubts) && !has_doubt(judged.doubts)) {
-    add(boxes_of(judged, *times, time, "time-boxes", look));
-  } else if (motions != nullptr) {
-    add(boxes_of(judged, *motions, motion, "motion-boxes", look));
-  }
-  const std::vector<Line> traced = by_iteration(study, look, Average::median);
-  const auto error_curves = [&](std::string_view by, const std::string& axis, const std::vector<Line>& curves_of) {
-    const bool has_bands = study.runs > 1 || by == "iteration";
-    return curves(about_of(study, metric_named(error), fmt::format("error-by-{}", by),
-                           fmt::format("Error by {}: median{}.", by, has_bands ? " and quartiles" : "")),
-                  axis, curves_of);
-  };
-  if (!traced.empty()) {
-    add(error_curves("iteration", "iteration", traced));
-  } else if (is_path(study)) {
-    add(error_curves("point", "point", by_point(study, error, look, Average::median)));
-  }
-  add(solved_of(study, look));
+  Look ordered = look;
   const Judged& deciding = judged.metrics[judged.deciding];
-  add(differences_of(shown, deciding, drawn_unit(study, deciding.observations.unit), look));
-  const std::vector<std::string>& best = deciding.headline.best;
-  const auto found = std::ranges::find_first_of(shown, best);
-  const std::string drawn = found != shown.end() ? *found : shown.front();
-  const std::string part = study.points > most_drawn ? fmt::format(" The first {} points.", most_drawn) : "";
-  if (study.points > 1)
-    add(path({.name = "path", .caption = fmt::format("Targets, and what {} reached in its first run.{}", drawn, part)},
-             path_rows(study, drawn, 1, look)));
-  if (is_path(study)) {
-    const auto [rows, columns] = joint_rows(study, look);
-    if (!columns.empty())
-      add(joints({.name = "joints",
-                  .caption = "Joint angles along the path, first run of each solver. Dashed: limits." + part},
-                 rows, columns));
+  if (look.style.solvers.empty()) {
+    for (const std::size_t i : best_first(deciding, judged.metrics, deciding.plan))
+      ordered.style.solvers.push_back(deciding.observations.groups[i].name);
+  }
+  std::vector<Figure> all;
+  if (shown_solvers(judged.study, ordered).empty()) return all;
+  for (const KindOfFigure& kind : kinds_of_figures()) {
+    if (std::optional<Figure> figure = kind.of(judged, ordered)) {
+      figure->name = kind.name;
+      all.push_back(std::move(*figure));
+    }
   }
   return all;
 }

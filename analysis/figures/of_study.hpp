@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,12 @@ struct Look {
 };
 Look look_of(const std::vector<results::Series>& solvers, results::FigureStyle style);
 
-// At most eight: overview, error-boxes, time-boxes or motion-boxes, error-by-iteration or error-by-point,
-// solved-by-evaluations, differences, path, joints.
+// Those of figures.inc for which the study has values; solvers in the order of its table, or as the look says.
+struct KindOfFigure {
+  std::string name, meaning;
+  std::optional<Figure> (*of)(const compare::JudgedStudy& judged, const Look& look);
+};
+std::vector<KindOfFigure> kinds_of_figures();
 std::vector<Figure> of_study(const compare::JudgedStudy& judged, const Look& look);
 
 // Of a user's file: boxes of each metric that has values, and the differences of the first.
@@ -42,13 +47,18 @@ struct DrawnUnit {
   double factor = 1;
 };
 DrawnUnit drawn_unit(const compare::StudyResults& study, std::string_view unit);
-std::vector<BoxRow> box_rows(const compare::JudgedStudy& judged, const compare::Judged& metric, const Look& look);
+// Of the groups of these names, in their order.
+std::vector<BoxRow> box_rows(const compare::Judged& metric, const DrawnUnit& unit,
+                             const std::vector<std::string>& shown, const Look& look);
+// Each pair that was tested; of more than 15 those of the first name alone.
+std::optional<Figure> differences_of(const compare::Judged& metric, const DrawnUnit& unit,
+                                     const std::vector<std::string>& shown, const Look& look);
 // Medians of all runs with their quartiles, or means with the median dotted.
 enum class Average { median, mean };
 std::vector<Line> by_point(const compare::StudyResults& study, std::string_view column, const Look& look,
                            Average average);
 // The best error after each iteration, of all solves; those that ended earlier keep their last. Solvers without a trace
-// are left out.
+// have no row.
 std::vector<Line> by_iteration(const compare::StudyResults& study, const Look& look, Average average);
 // Of one solver's first run, with the arm at so many of its points.
 PathRows path_rows(const compare::StudyResults& study, const std::string& solver, std::size_t arms, const Look& look);

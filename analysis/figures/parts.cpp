@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t longest_label_of_all = 60;
 constexpr double spread_of_logarithmic = 30;
 constexpr int farthest_decade = 300;
+constexpr double widest_in_column_cm = 3.5;  // names beside a plot
 
 std::vector<double> drawable(std::span<const double> values) {
   std::vector<double> drawn;
@@ -27,10 +28,8 @@ std::vector<double> drawable(std::span<const double> values) {
   return drawn;
 }
 
-// on_y(v) is not drawn at the edge: lines do not fall to it.
-std::string placed(char letter, const std::string& low, const std::string& high, bool has_edge = false) {
-  return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\non_{0}(v) = v > {3} ? place_{0}(v) : NaN\n",
-                     letter, low, high, has_edge ? low : "-1e300");
+std::string placed(char letter, double low, double high) {
+  return fmt::format("place_{0}(v) = v < {1} ? {1} : v > {2} ? {2} : v\n", letter, text_of(low), text_of(high));
 }
 
 // That of y stands at the picture's left edge, wherever gnuplot thinks that the ticks end. Long titles have two lines.
@@ -46,15 +45,27 @@ std::string titled(char letter, const std::string& title) {
                      is_long ? 0.15 : 0.3);
 }
 
+// "100", or for gnuplot's enhanced text a power of ten.
+std::string tick(double value, bool is_power) {
+  if (!is_power) return fmt::format("{:.6g}", value);
+  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+  const std::string digits = fmt::format("{:.2g}", value / std::pow(10, exponent));
+  return fmt::format("{}10{{/*0.7 ^{{{}{}}}}}", digits == "1" ? "" : digits + "·", exponent < 0 ? "−" : "",
+                     std::abs(exponent));
+}
+
+// All ticks of an axis are written alike.
+bool are_powers(double low, double high) { return low < 0.999e-3 || high > 1.001e5; }
+
 // Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too.
-std::string ticks_between(char letter, double low, double high) {
+std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
   const int every = 1 + static_cast<int>((decades - 1) / 7);
   std::vector<std::string> ticks;
   if (decades < 0.7) {
     const double step = round_step_of(high - low, 5);
     for (double i = std::ceil(low / step); i * step <= high; ++i)
-      ticks.push_back(fmt::format("'{:.4g}' {}", i * step, text_of(i * step)));
+      ticks.push_back(fmt::format("'{}' {}", tick(i * step, is_power), text_of(i * step)));
   }
   for (int decade = static_cast<int>(std::floor(std::log10(low))); decades >= 0.7 && decade <= farthest_decade;
        ++decade) {
@@ -64,7 +75,7 @@ std::string ticks_between(char letter, double low, double high) {
       if (at < low * (1 - 1e-9) || (multiple > 1 && every > 1)) continue;
       const bool has_label =
           decade % every == 0 && (multiple == 1 || ((multiple == 2 || multiple == 5) && decades <= 2.2));
-      const std::string label = has_label ? power(at) : "";
+      const std::string label = has_label ? tick(at, is_power) : "";
       if (has_label || every == 1) ticks.push_back(fmt::format("'{}' {}{}", label, text_of(at), has_label ? "" : " 1"));
     }
     if (std::pow(10, decade) > high) break;
@@ -109,14 +120,6 @@ double round_step_of(double span, double places) {
   return 10 * power;
 }
 
-std::string power(double value) {
-  if (value >= 0.999e-3 && value < 1.001e4) return fmt::format("{:.6g}", value);
-  const int exponent = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  const std::string digits = fmt::format("{:.2g}", value / std::pow(10, exponent));
-  return fmt::format("{}10{{/*0.7 ^{{{}{}}}}}", digits == "1" ? "" : digits + "·", exponent < 0 ? "−" : "",
-                     std::abs(exponent));
-}
-
 double width_cm_of(std::string_view label) {
   constexpr std::string_view narrow = "fijlrt.,:;|!'()[] -I", wide = "mwMW@%OQGDHN";
   double cm = 0;
@@ -129,36 +132,48 @@ double width_cm_of(std::string_view label) {
   return cm;
 }
 
-std::string linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
+double Axis::share_of(double value) const {
+  const auto along = [&](double v) { return is_logarithmic ? std::log(v) : v; };
+  return (along(std::clamp(value, least, high)) - along(low)) / (along(high) - along(low));
+}
+
+Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins) {
   const std::vector<double> drawn = drawable(values);
   const double least = drawn.empty() ? 0 : std::ranges::min(drawn),
                largest = drawn.empty() ? 1 : std::ranges::max(drawn);
   const double span = largest - least, room = span > 0 ? 0.06 * span : largest == 0 ? 1 : 0.1 * std::abs(largest);
-  const double low = begins == Begins::at_zero ? std::min(0.0, 1.05 * least) : least - room;
-  double high = begins == Begins::at_zero ? (largest > 0 ? 1.05 * largest : 1) : largest + room;
-  const double step = round_step_of(high - low, 5), next = step * std::ceil(high / step);
-  if (next - high < 0.05 * step) high = next;  // gnuplot draws the grid, but no label, a little beyond the range
-  const std::string ticks = letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "";
-  return fmt::format("set {}range [{}:{}]\n{}{}{}", letter, text_of(low), text_of(high), ticks, titled(letter, title),
-                     placed(letter, text_of(low), text_of(high))) +
-         (drawn.empty() ? "set label 'nothing to show' at graph 0.5, graph 0.5 center\n" : "");
+  const bool is_first = begins == Begins::at_first && span > 0;
+  Axis axis{.settings = "", .low = is_first ? least : least - room, .high = is_first ? largest : largest + room};
+  if (begins == Begins::at_zero) axis.low = std::min(0.0, 1.05 * least), axis.high = largest > 0 ? 1.05 * largest : 1;
+  const double step = round_step_of(axis.high - axis.low, 5), next = step * std::ceil(axis.high / step);
+  if (!is_first && next - axis.high < 0.05 * step)
+    axis.high = next;  // gnuplot draws the grid, but no label, a little beyond the range
+  axis.settings = fmt::format("set {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(axis.low), text_of(axis.high),
+                              letter == 'x' ? fmt::format("set xtics {}\n", text_of(step)) : "", titled(letter, title),
+                              placed(letter, axis.low, axis.high));
+  if (is_first) axis.settings += fmt::format("set {}tics add ({})\n", letter, text_of(least));
+  axis.least = axis.low;
+  return axis;
 }
 
-std::string logarithmic_axis(char letter, double smallest, double largest, const std::string& title) {
+Axis logarithmic_axis(char letter, double smallest, double largest, const std::string& title) {
   smallest = std::max(smallest, std::pow(10, -farthest_decade));
   largest = std::clamp(largest, smallest * 1.02, std::pow(10, farthest_decade));
   const double room = std::pow(largest / smallest, 0.04), low = smallest / room, high = largest * room;
-  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(low), text_of(high),
-                     ticks_between(letter, low, high), titled(letter, title),
-                     placed(letter, text_of(low), text_of(high)));
+  return {.settings = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}{4}{5}", letter, text_of(low),
+                                  text_of(high), ticks_between(letter, low, high, are_powers(low, high)),
+                                  titled(letter, title), placed(letter, low, high)),
+          .low = low,
+          .high = high,
+          .is_logarithmic = true};
 }
 
-std::string value_axis(char letter, std::span<const double> values, const About& about, Begins begins) {
+Axis value_axis(char letter, std::span<const double> values, const About& about, Begins begins) {
   const std::vector<double> drawn = drawable(values);
   std::vector<double> above;
   std::ranges::copy_if(drawn, std::back_inserter(above), [&](double v) { return v > about.floor; });
   const std::string title = about.unit.empty() ? about.quantity : fmt::format("{} [{}]", about.quantity, about.unit);
-  if (above.empty() || std::ranges::min(drawn) < 0 ||
+  if (about.unit == "%" || above.empty() || std::ranges::min(drawn) < 0 ||
       std::ranges::max(drawn) <= spread_of_logarithmic * std::ranges::min(above))
     return linear_axis(letter, values, title, begins);
   const bool has_edge = above.size() < drawn.size();
@@ -169,13 +184,14 @@ std::string value_axis(char letter, std::span<const double> values, const About&
                       : about.floor >= start ? about.floor
                                              : start / 10,
                low = has_edge ? edge * std::pow(edge / high, 0.03) : edge;  // what is at the edge stands off the axis
+  const bool is_power = are_powers(has_edge ? edge : start, high);
   std::string settings =
       fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n{3}", letter, text_of(low), text_of(high),
-                  ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high));
+                  ticks_between(letter, has_edge ? std::max(start, 1.01 * edge) : start, high, is_power));
   if (has_edge)
-    settings += fmt::format("set {}tics add ('{}' {})\n", letter, about.floor > 0 ? "≤ " + power(about.floor) : "0",
-                            text_of(edge));
-  return settings + titled(letter, title) + placed(letter, text_of(edge), text_of(high), has_edge);
+    settings += fmt::format("set {}tics add ('{}' {})\n", letter,
+                            about.floor > 0 ? "≤ " + tick(about.floor, is_power) : "0", text_of(edge));
+  return {settings + titled(letter, title) + placed(letter, edge, high), low, high, true, edge};
 }
 
 void add_margins(Figure& figure, double bottom_cm) {
@@ -195,7 +211,7 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
     widest_cm = std::max(widest_cm, width_cm_of(label));
     ticks.push_back(fmt::format("{} {}", gnuplot_text(format), ticks.size() + 1));
   }
-  if (widest_cm > 3) figure.width_cm = two_columns_cm;
+  if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
   figure.sides_cm = widest_cm + 0.8;
   add_margins(figure);
   figure.height_cm = 1.5 + row_cm * static_cast<double>(std::max<std::size_t>(labels.size(), 1));
@@ -203,6 +219,30 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
       "unset key\nset yrange [{}.5:0.5]\nset ytics noenhanced scale 0 ({})\nset border 1\nset grid noytics\n"
       "set lmargin at screen margin({})\n",
       std::max<std::size_t>(labels.size(), 1), fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
+}
+
+void add_names(Figure& figure, std::vector<LineEnd> ends) {
+  if (ends.size() < 2) return;
+  constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.45;
+  double widest_cm = 0;
+  for (const LineEnd& end : ends) widest_cm = std::max(widest_cm, width_cm_of(end.label));
+  if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
+  figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(ends.size()));
+  figure.sides_cm = 1.8 + stroke_cm + widest_cm;
+  figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
+  // From the top each where its line ends, or below the one before; then from the bottom up, so that none is lower.
+  const double row = row_cm / (figure.height_cm - around_cm);
+  std::ranges::stable_sort(ends, std::ranges::greater(), &LineEnd::height);
+  std::vector<double> at;
+  for (const LineEnd& end : ends) at.push_back(at.empty() ? end.height : std::min(end.height, at.back() - row));
+  double least = 0;
+  for (std::size_t i = at.size(); i-- > 0; least = at[i] + row) at[i] = std::max(at[i], least);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const std::string place = fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.15), text_of(at[i]));
+    figure.settings += fmt::format(
+        "set label {0} at {1} left offset 0.4, 0 noenhanced\nset arrow from graph 1, graph {2} to {1} nohead {3}\n",
+        gnuplot_text(ends[i].label), place, text_of(ends[i].height), ends[i].style);
+  }
 }
 
 void add_legend_of(Figure& figure, const std::vector<std::string>& labels) {

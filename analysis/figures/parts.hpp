@@ -23,23 +23,35 @@ std::string plotted(const std::vector<std::string>& clauses, std::string_view co
 // The smallest of 1, 2 and 5 times a power of ten that marks at most `places` places of a span.
 double round_step_of(double span, double places);
 
-// "100", or for gnuplot's enhanced text a power of ten.
-std::string power(double value);
-
 double width_cm_of(std::string_view label);  // approximately
 
-// Settings of an axis: title, range, ticks, and the functions by which a plot draws, for an axis y place_y(v) of points
-// and on_y(v) of lines, within the range. It is logarithmic if no value is negative and they span a factor of 30; then
-// values up to the floor are at its edge, which says so.
-enum class Begins { at_zero, around };
-std::string value_axis(char letter, std::span<const double> values, const About& about, Begins begins);
-std::string linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins);
-std::string logarithmic_axis(char letter, double smallest, double largest, const std::string& title);
+// An axis: its commands, which set title, range and ticks, and the function place_x(v) or place_y(v) of values within
+// the range. That of values is logarithmic if none is negative, they span a factor of 30 and are no shares; then values
+// up to the floor are at its edge, which says so.
+struct Axis {
+  std::string settings;
+  double low = 0, high = 1;  // of the range
+  bool is_logarithmic = false;
+  double least = low;  // where smaller values are drawn
+
+  double share_of(double value) const;  // 0 at the low end, 1 at the high one
+};
+enum class Begins { at_zero, around, at_first };
+Axis value_axis(char letter, std::span<const double> values, const About& about, Begins begins);
+Axis linear_axis(char letter, std::span<const double> values, const std::string& title, Begins begins);
+Axis logarithmic_axis(char letter, double smallest, double largest, const std::string& title);
 
 // Rows 1, 2, ... from the top with their labels at the left. Sets the figure's size.
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // The same margins in every figure with two axes.
 void add_margins(Figure& figure, double bottom_cm = 1.2);
+// The names of lines at the right of the plot, each joined to the end of its line; none for a single one.
+struct LineEnd {
+  std::string label;
+  std::string style;  // of gnuplot
+  double height = 0;  // share of the axis
+};
+void add_names(Figure& figure, std::vector<LineEnd> ends);
 // Entries below the plot, in as many columns as fit; none for a single one.
 void add_legend_of(Figure& figure, const std::vector<std::string>& labels);
 

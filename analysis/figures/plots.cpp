@@ -37,16 +37,18 @@ std::span<const Row> shown_of(const std::vector<Row>& rows, std::size_t most, st
   return std::span(rows).first(std::min(rows.size(), most));
 }
 
+bool has_mark(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
+}
+
 // Words at the right of a row.
-void add_remarks(Figure& figure, const std::vector<std::pair<std::string, int>>& words_and_styles) {
+void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   double widest_cm = 0;
-  for (std::size_t i = 0; i < words_and_styles.size(); ++i) {
-    const auto& [words, style] = words_and_styles[i];
-    if (words.empty()) continue;
-    widest_cm = std::max(widest_cm, width_cm_of(words));
-    figure.settings +=
-        fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced textcolor rgb {}\n",
-                    gnuplot_text(words), i + 1, style > 0 ? fmt::format("colour_of({})", style) : "'#666666'");
+  for (std::size_t i = 0; i < remarks.size(); ++i) {
+    if (remarks[i].empty()) continue;
+    widest_cm = std::max(widest_cm, width_cm_of(remarks[i]));
+    figure.settings += fmt::format("set label {} at graph 1, first {} left offset 0.6, 0 noenhanced\n",
+                                   gnuplot_text(remarks[i]), i + 1);
   }
   if (widest_cm == 0) return;
   figure.sides_cm += widest_cm;
@@ -55,12 +57,11 @@ void add_remarks(Figure& figure, const std::vector<std::pair<std::string, int>>&
 
 }  // namespace
 
-Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
+std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_rows) {
   Figure figure = begun(about);
   const auto rows = shown_of(all_rows, most_rows, "groups", figure);
-  std::vector<std::string> labels, clauses;
+  std::vector<std::string> labels, clauses, remarks;
   std::vector<int> styles;
-  std::vector<std::pair<std::string, int>> remarks;
   std::vector<double> all;
   figure.data =
       "# row; smallest, lower quartile, median, upper quartile, largest; as printed: smallest, median, largest\n";
@@ -71,7 +72,7 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
     const auto y = static_cast<double>(i + 1);
     labels.push_back(label_of(row.label));
     styles.push_back(row.style);
-    remarks.emplace_back(row.remark, 0);
+    remarks.push_back(row.remark);
     all.insert(all.end(), row.values.begin(), row.values.end());
     all.insert(all.end(), row.box.begin(), row.box.end());
     all.insert(all.end(), row.printed.begin(), row.printed.end());
@@ -91,11 +92,11 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
       values += data_row({sorted[n == sorted.size() ? k : k * (sorted.size() - 1) / (n - 1)], y + 0.02 + 0.2 * jitter});
     }
   }
+  if (!has_mark(all)) return std::nullopt;
   figure.data += values;
   add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : has_printed ? 0.8 : 0.65);
-  figure.settings += value_axis('x', all, about, Begins::around);
-  if (!rows.empty())
-    figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
+  figure.settings += value_axis('x', all, about, Begins::around).settings;
+  figure.settings += fmt::format("colour(row) = colour_of(int(word('{}', row)))\n", fmt::join(styles, " "));
   add_remarks(figure, remarks);
   if (is_thinned) figure.caption += fmt::format(" Of more than {0} values, {0} are drawn at even ranks.", most_values);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -125,54 +126,63 @@ Figure boxes(const About& about, const std::vector<BoxRow>& all_rows) {
   return figure;
 }
 
-Figure curves(const About& about, const std::string& x_axis, const std::vector<Line>& all) {
+std::optional<Figure> curves(const About& about, const std::string& x_axis, const std::vector<Line>& all) {
   Figure figure = begun(about);
   std::vector<double> xs, ys;
-  std::vector<std::string> back, front, labels;
+  std::vector<std::string> back, front;
+  std::vector<LineEnd> ends;
   figure.data =
       fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, with_unit(about.quantity, about.unit));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Line& line = all[i];
-    figure.data += fmt::format("{}# {}\n", i == 0 ? "" : "\n\n", one_line(line.label));
-    if (line.rows.empty()) figure.data += "NaN NaN NaN NaN NaN\n";
+  bool has_bands = false;
+  for (const Line& line : all) {
     const auto has = [&](double CurveRow::*part) {
       return std::ranges::any_of(line.rows, [&](const CurveRow& row) { return !std::isnan(row.*part); });
     };
+    if (!has(&CurveRow::y)) continue;
+    const std::size_t index = ends.size();
+    figure.data += fmt::format("{}# {}\n", index == 0 ? "" : "\n\n", one_line(line.label));
     const bool has_band = has(&CurveRow::high) && all.size() <= most_bands;
+    has_bands = has_bands || has_band;
+    const std::string stroke = line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {}", grey),
+                      style = line.style > 0 ? stroke : stroke + " pt 6 ps 0.9";
+    LineEnd& end = ends.emplace_back(label_of(line.label), stroke);
     for (const CurveRow& row : line.rows) {
       figure.data += data_row({row.x, row.y, row.low, row.high, row.dotted});
       xs.push_back(row.x);
       ys.insert(ys.end(), {row.y, row.dotted});
       if (has_band) ys.insert(ys.end(), {row.low, row.high});
+      if (!std::isnan(row.y)) end.height = row.y;
     }
-    const std::string rows = fmt::format("data index {} using 1:", i);
-    const std::string style =
-        line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 pt 6 ps 0.9 {}", grey);
+    const std::string rows = fmt::format("data index {} using 1:", index);
     if (has_band)
       back.push_back(fmt::format(
           "{}(place_y($3)):(place_y($4)) with filledcurves {} fs transparent solid 0.13 noborder", rows, style));
-    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(on_y($5)) with lines {} lw 0.6 dt 3", rows, style));
-    labels.push_back(label_of(line.label) + (has(&CurveRow::y) ? "" : " (nothing to show)"));
-    const std::size_t interval = 1 + line.rows.size() / 25;
-    front.push_back(fmt::format("{}(on_y($2)) with linespoints {} pointinterval {} title {}", rows, style, interval,
-                                gnuplot_text(labels.back())));
-    front.push_back(fmt::format("{}(on_y($2) != on_y($2) ? place_y($2) : NaN) with points {}", rows, style));
+    if (has(&CurveRow::dotted)) back.push_back(fmt::format("{}(place_y($5)) with lines {} lw 0.6 dt 3", rows, style));
+    front.push_back(
+        fmt::format("{}(place_y($2)) with linespoints {} pointinterval {}", rows, style, 1 + line.rows.size() / 25));
   }
-  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
-  const auto [first, last] = std::ranges::minmax(xs.empty() ? std::vector<double>{1} : xs);
+  if (ends.empty()) return std::nullopt;
+  if (has_bands) figure.caption += " Bands: quartiles.";
+  const Axis y = value_axis('y', ys, about, Begins::at_zero);
+  figure.settings = y.settings + linear_axis('x', xs, x_axis, Begins::at_first).settings;
+  const auto [first, last] = std::ranges::minmax(xs);
   if (last - first <= 10) figure.settings += "set xtics 1\n";
-  add_legend_of(figure, labels);
   add_margins(figure);
+  for (LineEnd& end : ends) end.height = y.share_of(end.height);
+  add_names(figure, ends);
   std::ranges::move(front, std::back_inserter(back));
   figure.plot = plotted(back);
   return figure;
 }
 
-Figure shares(const About& about, const std::vector<Successes>& all) {
+std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
+                             double dashed) {
   Figure figure = begun(about);
-  std::vector<std::string> clauses, labels;
-  double smallest = 1e300, largest = 0;
-  figure.data = fmt::format("# {}, share of all attempts [%]\n", about.quantity);
+  std::vector<std::string> clauses;
+  std::vector<LineEnd> ends;
+  double smallest = std::isnan(dashed) ? 1e300 : dashed, largest = std::isnan(dashed) ? 0 : dashed;
+  figure.data = fmt::format("# {}, share of all attempts [%]\n", with_unit(about.quantity, about.unit));
+  constexpr double low = -2, high = 102;
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::vector<double> costs = all[i].costs;
     std::ranges::sort(costs);
@@ -187,32 +197,36 @@ Figure shares(const About& about, const std::vector<Successes>& all) {
       smallest = std::min(smallest, costs.front());
       largest = std::max(largest, costs.back());
     }
-    labels.push_back(label_of(all[i].label));
-    clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps ls {} lw 1.3 title {}", i,
-                                  all[i].style, gnuplot_text(labels.back())));
+    const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
+    ends.emplace_back(label_of(all[i].label), style, (share - low) / (high - low));
+    clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps {}", i, style));
   }
-  if (largest == 0) smallest = 1, largest = 10;
+  if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
   figure.settings =
-      logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit)) +
-      "set yrange [-2:102]\nset ytics 20\nset label 'solved [%]' at screen margin(0.3), graph 0.5 center rotate\n";
-  add_legend_of(figure, labels);
+      logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit)).settings +
+      fmt::format(
+          "set yrange [{}:{}]\nset ytics 20\nset label '{} [%]' at screen margin(0.3), graph 0.5 center rotate\n", low,
+          high, y_axis);
+  if (!std::isnan(dashed))
+    figure.settings +=
+        fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", text_of(dashed), grey);
   add_margins(figure);
+  add_names(figure, ends);
   figure.plot = plotted(clauses);
   return figure;
 }
 
-Figure differences(const About& about, const std::vector<IntervalRow>& all_rows, bool are_ratios) {
+std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& all_rows, bool are_ratios) {
   Figure figure = begun(about);
   const auto rows = shown_of(all_rows, most_rows, "pairs", figure);
   const double of_equals = are_ratios ? 1 : 0;
-  std::vector<std::string> labels, clauses;
-  std::vector<std::pair<std::string, int>> verdicts;
+  std::vector<std::string> labels, clauses, verdicts;
   std::vector<double> all{of_equals};
   figure.data = fmt::format("# row, {}, low, high\n", are_ratios ? "ratio" : "difference");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const IntervalRow& row = rows[i];
     labels.push_back(row.label);
-    verdicts.emplace_back(label_of(row.verdict), row.style);
+    verdicts.push_back(label_of(row.verdict));
     for (const double value : {row.estimate, row.low, row.high}) {
       if (std::abs(value) <= 1e300 && (!are_ratios || value > 0)) all.push_back(value);
     }
@@ -226,11 +240,13 @@ Figure differences(const About& about, const std::vector<IntervalRow>& all_rows,
     clauses.push_back(
         fmt::format("{} (place_x($2)):1 with points pt {} ps 0.6 lw 1.2 {}", line, row.style > 0 ? 7 : 6, colour));
   }
+  if (all.size() == 1) return std::nullopt;
   add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
   const auto [smallest, largest] = std::ranges::minmax(all);
   const std::string title = with_unit(about.quantity, about.unit);
   figure.settings +=
-      are_ratios ? logarithmic_axis('x', smallest, largest, title) : linear_axis('x', all, title, Begins::around);
+      (are_ratios ? logarithmic_axis('x', smallest, largest, title) : linear_axis('x', all, title, Begins::around))
+          .settings;
   figure.settings +=
       fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", of_equals, grey);
   add_remarks(figure, verdicts);
@@ -330,19 +346,21 @@ Figure path(const About& about, const PathRows& rows) {
     labels.push_back(label_of(label));
     clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(labels.back())));
   };
-  if (rows.is_joined) add("path", fmt::format("0 using {} with lines lw 0.7 {}", target, grey));
+  if (!rows.targets.empty()) add("path", fmt::format("0 using {} with lines lw 0.7 {}", target, grey));
   constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
   for (std::size_t i = 0; i < rows.arms.size(); ++i) {
     const auto& [label, corners] = rows.arms[i];
     figure.data += fmt::format("\n\n# {}: x, y, z [cm]\n", one_line(label));
     for (const Corner& corner : corners) figure.data += data_row({corner[0], corner[1], corner[2]});
     see(corners);
-    add(label, fmt::format("{} using {} with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'", i + 1, target,
-                           shades[i % shades.size()]));
+    add(label, fmt::format("{} using {} with linespoints lw 1.8 pt 7 ps 0.45 lc rgb '{}'",
+                           i + (rows.targets.empty() ? 0 : 1), target, shades[i % shades.size()]));
   }
-  add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
-  add(rows.reached_label, fmt::format("0 using {} with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
-                                      rows.is_from_above ? "4:5" : "(u($4,$5,$6)):(v($4,$5,$6))", rows.style));
+  if (!rows.targets.empty()) {
+    add("target", fmt::format("0 using {} with points pt 7 ps 0.35 lc rgb '#000000'", target));
+    add(rows.reached_label, fmt::format("0 using {} with points pt 6 ps 0.8 lw 0.8 lc rgb colour_of({})",
+                                        rows.is_from_above ? "4:5" : "(u($4,$5,$6)):(v($4,$5,$6))", rows.style));
+  }
   // Three axes of one scale.
   double longest = 0;
   Corner low{}, middle{};
@@ -366,7 +384,8 @@ Figure path(const About& about, const PathRows& rows) {
   return figure;
 }
 
-Figure joints(const About& about, const std::vector<JointRow>& all_rows, const std::vector<JointColumn>& all_columns) {
+std::optional<Figure> joints(const About& about, const std::vector<JointRow>& all_rows,
+                             const std::vector<JointColumn>& all_columns) {
   constexpr std::size_t most_solvers = 12, most_joints = 8;
   Figure figure = begun(about);
   const auto rows = shown_of(all_rows, most_solvers, "solvers", figure);
@@ -402,58 +421,60 @@ Figure joints(const About& about, const std::vector<JointRow>& all_rows, const s
     }
     if (row.angles_deg.empty()) figure.data += "NaN NaN\n";
   }
+  if (all.empty()) return std::nullopt;
   if (is_outside) figure.caption += " Rings: outside the limits.";
   const double panel_cm = rows.size() <= 2 ? 2.6 : 1.35, gap_cm = rows.size() == 1 ? 0.15 : 0.5,
                top_cm = rows.size() == 1 ? 0.75 : 1.15;
   const auto n = static_cast<double>(rows.size());
   figure.width_cm = columns.size() <= 3 ? 8.5 : two_columns_cm;
   figure.height_cm = top_cm + 1 + n * panel_cm + (n - 1) * gap_cm;
-  const double span = all.empty() ? 1 : std::ranges::max(all) - std::ranges::min(all);
+  const double span = std::ranges::max(all) - std::ranges::min(all);
   const double step = span >= 270 ? 180 : span >= 135 ? 90 : span >= 60 ? 30 : round_step_of(std::max(span, 1.0), 3);
-  figure.settings += linear_axis('y', all, "", Begins::around) +
+  figure.settings += linear_axis('y', all, "", Begins::around).settings +
                      fmt::format("set xrange [0:{}]\nset ytics {}\nset tics scale 0.4\nset samples 2\nunset key\n",
                                  points + 1, text_of(step));
   const std::string ticks = points <= 2 ? "1" : fmt::format("(1, {}, {})", (points + 1) / 2, points);
   figure.plot = fmt::format(
-      "set multiplot layout {0}, {1} rowsfirst margins margin(1), 1 - margin(0.2), up(0.95), 1 - up({2}) spacing margin(0.3), up({3})\n"
+      "set multiplot layout {0}, {1} rowsfirst margins margin(1.4), 1 - margin(0.2), up(0.95), 1 - up({2}) spacing margin(0.3), up({3})\n"
       "do for [r=1:{0}] {{\n  do for [c=1:{1}] {{\n"
       "    unset label\n    unset title\n    set format ''\n    set xtics {4}\n"
       "    if (c == 1) {{ set format y '%g'; set label solver[r] at graph 0, graph 1 left offset 0, 0.55 noenhanced }}\n"
       "    if (r == 1) {{ set title name[c] noenhanced offset 0, {5} }}\n"
-      "    if (r == 1 && c == 1) {{ set label '[deg]' at screen margin(0.9), graph 1 right offset 0, {6}; set label 'point' at screen 0.5, up(0.22) center }}\n"
-      "    if (width_cm / {1} < 0.2 * text) {{ set xtics (1, {7}) }}\n"
+      "    if (r == 1 && c == 1) {{ set label 'angle [deg]' at screen margin(0.3), screen 0.5 center rotate; set label 'point' at screen 0.5, up(0.22) center }}\n"
+      "    if (width_cm / {1} < 0.2 * text) {{ set xtics (1, {6}) }}\n"
       "    if (r == {0}) {{ set format x '%g' }}\n"
       "    plot NaN, lower[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      upper[c] with lines lw 0.6 dt 2 lc rgb '#777777', \\\n"
       "      data index r-1 using 1:(column(c+1)) with lines lw 0.9 lc rgb colour_of(style[r]), \\\n"
       "      data index r-1 using 1:(column(c+1) < lower[c] || column(c+1) > upper[c] ? column(c+1) : NaN) with points pt 6 ps 0.6 lw 0.8 lc rgb '#000000'\n"
       "  }}\n}}\nunset multiplot",
-      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2,
-      rows.size() == 1 ? 0.8 : 1.75, points);
+      rows.size(), columns.size(), text_of(top_cm), text_of(gap_cm), ticks, rows.size() == 1 ? -0.6 : 0.2, points);
   return figure;
 }
 
-Figure overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
+std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
   Figure figure = begun(about);
   std::vector<double> xs, ys;
   std::vector<std::string> clauses, labels;
   bool has_printed = false;
   figure.data =
       fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, with_unit(about.quantity, about.unit));
-  for (std::size_t i = 0; i < dots.size(); ++i) {
-    const Dot& dot = dots[i];
+  for (const Dot& dot : dots) {
+    if (std::isnan(dot.x + dot.y)) continue;
     xs.insert(xs.end(), {dot.x, dot.printed_x});
     ys.insert(ys.end(), {dot.y, dot.printed_y});
     has_printed = has_printed || !std::isnan(dot.printed_y);
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
     labels.push_back(label_of(dot.label));
-    const std::string line = fmt::format("data every ::{0}::{0} using", i);
+    const std::string line = fmt::format("data every ::{0}::{0} using", labels.size() - 1);
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9 title {}", line,
                                   dot.style, gnuplot_text(labels.back())));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 lc rgb colour_of({})",
                                   line, dot.style));
   }
-  figure.settings = value_axis('y', ys, about, Begins::at_zero) + linear_axis('x', xs, x_axis, Begins::around);
+  if (labels.empty()) return std::nullopt;
+  figure.settings =
+      value_axis('y', ys, about, Begins::at_zero).settings + linear_axis('x', xs, x_axis, Begins::around).settings;
   if (has_printed) {
     clauses.insert(
         clauses.begin(),

@@ -1,10 +1,12 @@
-// The kinds of figures, as functions of rows; none knows a study. Values that are not finite are not drawn. A style is
-// a number of style.gp's line styles: the colour of a solver in every figure (solver_styles.hpp).
+// The kinds of figures, as functions of rows; none knows a study. Values that are not finite are not drawn, and a
+// figure that would have no mark is none. A style is a number of style.gp's line styles: the colour of a solver in
+// every figure (solver_styles.hpp).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,9 +27,9 @@ struct BoxRow {
   std::array<double, 3> printed = {nowhere, nowhere, nowhere};                // smallest, median, largest
   std::string remark = {};                                                    // at the right: "3 lost"
 };
-Figure boxes(const About& about, const std::vector<BoxRow>& rows);
+std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& rows);
 
-// Curves of y by x with the band from low to high, or with a thin dotted one beside.
+// Curves of y by x with the band from low to high, the quartiles, or with a thin dotted one beside.
 struct CurveRow {
   double x, y, low = nowhere, high = nowhere, dotted = nowhere;
 };
@@ -36,35 +38,37 @@ struct Line {
   int style = 1;  // 0: grey rings, of printed numbers
   std::vector<CurveRow> rows = {};
 };
-Figure curves(const About& about, const std::string& x_axis, const std::vector<Line>& all);
+std::optional<Figure> curves(const About& about, const std::string& x_axis, const std::vector<Line>& all);
 
-// How many of all attempts had succeeded at this cost.
+// How many of all attempts had succeeded at this cost, a share on `y_axis`; dashed, if known, a cost that matters.
 struct Successes {
   std::string label;
   int style = 1;
   std::vector<double> costs = {};  // of those that succeeded
   std::size_t attempts = 0;
 };
-Figure shares(const About& about, const std::vector<Successes>& all);
+std::optional<Figure> shares(const About& about, const std::string& y_axis, const std::vector<Successes>& all,
+                             double dashed = nowhere);
 
-// Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, in his
-// colour, or in grey what else is known.
+// Intervals, a row each: differences, or ratios on a logarithmic axis. At the right of a row who is better, or what
+// else is known.
 struct IntervalRow {
   std::string label;  // "BA - DE"
   double estimate = nowhere, low = nowhere, high = nowhere;
   std::string verdict = {};
   int style = 0;  // of the better one; 0: grey
 };
-Figure differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios);
+std::optional<Figure> differences(const About& about, const std::vector<IntervalRow>& rows, bool are_ratios);
 
 using Corner = std::array<double, 3>;  // x, y, z [cm]
 struct PathRows {
-  std::vector<Corner> targets, reached = {};
+  std::vector<Corner> targets = {}, reached = {};
   std::vector<std::pair<std::string, std::vector<Corner>>> arms = {};  // label, and corners from the base to the tool
   std::string reached_label = "reached";
   int style = 1;  // of what was reached
-  bool is_joined = true, is_closed = false, is_from_above = false;
+  bool is_closed = false, is_from_above = false;
 };
+// Targets as a path, if there are any, what was reached, and arms.
 Figure path(const About& about, const PathRows& rows);
 
 // A row of panels a solver, a panel a joint. Letters (a), (b), ... if there are several; rings where an angle is
@@ -78,7 +82,8 @@ struct JointColumn {
   std::string label;
   double lower_deg = nowhere, upper_deg = nowhere;
 };
-Figure joints(const About& about, const std::vector<JointRow>& rows, const std::vector<JointColumn>& columns);
+std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
+                             const std::vector<JointColumn>& columns);
 
 // A dot a solver, of two quantities; a ring is what a paper printed.
 struct Dot {
@@ -86,6 +91,6 @@ struct Dot {
   int style = 1;
   double x = nowhere, y = nowhere, printed_x = nowhere, printed_y = nowhere;
 };
-Figure overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots);
+std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots);
 
 }  // namespace ikbench::figures

@@ -303,7 +303,7 @@ show::Table rates_table(const Repeated& of, bool has_intervals) {
   return table;
 }
 
-figures::Figure rates_figure(const Repeated& of) {
+std::optional<figures::Figure> rates_figure(const Repeated& of) {
   std::vector<figures::IntervalRow> rows;
   const std::vector<RatesOfArm> arms = rates_of(of);
   for (const auto& [solver, column] : of.paper.rates.columns) {

@@ -124,6 +124,6 @@ show::Table means_table(const Repeated& of);
 // The same of shares solved; without rows if none is printed. The intervals make it too wide for a screen.
 show::Table rates_table(const Repeated& of, bool has_intervals = true);
 // Ours minus the printed ones, with their intervals.
-figures::Figure rates_figure(const Repeated& of);
+std::optional<figures::Figure> rates_figure(const Repeated& of);
 
 }  // namespace ikbench::papers

@@ -26,8 +26,10 @@ About about_of(const StudyResults& study, const PaperMetric& of, int number, con
   const Metric& metric = metric_named(of.column);
   const auto [unit, factor] = drawn_unit(study, metric.unit);
   const About head = numbered(number, caption);
-  return {head.name, head.caption, std::string(of.name), unit, factor * metric.rounding};
+  return {head.name, head.caption, std::string(metric.name), unit, factor * metric.rounding};
 }
+
+std::string_view name_of(const PaperMetric& metric) { return metric_named(metric.column).name; }
 
 papers::PrintedRows in_print(std::string_view column) { return papers::printed_means("slim2023", "table-3", column); }
 
@@ -42,7 +44,7 @@ Figure path_figure(const StudyResults& study, int number, std::size_t arms, cons
 }
 
 // The means of Table 3, ours and printed.
-Figure overview_figure(const JudgedStudy& judged, const Look& look) {
+std::optional<Figure> overview_figure(const JudgedStudy& judged, const Look& look) {
   std::vector<Dot> dots;
   for (const std::string& solver : shown_solvers(judged.study, look)) {
     Dot& dot = dots.emplace_back(Dot{.label = solver, .style = style_of(look, solver)});
@@ -54,21 +56,30 @@ Figure overview_figure(const JudgedStudy& judged, const Look& look) {
     read(motion, dot.x, dot.printed_x);
     read(error, dot.y, dot.printed_y);
   }
-  return overview({"overview", "Error against angles variation, means of all runs. Rings: as printed.",
-                   "mean position error", "cm"},
-                  "mean angles variation [deg]", dots);
+  return overview({"overview", "Error against joint motion, means of all runs. Rings: as printed.", "mean error", "cm"},
+                  "mean joint motion [deg]", dots);
 }
+
+struct Figures {
+  std::vector<Figure> all = {};
+  void add(std::optional<Figure> figure) {
+    if (figure) all.push_back(std::move(*figure));
+  }
+};
 
 std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
-  std::vector<Figure> all{overview_figure(judged, look), path_figure(study, 5, 1, look)};
+  Figures figures;
+  figures.add(overview_figure(judged, look));
+  figures.add(path_figure(study, 5, 1, look));
   for (const PaperMetric& metric : paper_metrics) {
-    About about = about_of(study, metric, metric.curves,
-                           fmt::format("The {} at each point, mean of the runs. Dotted: the median.", metric.name));
-    all.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
+    const About about =
+        about_of(study, metric, metric.curves,
+                 fmt::format("The {} at each point, mean of the runs. Dotted: the median.", name_of(metric)));
+    figures.add(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
-  all.push_back(
+  figures.add(
       joints(numbered(9, "Joint angles along the path, first run of each solver. Dashed: limits."), rows, columns));
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
@@ -76,23 +87,26 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
     About about = about_of(
         study, metric, metric.boxes,
         fmt::format("The {}: a dot is the {} of a run; box: quartiles and median; whiskers: smallest and largest.",
-                    metric.name, metric.column == time ? "median" : "mean"));
+                    name_of(metric), metric.column == time ? "median" : "mean"));
     if (metric.column == error) about.floor = 0.00005;  // errors are printed with four decimals
-    std::vector<BoxRow> boxed = box_rows(judged, *values, look);
+    std::vector<BoxRow> boxed =
+        box_rows(*values, drawn_unit(study, values->observations.unit), shown_solvers(study, look), look);
     const papers::PrintedRows printed = metric.column == time ? papers::PrintedRows() : in_print(metric.column);
     for (BoxRow& row : boxed) {
       if (const auto* const of = papers::row_of(printed, row.label))
         row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
     }
-    all.push_back(boxes(about, boxed));
+    figures.add(boxes(about, boxed));
   }
-  return all;
+  return figures.all;
 }
 
 std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
-  std::vector<Figure> all{path_figure(study, 14, 0, look), path_figure(study, 15, 3, look)};
+  Figures figures;
+  figures.add(path_figure(study, 14, 0, look));
+  figures.add(path_figure(study, 15, 3, look));
   const auto [rows, columns] = joint_rows(study, look);
-  all.push_back(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
+  figures.add(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
@@ -102,12 +116,12 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
                        const std::vector<Line>& lines) {
     About about = about_of(study, paper_metrics[0], number, caption);
     about.floor = 0;  // all is rounding
-    if (!lines.empty()) all.push_back(curves(about, axis, lines));
+    figures.add(curves(about, axis, lines));
   };
-  add(17, "The position error at each point, beside Table 8's.", "point", errors);
-  add(18, "Best position error after each iteration, mean of all solves. Dotted: the median.", "iteration",
+  add(17, "The error at each point, beside Table 8's.", "point", errors);
+  add(18, "Best error after each iteration, mean of all solves. Dotted: the median.", "iteration",
       by_iteration(study, look, Average::mean));
-  return all;
+  return figures.all;
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ for table in results pairs descriptives; do
   for type in csv md tex; do [ -s "mine/tables/$table.$type" ] || fail "no $table.$type"; done
 done
 if command -v gnuplot >/dev/null; then
-  for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" 6; done
+  for type in svg pdf png; do equal ".$type" "$(ls mine/figures/*.$type | wc -l)" 4; done
   for figure in mine/figures/*.svg; do
     grep -qFf <(base64 -w0 "$figure") mine/report.html || fail "the page shows another $figure"
   done
   succeeds report mine/store.sqlite --figures error,differences --out few
-  equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-boxes.svg"
+  equal "chosen figures" "$(cd few/figures && echo *.svg)" "differences.svg error-shares.svg"
 fi
 golden tutorial mine/results.json
 

@@ -56,7 +56,7 @@ TEST_CASE("a path has curves by point, the path and the joints", "[of_study]") {
   CHECK(row.high == Approx(4.25));
 }
 
-TEST_CASE("drawn targets with a tolerance have the share solved, and no curve that joins them", "[of_study]") {
+TEST_CASE("drawn targets with a tolerance have shares, and no number of solved ones alone", "[of_study]") {
   const StudyResults asked =
       study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01, .rest = planar_arm}, [](SolveRecord& solve) {
         differ(solve);
@@ -64,15 +64,28 @@ TEST_CASE("drawn targets with a tolerance have the share solved, and no curve th
         solve.status = solve.solver == "B" && solve.run == 1 ? Status::tolerance_missed : Status::ok;
       });
   const std::vector<Figure> figures = figures_of_study(asked);
-  CHECK(names_of(figures) ==
-        Names{"overview", "error-boxes", "motion-boxes", "solved-by-evaluations", "differences", "path"});
-  CHECK(contains(figures[3].data, "# A\n0 0\n100 100\n1e+300 100\n\n\n# B\n0 0\n100 80\n1e+300 80\n"));
-  CHECK(contains(figures[0].data, "# B\n30 80 NaN NaN\n"));
-  const StudyResults uncounted =
-      study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01},
-            [](SolveRecord& solve) { solve.counted_by = solve.solver == "A" ? CountedBy::nobody : CountedBy::suite; });
-  const Names names = names_of(figures_of_study(uncounted));
-  CHECK(std::ranges::count(names, "solved-by-evaluations") == 0);
+  CHECK(names_of(figures) == Names{"error-shares", "solved-by-evaluations", "differences"});
+  CHECK(contains(figures[1].data, "# A\n0 0\n100 100\n1e+300 100\n\n\n# B\n0 0\n100 80\n1e+300 80\n"));
+  CHECK(contains(figures[0].data, "# A\n0 0\n1 20\n2 40\n"));  // [mm]
+  CHECK(contains(figures[0].data, "4 80\n5 100\n1e+300 100\n\n\n# B\n0 0\n10 20\n20 40\n"));
+}
+
+TEST_CASE("solvers whose costs are not known or not comparable are left out of shares, by name", "[of_study]") {
+  const StudyResults asked = study({.start = "middle", .targets = "drawn", .tolerance_cm = 0.01},
+                                   [](SolveRecord& solve) {
+                                     if (solve.solver == "A") solve.counted_by = CountedBy::nobody;
+                                     if (solve.solver == "B") solve.timing = results::Timing::process;
+                                     if (solve.solver == "C") solve.status = Status::tolerance_missed;
+                                   },
+                                   {"A", "B", "C"});
+  const std::vector<Figure> figures = figures_of_study(asked);
+  const auto caption_of = [&](std::string_view name) {
+    return std::ranges::find(figures, name, &Figure::name)->caption;
+  };
+  CHECK(caption_of("solved-by-evaluations") ==
+        "Share of targets solved within a number of evaluations. Without A, whose evaluations nobody counted.");
+  CHECK(caption_of("solved-by-time") ==
+        "Share of targets solved within a time. Without B, whose times are not comparable.");
 }
 
 TEST_CASE("a difference is told as tables tell it: the better one first, in points or a ratio", "[of_study]") {
@@ -96,12 +109,35 @@ TEST_CASE("a difference is told as tables tell it: the better one first, in poin
   CHECK(contains(ratios.settings, "logscale"));
 }
 
+TEST_CASE("differences are those that were tested, in the order of the table; of many solvers those of the best",
+          "[of_study]") {
+  const auto rows_of = [](const std::vector<std::string>& solvers) {
+    const StudyResults asked = study(
+        {.runs = 12},
+        [&](SolveRecord& solve) {
+          const auto place = std::ranges::find(solvers, solve.solver) - solvers.begin();
+          solve.position_error_cm = (1 + 0.01 * solve.run) / static_cast<double>(1 + place);  // the last is the best
+        },
+        solvers);
+    const std::vector<Figure> figures = figures_of_study(asked);
+    const auto found = std::ranges::find(figures, "differences", &Figure::name);
+    Names rows;
+    for (std::size_t at = 0; found != figures.end() && (at = found->data.find("\n# ", at)) != std::string::npos; ++at)
+      rows.push_back(found->data.substr(at + 3, found->data.find('\n', at + 1) - at - 3));
+    return rows;
+  };
+  CHECK(rows_of({"A"}).empty());
+  CHECK(rows_of({"A", "B", "C"}) == Names{"C / B", "C / A", "B / A"});
+  CHECK(rows_of({"A", "B", "C", "D", "E", "F", "G"}) == Names{"G / F", "G / E", "G / D", "G / C", "G / B", "G / A"});
+}
+
 TEST_CASE("traces are curves by iteration; a solve that ended keeps its last error", "[of_study]") {
   const StudyResults traced = study({.runs = 2, .points = 1}, [](SolveRecord& solve) {
     if (solve.solver == "A") solve.trace_cm = solve.run == 1 ? std::vector<double>{4, 2} : std::vector<double>{8, 8, 6};
   });
   const std::vector<Line> all = by_iteration(traced, look_of_study(traced), Average::median);
-  REQUIRE(all.size() == 1);  // B has no trace
+  REQUIRE(all.size() == 2);
+  CHECK(all[1].rows.empty());  // B has no trace
   REQUIRE(all[0].rows.size() == 3);
   CHECK(all[0].rows[0].y == Approx(60));  // [mm]
   CHECK(all[0].rows[2].y == Approx(40));
@@ -129,7 +165,8 @@ TEST_CASE("chosen solvers are drawn alone, in their order, in their colours", "[
   CHECK(all.lines == std::map<std::string, int>{{"A", 1}, {"B", 2}, {"C", 3}});
   const Look short_palette = look_of_study(asked, {.palette = {"#8D1804", "#1E8CF8"}, .solvers = {"C", "B"}});
   CHECK(short_palette.lines == std::map<std::string, int>{{"A", 3}, {"B", 2}, {"C", 1}});
-  const std::vector<BoxRow> rows = box_rows(judge(asked), *judged_of(judge(asked), "seconds"), chosen);
+  const std::vector<BoxRow> rows =
+      box_rows(*judged_of(judge(asked), "seconds"), {"ms", 1000}, shown_solvers(asked, chosen), chosen);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].label == "C");
   CHECK(rows[0].box[2] == Approx(1));  // [ms]

@@ -192,7 +192,7 @@ TEST_CASE("a rate is as printed where the two shares do not differ, by the targe
                                  "KDL-RR not on: Franka Emika Panda 98.5 % (printed 92.67)."});
   CHECK(contains(text(both), "39.41 x"));
   CHECK(contains(text(both), "61.77 ~"));
-  CHECK(rates_figure(both).name == "printed");
+  CHECK(rates_figure(both)->name == "printed");
 }
 
 TEST_CASE("the tally of pairs and of parts", "[papers]") {
