@@ -66,17 +66,6 @@ Listed listed(const show::Table& table) {
   return {aligned(rows), show::to_json(table)};
 }
 
-show::Table solver_list() {
-  show::Table table{.name = "solvers", .caption = "", .columns = {{"name"}, {"what"}, {"cite"}}};
-  for (const SolverInfo& info : all_solvers()) {
-    table.rows.push_back({info.name, info.summary, cited_for(info.name)});
-  }
-  for (const MissingPeer& peer : missing_peers()) {
-    table.rows.push_back({peer.name, peer.how, cited_for(peer.name)});
-  }
-  return table;
-}
-
 Listed solver_details(std::string_view name) {
   for (const MissingPeer& peer : missing_peers()) {
     if (peer.name == name) {
@@ -104,19 +93,40 @@ Listed solver_details(std::string_view name) {
            {"options", options.json}}};
 }
 
-show::Table robot_list() {
-  show::Table table{.name = "robots", .caption = "", .columns = {{"name"}, {"joints"}, {"what"}, {"cite"}}};
-  for (const Robot& arm : all_robots())
-    table.rows.push_back({arm.name, std::int64_t{arm.joints()}, arm.summary, cited_for(arm.name)});
-  return table;
-}
-
-show::Table study_list() {
-  show::Table table{
-      .name = "studies", .caption = "", .columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}}};
-  for (const Study& study : studies()) {
-    table.rows.push_back({study.name, std::ssize(study.solvers), std::int64_t{study.runs},
-                          std::int64_t{study.path->points()}, study.title});
+show::Table list_of(std::string_view kind) {
+  show::Table table{.name = std::string(kind), .caption = ""};
+  const auto row = [&](std::vector<show::Cell> cells) { table.rows.push_back(std::move(cells)); };
+  if (kind == "solvers") {
+    table.columns = {{"name"}, {"what"}, {"cite"}};
+    for (const SolverInfo& info : all_solvers()) row({info.name, info.summary, cited_for(info.name)});
+    for (const MissingPeer& peer : missing_peers()) row({peer.name, peer.how, cited_for(peer.name)});
+  } else if (kind == "robots") {
+    table.columns = {{"name"}, {"joints"}, {"what"}, {"cite"}};
+    for (const Robot& arm : all_robots()) row({arm.name, std::int64_t{arm.joints()}, arm.summary, cited_for(arm.name)});
+  } else if (kind == "studies") {
+    table.columns = {{"name"}, {"solvers"}, {"runs"}, {"points"}, {"what"}};
+    for (const Study& study : studies())
+      row({study.name, std::ssize(study.solvers), std::int64_t{study.runs}, std::int64_t{study.path->points()},
+           study.title});
+  } else if (kind == "paths") {
+    table.columns = {{"name"}, {"targets"}, {"what"}};
+    for (const Path& path : paths())
+      row({std::string(path->name()), path->is_drawn() ? "random, different in every run" : "the same in every run",
+           std::string(path->summary())});
+  } else if (kind == "columns") {
+    table.columns = {{"column"}, {"type"}, {"meaning"}};
+    for (const ColumnInfo& column : columns())
+      row({std::string(column.name), std::string(column.type), std::string(column.meaning)});
+  } else if (kind == "metrics") {
+    table.columns = {{"metric"}, {"unit"}, {"better"}, {"of"}, {"what"}};
+    for (const compare::Metric& metric : compare::metrics())
+      row({std::string(metric.column), std::string(metric.unit),
+           metric.kind == compare::Kind::share ? "larger" : "smaller", metric.of_run != nullptr ? "run" : "solve",
+           std::string(metric.name)});
+  } else {
+    table.columns = {{"name"}, {"in use"}};
+    for (const InstructionSet each : instruction_sets())
+      row({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
   }
   return table;
 }
@@ -136,76 +146,24 @@ Listed study_details(const std::string& name) {
   return {to_toml(study), parsed_ordered_json(to_json(study))};
 }
 
-show::Table path_list() {
-  show::Table table{.name = "paths", .caption = "", .columns = {{"name"}, {"targets"}, {"what"}}};
-  for (const Path& path : paths()) {
-    table.rows.push_back({std::string(path->name()),
-                          path->is_drawn() ? "random, different in every run" : "the same in every run",
-                          std::string(path->summary())});
-  }
-  return table;
-}
-
-Listed path_details(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Path& path : paths()) {
-    if (path->name() == name) {
-      const std::string toml = to_toml(path);
-      return {toml, {{"name", name}, {"what", path->summary()}, {"toml", toml}}};
-    }
-    names.emplace_back(path->name());
-  }
-  throw std::invalid_argument(unknown_name("kind of path", name, names));
-}
-
-// The table, or its row with that name in the first column.
-Listed rows_or_one(show::Table table, std::string_view what, std::string_view name) {
-  if (name.empty()) return listed(table);
+Listed listed(const std::string& kind, const std::string& name) {
+  if (name.empty()) return listed(list_of(kind));
+  if (kind == "solvers") return solver_details(name);
+  if (kind == "robots") throw std::invalid_argument(fmt::format("an arm is shown by: ikbench robot {}", name));
+  if (kind == "studies") return study_details(name);
+  show::Table table = list_of(kind);
   std::vector<std::string> names;
   for (const auto& row : table.rows) names.push_back(words_of(row.front()));
   const auto found = std::ranges::find(names, name);
-  if (found == names.end()) throw std::invalid_argument(unknown_name(what, name, names));
-  table.rows = {table.rows[static_cast<std::size_t>(found - names.begin())]};
+  if (found == names.end()) throw std::invalid_argument(unknown_name(kind.substr(0, kind.size() - 1), name, names));
+  const auto which = static_cast<std::size_t>(found - names.begin());
+  if (kind == "paths") {
+    const Path path = paths()[which];
+    const std::string toml = to_toml(path);
+    return {toml, {{"name", name}, {"what", path->summary()}, {"toml", toml}}};
+  }
+  table.rows = {table.rows[which]};
   return listed(table);
-}
-
-show::Table column_list() {
-  show::Table table{.name = "columns", .caption = "", .columns = {{"column"}, {"type"}, {"meaning"}}};
-  for (const ColumnInfo& column : columns()) {
-    table.rows.push_back({std::string(column.name), std::string(column.type), std::string(column.meaning)});
-  }
-  return table;
-}
-
-show::Table metric_list() {
-  show::Table table{.name = "metrics", .caption = "", .columns = {{"metric"}, {"unit"}, {"better"}, {"of"}, {"what"}}};
-  for (const compare::Metric& metric : compare::metrics()) {
-    table.rows.push_back({std::string(metric.column), std::string(metric.unit),
-                          metric.kind == compare::Kind::share ? "larger" : "smaller",
-                          metric.of_run != nullptr ? "run" : "solve", std::string(metric.name)});
-  }
-  return table;
-}
-
-show::Table instruction_set_list() {
-  show::Table table{.name = "instruction-sets", .caption = "", .columns = {{"name"}, {"in use"}}};
-  for (const InstructionSet each : instruction_sets()) {
-    table.rows.push_back({std::string(name_of(each)), each == instruction_set() ? "yes" : "no"});
-  }
-  return table;
-}
-
-Listed listed(const std::string& kind, const std::string& name) {
-  if (kind == "solvers") return name.empty() ? listed(solver_list()) : solver_details(name);
-  if (kind == "robots") {
-    if (!name.empty()) throw std::invalid_argument(fmt::format("an arm is shown by: ikbench robot {}", name));
-    return listed(robot_list());
-  }
-  if (kind == "paths") return name.empty() ? listed(path_list()) : path_details(name);
-  if (kind == "columns") return rows_or_one(column_list(), "column", name);
-  if (kind == "metrics") return rows_or_one(metric_list(), "metric", name);
-  if (kind == "instruction-sets") return rows_or_one(instruction_set_list(), "instruction set", name);
-  return name.empty() ? listed(study_list()) : study_details(name);
 }
 
 }  // namespace
