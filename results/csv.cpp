@@ -25,14 +25,12 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 struct Cell {
   std::string_view plain = {};
   std::optional<std::string> unquoted = {};
-
-  std::string text() && { return unquoted ? std::move(*unquoted) : std::string(plain); }
 };
 
 // Reads the text once, row by row, and counts lines for its messages.
 class Reader {
  public:
-  Reader(std::string_view text, std::string_view source, char separator = ',')
+  Reader(std::string_view text, std::string_view source, char separator)
       : rest_(text), source_(source), separator_(separator) {
     if (text.size() > max_csv_bytes) refuse(fmt::format("{} bytes; expected at most {}", text.size(), max_csv_bytes));
     take(byte_order_mark);
@@ -116,18 +114,6 @@ class Reader {
   std::size_t row_line_ = 1;
 };
 
-// Reads the header, and passes every row to `use`.
-template <typename Use>
-void read_csv(Reader& reader, std::vector<std::string>& header, const Use& use) {
-  for (Cell& cell : reader.row()) header.push_back(std::move(cell).text());
-  if (header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
-  for (std::vector<Cell>* row = &reader.row(); !row->empty(); row = &reader.row()) {
-    if (row->size() != header.size())
-      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), header.size()));
-    use(*row);
-  }
-}
-
 // Spreadsheets take such a text for a formula, which may do anything.
 bool is_formula(std::string_view cell) {
   return !cell.empty() && std::string_view("=+-@").find(cell.front()) != std::string_view::npos && !number_from(cell);
@@ -199,32 +185,37 @@ std::string csv_text(std::istream& stream, std::string_view source) {
   return text;
 }
 
-CsvTable parse_csv(std::string_view text, std::string_view source) {
-  Reader reader(text, source);
-  CsvTable table;
-  read_csv(reader, table.header, [&](std::vector<Cell>& cells) {
-    table.lines.push_back(reader.row_line());
-    std::vector<std::string>& row = table.rows.emplace_back();
-    for (Cell& cell : cells) row.push_back(std::move(cell).text());
-  });
-  return table;
-}
-
 CsvView view_csv(std::string_view text, std::string_view source, char separator) {
   static_assert(2 * max_csv_bytes < std::numeric_limits<std::uint32_t>::max());  // there are no more cells than bytes
   Reader reader(text, source, separator);
   CsvView view(text, separator);
-  read_csv(reader, view.header, [&](std::vector<Cell>& cells) {
+  for (Cell& cell : reader.row())
+    view.header.push_back(cell.unquoted ? std::move(*cell.unquoted) : std::string(cell.plain));
+  if (view.header.empty()) reader.refuse_row("the file is empty; expected a line with the names of the columns");
+  for (std::vector<Cell>* row = &reader.row(); !row->empty(); row = &reader.row()) {
+    if (row->size() != view.header.size())
+      reader.refuse_row(fmt::format("{} cells; expected {} as in the header", row->size(), view.header.size()));
     view.begin_row(reader.row_line());
-    for (Cell& cell : cells) {
+    for (Cell& cell : *row) {
       if (cell.unquoted) {
         view.append_unquoted(std::move(*cell.unquoted));
       } else {
         view.append_plain(cell.plain);
       }
     }
-  });
+  }
   return view;
+}
+
+CsvTable parse_csv(std::string_view text, std::string_view source) {
+  const CsvView view = view_csv(text, source);
+  CsvTable table{.header = view.header, .rows = {}};
+  for (std::size_t i = 0; i < view.rows(); ++i) {
+    table.lines.push_back(view.line(i));
+    std::vector<std::string>& row = table.rows.emplace_back();
+    for (std::size_t j = 0; j < view.header.size(); ++j) row.emplace_back(view.cell(i, j));
+  }
+  return table;
 }
 
 void append_csv_row(std::string& text, const std::vector<std::string>& cells) {
