@@ -1,6 +1,7 @@
 #include "analysis/compare/metrics.hpp"
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -8,7 +9,6 @@
 #include "analysis/compare/study.hpp"
 #include "numerics/names.hpp"
 #include "numerics/units.hpp"
-#include "results/orientation.hpp"
 
 namespace ikbench::compare {
 
@@ -18,6 +18,13 @@ constexpr double rounding_deg = 1e-9 / numerics::degree;
 
 double of_answer(const Solve& solve, double value) {
   return results::is_without_answer(solve.status) ? unknown : value;
+}
+
+// Of the record's orientation_error, ||R - Rd|| / ||Rd||: for two rotations ||R - Rd|| is sqrt(8) sin(angle / 2), and
+// ||Rd|| is sqrt(3). NaN stays NaN.
+double orientation_angle_deg(double orientation_error) {
+  const double sine = orientation_error * std::sqrt(3.0 / 8);
+  return 2 * std::asin(sine > 1 ? 1.0 : sine) / numerics::degree;
 }
 
 constexpr std::array rows{
