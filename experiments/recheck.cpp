@@ -42,11 +42,23 @@ void expect(const char* column, const SolveRecord& solve, double stored, double 
   if (!is_same) refuse(solve, fmt::format("{} {} is stored, but {} follows from the answer", column, stored, computed));
 }
 
-void check(const Definition& study, const Robot& arm, const SolveRecord& solve) {
+// Where a solve left the arm.
+struct Left {
+  std::string solver;
+  int run = 0, point = 0;
+  std::vector<double> arm_rad;
+};
+
+void check(const Definition& study, const Robot& arm, const Left& before, const SolveRecord& solve) {
   const auto joints = static_cast<std::size_t>(arm.joints());
-  if (solve.target_position_m.size() != 3 || solve.target_rotation.size() != 9 || solve.start_rad.size() != joints ||
-      solve.answer_rad.size() != joints)
+  if (solve.target_position_m.size() != 3 || solve.reached_position_m.size() != 3 ||
+      solve.target_rotation.size() != 9 || solve.start_rad.size() != joints || solve.answer_rad.size() != joints)
     refuse(solve, fmt::format("its target, start or answer is not that of an arm with {} joints", joints));
+  const bool is_next = before.solver == solve.solver && before.run == solve.run && before.point + 1 == solve.point;
+  if (study.is_chained() && is_next && before.arm_rad != solve.start_rad)
+    refuse(solve, "it does not start where the solve before it left the arm");
+  if (stays(solve.status) && solve.answer_rad != solve.start_rad)
+    refuse(solve, fmt::format("the arm moved, though status {} is stored", name_of(solve.status)));
   Pose target = Pose::Identity();
   target.translation() = vector_of(solve.target_position_m);
   target.linear() = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(solve.target_rotation.data());
@@ -55,9 +67,13 @@ void check(const Definition& study, const Robot& arm, const SolveRecord& solve) 
   expect("position_error_cm", solve, solve.position_error_cm, computed.position_error / centimetre, 1e-7);
   expect("orientation_error", solve, solve.orientation_error, computed.orientation_error, 1e-8);
   expect("variation_deg", solve, solve.variation_deg, computed.variation / degree, 1e-7);
+  expect("largest_move_deg", solve, solve.largest_move_deg, computed.largest_move / degree, 1e-7);
   expect("variation_m", solve, solve.variation_m, computed.variation_m, 1e-9);
   expect("limit_violation_deg", solve, solve.limit_violation_deg, computed.limit_violation / degree, 1e-6);
   expect("limit_violation_m", solve, solve.limit_violation_m, computed.limit_violation_m, 1e-8);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    expect("reached_position_m", solve, solve.reached_position_m[static_cast<std::size_t>(i)], computed.reached[i],
+           1e-8);
   if (solve.status != Status::ok && solve.status != Status::tolerance_missed && solve.status != Status::limit_violated)
     return;  // what was answered is not stored: the arm stayed, or the claim decided
   const auto status = [&](double rounding) {
@@ -79,8 +95,11 @@ TakeSolve recheck_of(const StudyEntry& study) {
   if (!stored)
     throw std::invalid_argument(fmt::format(
         "study {}: its stored arm cannot be read; it was changed: solve it again into another folder", study.name));
-  return [definition, arm = std::make_shared<const Robot>(std::move(*stored))](const SolveRecord& solve) {
-    check(definition, *arm, solve);
+  return [definition, arm = std::make_shared<const Robot>(std::move(*stored)),
+          before = std::make_shared<Left>()](const SolveRecord& solve) {
+    check(definition, *arm, *before, solve);
+    const bool is_moved = solve.status != Status::not_finite;
+    *before = {solve.solver, solve.run, solve.point, is_moved ? solve.answer_rad : solve.start_rad};
   };
 }
 

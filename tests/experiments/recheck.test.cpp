@@ -79,6 +79,10 @@ TEST_CASE("an error that does not follow from its answer is refused, with the pl
       {"position_error_cm", [](SolveRecord& solve) { solve.answer_rad[2] += 1e-6; }},
       {"orientation_error 0 is stored", [](SolveRecord& solve) { solve.orientation_error = 0; }},
       {"orientation_error", [](SolveRecord& solve) { solve.target_rotation[4] += 1e-6; }},
+      {"largest_move_deg", [](SolveRecord& solve) { solve.largest_move_deg = 0; }},
+      {"reached_position_m", [](SolveRecord& solve) { solve.reached_position_m[1] += 1e-6; }},
+      {"not start where the solve before", [](SolveRecord& solve) { solve.start_rad = solve.answer_rad; }},
+      {"the arm moved, though status crashed", [](SolveRecord& solve) { solve.status = Status::crashed; }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.answer_rad.pop_back(); }},
       {"not that of an arm with 6 joints", [](SolveRecord& solve) { solve.target_rotation.clear(); }}};
   for (const auto& [what, change] : changes) {
