@@ -4,6 +4,7 @@
 #include <array>
 #include <system_error>
 
+#include "analysis/figures/of_study.hpp"
 #include "analysis/show/moving_arm.hpp"
 #include "analysis/show/report.hpp"
 #include "analysis/show/text.hpp"
@@ -22,7 +23,20 @@ namespace {
 
 constexpr std::array<const char*, 4> own_files{"report.html", "report.md", "results.json", "solves.csv"};
 
-// What the report of a folder says that it has written: files as ours in its two folders, whatever it says.
+bool has_word(std::string_view words, std::string_view word) {
+  return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
+}
+
+// A table or figure of reports, without its number. One that is not here outlives its report.
+bool is_own(const fs::path& folder, std::string_view name) {
+  if (folder == "tables")
+    return has_word(" anova claims descriptives means pairs questions results solve-rates table- ", name);
+  const auto kinds = figures::kinds_of_figures();
+  return folder == "figures" && (has_word(" boxes boxes- figure- style ", name) ||
+                                 std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
+}
+
+// Of what the report of a folder says that it has written what a report may have written.
 std::vector<std::string> files_of_earlier(const fs::path& folder) {
   const auto text = results::read_file(folder / own_files[2]);
   const Json json = text ? numerics::parsed_ordered_json(*text) : Json();
@@ -31,24 +45,24 @@ std::vector<std::string> files_of_earlier(const fs::path& folder) {
   for (const Json& each : json["files"]) {
     if (!each.is_string()) continue;
     const fs::path file(each.get<std::string>());
-    const fs::path top = file.parent_path();
-    constexpr std::array<std::string_view, 8> types{".csv", ".md", ".tex", ".gp", ".dat", ".svg", ".pdf", ".png"};
-    const bool is_own =
-        (top == "tables" || top == "figures") && std::ranges::find(types, file.extension().string()) != types.end();
-    if (is_own) files.push_back(file);
+    const std::string stem = file.stem();
+    const std::string_view name(stem.data(), stem.find_last_not_of("0123456789") + 1);
+    if (is_own(file.parent_path(), name) &&
+        has_word(" .csv .dat .gp .md .pdf .png .svg .tex ", file.extension().string()))
+      files.push_back(file);
   }
   return files;
 }
 
-// Files of these figures.
+// Files of these figures. Throws std::system_error where it cannot be told whether one is there.
 std::vector<std::string> files_of(const std::vector<figures::Figure>& figures, const fs::path& folder) {
   std::vector<std::string> files;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder / "figures", none)) {
-    const auto is_its = [&](const figures::Figure& figure) { return entry.path().stem() == figure.name; };
-    const bool is_style = !figures.empty() && entry.path().stem() == "style";
-    if (entry.is_regular_file(none) && (is_style || std::ranges::any_of(figures, is_its)))
-      files.push_back(entry.path().lexically_relative(folder));
+  if (!figures.empty()) files.emplace_back("figures/style.gp");
+  for (const figures::Figure& figure : figures) {
+    for (const char* type : {"dat", "gp", "pdf", "png", "svg"}) {
+      const std::string file = fmt::format("figures/{}.{}", figure.name, type);
+      if (fs::is_regular_file(folder / file)) files.push_back(file);
+    }
   }
   return files;
 }
@@ -156,14 +170,17 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   results::write_file(folder / "results.json", numerics::text_of(json, 1) + '\n');
   results::write_file(folder / "report.md", to_markdown(sections, folder));
   const std::string& title = of.study.definition.title;
-  std::vector<std::string> order;
+  std::optional<std::string> arm;
   if (is_of_study) {
+    std::vector<std::string> order;
     for (const std::size_t i : best_first(of.shown.decisive(), of.shown.metrics, of.shown.plan))
       order.push_back(of.shown.decisive().observations.groups[i].name);
+    arm = moving_arm(of.study, order);
   }
+  if (arm && !drawing_library())
+    published.warnings.emplace_back("the page has no moving arm: three.js (libjs-three) is missing or cannot be read");
   results::write_file(published.page,
-                      to_page(title.empty() ? of.study.entry.name : title, sections,
-                              is_of_study ? moving_arm(of.study, order) : std::nullopt, folder, program));
+                      to_page(title.empty() ? of.study.entry.name : title, sections, arm, folder, program));
   for (const std::string& file : earlier) {
     std::error_code none;
     if (!std::ranges::binary_search(files, file)) fs::remove(folder / file, none);

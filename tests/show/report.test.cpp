@@ -168,7 +168,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   const std::string hostile = "mine</script><script>alert(1)</script>{{scripts}}|";
   const figures::RenderOptions options{.render = false};
   Reported before = report_of();
-  before.figures.push_back(figure("gone"));
+  before.figures.push_back(figure("joints"));
   results::write_file(folder.path / "store.sqlite", "not ours");
   results::write_file(folder.path / "solves.csv", "");
   results::write_file(folder.path / "tables" / "own.csv", "not ours");
@@ -176,7 +176,7 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
   CHECK(fs::exists(folder.path / "figures"));
   const auto has_gone = [&] {
     return std::ranges::any_of(fs::recursive_directory_iterator(folder.path),
-                               [](const auto& entry) { return entry.path().stem() == "gone"; });
+                               [](const auto& entry) { return entry.path().stem() == "joints"; });
   };
   CHECK(has_gone());
   const Published published = publish(report_of(hostile), folder.path, options);
@@ -200,14 +200,18 @@ TEST_CASE("a report is few files, and replaces those of the report before it", "
 
 TEST_CASE("only files that a report can have written are removed", "[show]") {
   const ScratchFolder folder;
-  results::write_file(folder.path / "out" / "tables" / "old.csv", "");
+  for (const char* name : {"table-8.csv", "mine.csv", "results.xlsx"})
+    results::write_file(folder.path / "out" / "tables" / name, "");
   results::write_file(folder.path / "out" / "store.sqlite", "");
   results::write_file(folder.path / "precious", "");
-  results::write_file(folder.path / "out" / "results.json",
-                      R"({"files": ["tables/old.csv", "store.sqlite", "../precious", "tables/../../precious", 7]})");
+  results::write_file(
+      folder.path / "out" / "results.json",
+      R"({"files": ["tables/table-8.csv", "tables/mine.csv", "tables/results.xlsx", "store.sqlite", "../precious",
+                                     "tables/../../precious", 7]})");
   publish(report_of(), folder.path / "out", {.render = false});
-  CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "old.csv"));
-  CHECK(fs::exists(folder.path / "out" / "store.sqlite"));
+  CHECK_FALSE(fs::exists(folder.path / "out" / "tables" / "table-8.csv"));
+  for (const char* file : {"tables/mine.csv", "tables/results.xlsx", "store.sqlite"})
+    CHECK(fs::exists(folder.path / "out" / file));
   CHECK(fs::exists(folder.path / "precious"));
 }
 
