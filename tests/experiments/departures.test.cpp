@@ -1,13 +1,7 @@
 // Departures of a study that claims to be the paper's study, as the store's definition lists them.
 #include <nlohmann/json.hpp>
 
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
+#include "tests/experiments/samples.hpp"
 
 namespace {
 

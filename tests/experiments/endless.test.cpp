@@ -7,15 +7,7 @@
 
 #include "experiments/foreign/protocol.hpp"
 #include "experiments/solve_runner.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 

@@ -2,10 +2,7 @@
 #include "experiments/environment.hpp"
 
 #include "experiments/source_digest.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::experiments;
+#include "tests/experiments/samples.hpp"
 
 TEST_CASE("the environment says something for each of its keys", "[environment]") {
   const std::map<std::string, std::string> noted = environment();

@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "experiments/foreign/protocol.hpp"
-#include "experiments/runner.hpp"
-#include "experiments/study_reader.hpp"
 #include "experiments/verifier.hpp"
-#include "tests/catch.hpp"
+#include "tests/experiments/samples.hpp"
 #include "tests/scratch_folder.hpp"
-
-using namespace ikbench;
-using namespace ikbench::experiments;
 
 namespace {
 

@@ -9,13 +9,7 @@
 #include <thread>
 
 #include "experiments/series_means.hpp"
-#include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 

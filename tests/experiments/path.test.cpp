@@ -9,14 +9,7 @@
 #include <set>
 
 #include "experiments/orientation.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 

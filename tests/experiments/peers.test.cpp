@@ -1,16 +1,9 @@
 // Studies with solvers of libraries that this program may have been built without.
 #include <algorithm>
 
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
 #include "solvers/registry.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/solvers_for.hpp"
-
-using namespace ikbench;
-using namespace ikbench::solvers;
-using namespace ikbench::experiments;
 
 namespace {
 

@@ -6,14 +6,8 @@
 #include <stdexcept>
 
 #include "experiments/path.hpp"
-#include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/mutator.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
-using namespace ikbench::experiments;
 
 namespace {
 
@@ -22,19 +16,10 @@ const Eigen::Matrix3d down = Eigen::Vector3d(-1, 1, -1).asDiagonal();
 std::vector<Pose> poses_in(const std::string& text) { return poses_from_csv(text, "path.csv"); }
 
 std::string refusal(const std::string& text) {
-  try {
-    poses_in(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return complaint<std::invalid_argument>([&] { poses_in(text); });
 }
 
 constexpr const char* quaternions = "x_cm,y_cm,z_cm,qw,qx,qy,qz\n60,0,35,1,0,0,0\n60,-2.5,35,0.7071,0,0,0.7071\n";
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 std::string study_text(const std::string& file) {
   return "[path]\nkind = \"csv\"\nfile = \"" + file + "\"\n[[solvers]]\nsolver = \"bat\"\n";
@@ -148,11 +133,11 @@ TEST_CASE("random changes and random bytes are read, or refused with their line"
 
 TEST_CASE("a study's CSV file is beside it, and what it holds decides the series, not its name", "[csv][series]") {
   const ScratchFolder folder;
-  write(folder.path / "a.csv", quaternions);
-  write(folder.path / "b.csv", quaternions);
-  write(folder.path / "other.csv", "x_m,y_m,z_m\n0.5,0,0.4\n");
+  write_text(folder.path / "a.csv", quaternions);
+  write_text(folder.path / "b.csv", quaternions);
+  write_text(folder.path / "other.csv", "x_m,y_m,z_m\n0.5,0,0.4\n");
   const auto key = [&](const std::string& file) {
-    write(folder.path / "study.toml", study_text(file));
+    write_text(folder.path / "study.toml", study_text(file));
     const Study study = load_study((folder.path / "study.toml").string());
     return configuration_key(study, study.solvers[0]);
   };
@@ -161,24 +146,19 @@ TEST_CASE("a study's CSV file is beside it, and what it holds decides the series
   key("other.csv");
   const Study written = load_study((folder.path / "study.toml").string());
   CHECK(written.path->points() == 1);
-  write(folder.path / "study.toml", to_toml(written));
+  write_text(folder.path / "study.toml", to_toml(written));
   CHECK(to_toml(load_study((folder.path / "study.toml").string())) == to_toml(written));
 }
 
 TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv]") {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path / "study");
-  write(folder.path / "outside.csv", quaternions);
-  write(folder.path / "study/large.csv", std::string(16'000'001, ' '));
-  write(folder.path / "study/bad.csv", "x_m,y_m,z_m\n1,two,3\n");
-  const auto said = [&](const std::string& file) -> std::string {
-    write(folder.path / "study/my.toml", study_text(file));
-    try {
-      load_study((folder.path / "study/my.toml").string());
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  write_text(folder.path / "outside.csv", quaternions);
+  write_text(folder.path / "study/large.csv", std::string(16'000'001, ' '));
+  write_text(folder.path / "study/bad.csv", "x_m,y_m,z_m\n1,two,3\n");
+  const auto said = [&](const std::string& file) {
+    write_text(folder.path / "study/my.toml", study_text(file));
+    return complaint<std::invalid_argument>([&] { load_study((folder.path / "study/my.toml").string()); });
   };
   CHECK_THAT(said("none.csv"), ContainsSubstring("my.toml:3:8: there is no file ") && ContainsSubstring("none.csv"));
   for (const std::string file : {"", "../outside.csv", "/etc/hostname", "a/../../outside.csv"}) {
@@ -193,7 +173,7 @@ TEST_CASE("a CSV file that is missing, elsewhere or too large is refused", "[csv
   std::ofstream(folder.path / "study/sparse.csv").close();
   std::filesystem::resize_file(folder.path / "study/sparse.csv", 1ULL << 40);  // 1 TB that takes no room
   CHECK_THAT(said("sparse.csv"), ContainsSubstring("expected a file of at most 16 MB"));
-  write(folder.path / "study/good.csv", quaternions);
+  write_text(folder.path / "study/good.csv", quaternions);
   std::filesystem::create_symlink("good.csv", folder.path / "study/inside.csv");
   CHECK(said("inside.csv").empty());
   CHECK_THAT(said("large.csv"), ContainsSubstring("expected a file of at most 16 MB"));

@@ -2,15 +2,8 @@
 // decoupled, the shoulder (0, 0, 36) cm must be within 42 + 40 = 82 cm of the wrist's centre, 12.6 cm behind the tool.
 #include <algorithm>
 
-#include "experiments/study_reader.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::experiments;
 
 namespace {
 

@@ -7,13 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "experiments/study_writer.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 
@@ -35,12 +29,7 @@ Study study_with(const std::string& robot) {
 
 // The complaint about the solves; empty if there is none.
 std::string refused_row(const StudyEntry& entry, const std::vector<SolveRecord>& solves) {
-  try {
-    std::ranges::for_each(solves, recheck_of(entry));
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
+  return complaint<std::invalid_argument>([&] { std::ranges::for_each(solves, recheck_of(entry)); });
 }
 
 }  // namespace

@@ -2,14 +2,8 @@
 
 #include "experiments/environment.hpp"
 #include "experiments/solve_runner.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 
-using namespace ikbench;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 using Catch::Matchers::StartsWith;
 
 namespace {

@@ -7,7 +7,15 @@
 #include "experiments/runner.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
+#include "tests/catch.hpp"
 #include "tests/results/samples.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
+using namespace ikbench::results;
+using namespace ikbench::experiments;
 
 namespace ikbench {
 

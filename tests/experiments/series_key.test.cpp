@@ -4,18 +4,9 @@
 
 #include "experiments/source_digest.hpp"
 #include "experiments/study_fields.hpp"
-#include "experiments/study_writer.hpp"
 #include "results/record.hpp"
 #include "solvers/registry.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 

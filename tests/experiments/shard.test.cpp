@@ -1,12 +1,7 @@
 // Shards divide a study, and together solve what one machine solves.
 #include "experiments/shard.hpp"
 
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 TEST_CASE("every part of a study is in one shard, and all solvers with it", "[shard]") {
   for (const bool is_chained : {true, false}) {

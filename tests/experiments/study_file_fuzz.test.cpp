@@ -1,17 +1,9 @@
 // Every text is a study, or a std::invalid_argument says why not.
 #include <random>
 
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
 #include "solvers/registry.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/mutator.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::experiments;
 
 namespace {
 

@@ -5,16 +5,8 @@
 #include <numbers>
 
 #include "experiments/path.hpp"
-#include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 
@@ -26,12 +18,7 @@ Study study_of_robot(const std::string& robot, const std::string& text) {
 }
 
 std::string refusal_of(const std::string& robot, const std::string& text) {
-  try {
-    study_of_robot(robot, text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return complaint<std::invalid_argument>([&] { study_of_robot(robot, text); });
 }
 
 Study random_targets(const std::string& robot, const std::string& set, int points = 50) {

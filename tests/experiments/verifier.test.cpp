@@ -10,13 +10,7 @@
 #include <random>
 
 #include "experiments/path.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
+#include "tests/experiments/samples.hpp"
 
 namespace {
 

@@ -5,12 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/catch.hpp"
-#include "tests/results/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
+#include "tests/experiments/samples.hpp"
 
 TEST_CASE("a worker is called as often as there are jobs, one job by the calling thread", "[workers]") {
   for (const int jobs : {1, 2, 5}) {

@@ -3,14 +3,7 @@
 #include <numbers>
 
 #include "solvers/bounds.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 

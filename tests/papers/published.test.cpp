@@ -87,16 +87,16 @@ TEST_CASE("papers are read from their files, and a mistake says where it is", "[
   CHECK(papers::papers().front().name == "slim2023");
   CHECK(paper_named("slim2023").claims.size() == 19);
   CHECK(paper_named("beeson2015").means.empty());
-  CHECK(contains(refusal([&] { paper_named("slim2032"); }), "slim2023"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { paper_named("slim2032"); }), "slim2023"));
   const auto read = [](const std::string& claim) { return read_paper("x", "[[claims]]\n" + claim, "x.toml"); };
   const std::string whole = "id = 'a'\nsentence = 'b'\ndecides = 'c'\n";
   CHECK(read(whole).claims.front().id == "a");
-  CHECK(contains(refusal([&] { read("id = 'a'\n"); }), "x.toml:1"));
-  CHECK(contains(refusal([&] { read(whole + "rule = 'bettr'"); }), "better"));
-  CHECK(contains(refusal([&] { read(whole + "rule = 'better'"); }), "without metrics"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read("id = 'a'\n"); }), "x.toml:1"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read(whole + "rule = 'bettr'"); }), "better"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read(whole + "rule = 'better'"); }), "without metrics"));
   const std::string each = whole + "rule = 'better'\nof = 'each_study'\nmetrics = ";
   CHECK(read(each + "['solved']").claims.front().of == Of::each_study);
-  CHECK(contains(refusal([&] { read(each + "['position_error_cm']"); }), "other metrics"));
-  CHECK(contains(refusal([&] { read(whole + "colour = 'red'"); }), "colour"));
-  CHECK(contains(refusal([&] { read(whole + "[[claims]]\n" + whole); }), "twice"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read(each + "['position_error_cm']"); }), "other metrics"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read(whole + "colour = 'red'"); }), "colour"));
+  CHECK(contains(complaint<std::invalid_argument>([&] { read(whole + "[[claims]]\n" + whole); }), "twice"));
 }

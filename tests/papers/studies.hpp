@@ -84,14 +84,4 @@ inline JudgedClaim claim_of(const Repeated& of, std::string_view id) {
   return *claim;
 }
 
-// What is said of a mistake.
-inline std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace ikbench::papers

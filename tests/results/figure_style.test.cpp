@@ -21,12 +21,7 @@ FigureStyle style_in(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    style_in(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "taken";
+  return complaint<std::invalid_argument>([&] { style_in(text); });
 }
 
 }  // namespace

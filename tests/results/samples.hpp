@@ -37,17 +37,6 @@ inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers:
 
 inline std::string quoted(const std::filesystem::path& file) { return fmt::format("'{}'", file.string()); }
 
-// The text of the exception that `action` throws; empty if it throws none of that type.
-template <class Exception, class Action>
-std::string complaint(Action&& action) {
-  try {
-    action();
-  } catch (const Exception& error) {
-    return error.what();
-  }
-  return "";
-}
-
 // A record with a different value in every column, of the series and label of sample_study.
 inline results::SolveRecord sample_record(const std::string& series = "key-a", int run = 1, int point = 1) {
   return {.study = "table-3",

@@ -6,28 +6,17 @@
 #include <vector>
 
 #include "numerics/units.hpp"
-#include "robots/robot.hpp"
-#include "tests/catch.hpp"
 #include "tests/mutator.hpp"
+#include "tests/robots/random_configuration.hpp"
 #include "tests/scratch_folder.hpp"
 
-using namespace ikbench;
-using namespace ikbench::robots;
-
 namespace {
-
-using numerics::degree;
 
 Robot read_arm(const std::string& text) { return parse_robot(text, "my_arm.toml"); }
 
 // The complaint about a file, or "" if it is an arm.
 std::string said_of_arm(const std::string& text) {
-  try {
-    read_arm(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return complaint<std::invalid_argument>([&] { read_arm(text); });
 }
 
 const std::string scara = R"(summary = "SCARA: two turns and a slide"

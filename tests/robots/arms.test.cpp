@@ -3,12 +3,8 @@
 #include <numbers>
 #include <vector>
 
-#include "robots/robot.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
+#include "tests/robots/random_configuration.hpp"
 
 namespace {
 

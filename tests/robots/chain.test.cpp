@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "numerics/functions.hpp"
-#include "robots/robot.hpp"
-#include "tests/catch.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

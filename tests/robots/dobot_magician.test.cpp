@@ -5,13 +5,7 @@
 
 #include "numerics/functions.hpp"
 #include "numerics/units.hpp"
-#include "robots/robot.hpp"
-#include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
 
 namespace {
 

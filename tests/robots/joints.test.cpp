@@ -3,13 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "robots/robot.hpp"
 #include "robots/spherical_wrist.hpp"
-#include "tests/catch.hpp"
 #include "tests/numerics/reference.hpp"
+#include "tests/robots/random_configuration.hpp"
 
-using namespace ikbench;
-using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

@@ -14,15 +14,10 @@
 #include "numerics/elementary.hpp"
 #include "numerics/instruction_set.hpp"
 #include "numerics/kernels.hpp"
-#include "robots/robot.hpp"
-#include "tests/catch.hpp"
 #include "tests/numerics/guarded.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/robots/random_configuration.hpp"
 
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

@@ -4,6 +4,11 @@
 #include <random>
 
 #include "robots/robot.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
 
 namespace ikbench {
 

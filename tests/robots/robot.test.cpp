@@ -2,10 +2,7 @@
 
 #include <numbers>
 
-#include "tests/catch.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
+#include "tests/robots/random_configuration.hpp"
 
 TEST_CASE("every robot is found by its name, names its source, and has limits for each joint", "[robot]") {
   for (const Robot& arm : all_robots()) {

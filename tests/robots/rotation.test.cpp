@@ -5,11 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/catch.hpp"
 #include "tests/numerics/reference.hpp"
+#include "tests/robots/random_configuration.hpp"
 
-using namespace ikbench;
-using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

@@ -4,12 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "robots/robot.hpp"
-#include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
 
-using namespace ikbench;
-using namespace ikbench::robots;
 using std::numbers::pi;
 
 namespace {

@@ -3,11 +3,7 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 
 #include "robots/urdf.hpp"
-#include "tests/catch.hpp"
 #include "tests/robots/random_configuration.hpp"
-
-using namespace ikbench;
-using namespace ikbench::robots;
 
 namespace {
 
