@@ -5,20 +5,10 @@
 #include <random>
 
 #include "experiments/orientation.hpp"
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
 #include "solvers/registry.hpp"
-#include "tests/catch.hpp"
 #include "tests/contains.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/sources.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 
@@ -57,6 +47,28 @@ void check(const std::vector<Mistake>& mistakes) {
     }
     CHECK_FALSE(contains(message, "\n"));
   }
+}
+
+std::vector<std::string> split(std::string text, const std::string& separator) {
+  std::vector<std::string> parts;
+  for (std::size_t end; (end = text.find(separator)) != std::string::npos; text.erase(0, end + separator.size()))
+    parts.push_back(text.substr(0, end));
+  parts.push_back(text);
+  return parts;
+}
+
+// A mistake a line, "FILE => PLACE => WORDS => WORDS": in the file | ends a line, and @ is `solver_entry`.
+void check(const std::string& table) {
+  std::vector<Mistake> mistakes;
+  for (const std::string& line : split(table, "\n")) {
+    if (line.empty()) continue;
+    const std::vector<std::string> parts = split(line, " => ");
+    REQUIRE(parts.size() >= 2);
+    std::string toml;
+    for (const char c : parts[0]) toml += c == '|' ? "\n" : c == '@' ? solver_entry : std::string(1, c);
+    mistakes.push_back({toml, "my.toml:" + parts[1], {parts.begin() + 2, parts.end()}});
+  }
+  check(mistakes);
 }
 
 }  // namespace
@@ -414,115 +426,96 @@ TEST_CASE("the table of the analysis is read, and --set changes it as it does ot
 // ---- mistakes -----------------------------------------------------------------------------------------------------
 
 TEST_CASE("an unknown key is named with its place and the nearest known, at every level", "[study][mistakes]") {
-  check({{"nmae = \"x\"\n" + solver_entry, "my.toml:1:1: ", {"unknown key \"nmae\"", "did you mean \"name\"?"}},
-         {"[stop]\niteratons = 3\n" + solver_entry, "my.toml:2:1: ", {"\"iteratons\"", "did you mean \"iterations\"?"}},
-         {"[path]\n  radius = 3\n" + solver_entry, "my.toml:2:3: ", {"\"radius\"", "did you mean \"radius_cm\"?"}},
-         {"[path]\nkind = \"circle\"\nturns = 3\n" + solver_entry, "my.toml:3:1: ", {"\"turns\"", "radius_cm"}},
-         {solver_entry + "labell = \"x\"\n",
-          "my.toml:3:1: ",
-          {"did you mean \"label\"?", "There are: solver, process, label, if_missing, colour, population, options"}},
-         {solver_entry + "options = { alhpa = 0.5 }\n",
-          "my.toml:3:",
-          {"unknown option \"alhpa\"", "did you mean \"alpha\"?"}},
-         {"[path]\nkind = \"poses\"\nposes = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]\n" + solver_entry,
-          "my.toml:3:37: ",
-          {"did you mean \"rpy_deg\"?"}},
-         {"[pth]\npoints = 3\n" + solver_entry, "my.toml:1:", {"did you mean \"path\"?"}}});
+  check(R"(
+nmae = "x"|@ => 1:1: => unknown key "nmae" => did you mean "name"?
+[stop]|iteratons = 3|@ => 2:1: => "iteratons" => did you mean "iterations"?
+[path]|  radius = 3|@ => 2:3: => "radius" => did you mean "radius_cm"?
+[path]|kind = "circle"|turns = 3|@ => 3:1: => "turns" => radius_cm
+@labell = "x"| => 3:1: => did you mean "label"? => There are: solver, process, label, if_missing, colour, population, options
+@options = { alhpa = 0.5 }| => 3: => unknown option "alhpa" => did you mean "alpha"?
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rpy_dg = [0, 0, 0] }]|@ => 3:37: => did you mean "rpy_deg"?
+[pth]|points = 3|@ => 1: => did you mean "path"?
+)");
 }
 
 TEST_CASE("a value of another type is shown with its place and what was expected", "[study][mistakes]") {
-  check(
-      {{"name = 3\n" + solver_entry, "my.toml:1:8: ", {"name is 3", "expected a quoted string"}},
-       {"runs = \"x\"\n" + solver_entry, "my.toml:1:8: ", {"runs is \"x\"", "a whole number from 1 to 1000000"}},
-       {"runs = 2.5\n" + solver_entry, "my.toml:1:8: ", {"runs is 2.5", "a whole number"}},
-       {"runs = true\n" + solver_entry, "my.toml:1:8: ", {"runs is true", "a whole number"}},
-       {"runs = [3]\n" + solver_entry, "my.toml:1:8: ", {"runs is [ 3 ]", "a whole number"}},
-       {"runs = 1979-05-27\n" + solver_entry, "my.toml:1:8: ", {"runs is 1979-05-27", "a whole number"}},
-       {"search = 3\n" + solver_entry, "my.toml:1:10: ", {"search is 3", "one of \"wrist\", \"all_joints\", \"pose\""}},
-       {"search = \"wirst\"\n" + solver_entry,
-        "my.toml:1:10: ",
-        {"search is \"wirst\"", "one of \"wrist\", \"all_joints\", \"pose\""}},
-       {"initial_deg = 3\n" + solver_entry, "my.toml:1:15: ", {"initial_deg is 3", "a list of numbers"}},
-       {"initial_deg = [1, 2, \"x\"]\n" + solver_entry,
-        "my.toml:1:22: ",
-        {"initial_deg is \"x\"", "a list of numbers"}},
-       {"stop = 3\n" + solver_entry, "my.toml:1:8: ", {"stop is 3", "expected a table: [stop]"}},
-       {"path = \"helix\"\n" + solver_entry, "my.toml:1:8: ", {"path is \"helix\"", "expected a table: [path]"}},
-       {"[stop]\nseconds = \"3\"\n" + solver_entry, "my.toml:2:11: ", {"stop.seconds is \"3\"", "a number from 0 to"}},
-       {"[path]\ncentre_cm = [1, 2]\n" + solver_entry,
-        "my.toml:2:13: ",
-        {"path.centre_cm is [ 1, 2 ]", "a list of 3 numbers"}},
-       {"[path]\nkind = \"zigzag\"\n" + solver_entry,
-        "my.toml:2:8: ",
-        {"path.kind is \"zigzag\"", "\"helix\", \"circle\", \"random\", \"poses\""}},
-       {solver_entry + "options = 3\n", "my.toml:3:11: ", {"options is 3", "expected a table"}},
-       {solver_entry + "options = { alpha = true }\n",
-        "my.toml:3:21: ",
-        {"ik_bat.alpha is true", "a number or a quoted string"}},
-       {solver_entry + "label = 3\n", "my.toml:3:9: ", {"label is 3", "a quoted string"}},
-       {"[[solvers]]\nsolver = 3\n", "my.toml:2:10: ", {"solver is 3", "a quoted string"}}});
+  check(R"(
+name = 3|@ => 1:8: => name is 3 => expected a quoted string
+runs = "x"|@ => 1:8: => runs is "x" => a whole number from 1 to 1000000
+runs = 2.5|@ => 1:8: => runs is 2.5 => a whole number
+runs = true|@ => 1:8: => runs is true => a whole number
+runs = [3]|@ => 1:8: => runs is [ 3 ] => a whole number
+runs = 1979-05-27|@ => 1:8: => runs is 1979-05-27 => a whole number
+search = 3|@ => 1:10: => search is 3 => one of "wrist", "all_joints", "pose"
+search = "wirst"|@ => 1:10: => search is "wirst" => one of "wrist", "all_joints", "pose"
+initial_deg = 3|@ => 1:15: => initial_deg is 3 => a list of numbers
+initial_deg = [1, 2, "x"]|@ => 1:22: => initial_deg is "x" => a list of numbers
+stop = 3|@ => 1:8: => stop is 3 => expected a table: [stop]
+path = "helix"|@ => 1:8: => path is "helix" => expected a table: [path]
+[stop]|seconds = "3"|@ => 2:11: => stop.seconds is "3" => a number from 0 to
+[path]|centre_cm = [1, 2]|@ => 2:13: => path.centre_cm is [ 1, 2 ] => a list of 3 numbers
+[path]|kind = "zigzag"|@ => 2:8: => path.kind is "zigzag" => "helix", "circle", "random", "poses"
+@options = 3| => 3:11: => options is 3 => expected a table
+@options = { alpha = true }| => 3:21: => ik_bat.alpha is true => a number or a quoted string
+@label = 3| => 3:9: => label is 3 => a quoted string
+[[solvers]]|solver = 3| => 2:10: => solver is 3 => a quoted string
+)");
 }
 
 TEST_CASE("what an analysis cannot be is told with its place and what it can be", "[study][mistakes][analysis]") {
-  const std::string table = "[analysis]\n";
-  check({{"analysis = 3\n" + solver_entry, "my.toml:1:12: ", {"analysis is 3", "expected a table: [analysis]"}},
-         {table + "signficance = 0.01\n" + solver_entry, "my.toml:2:1: ", {"did you mean \"significance\"?"}},
-         {table + "test = \"t\"\n" + solver_entry, "my.toml:2:8: ", {"analysis.test is \"t\"", "\"ranks\", \"means\""}},
-         {table + "significance = 0\n" + solver_entry, "my.toml:2:16: ", {"significance is 0", "from 0.0001 to 0.2"}},
-         {table + "significance = nan\n" + solver_entry, "my.toml:2:16: ", {"significance is nan"}},
-         {table + "margin_percent = -1\n" + solver_entry, "my.toml:2:18: ", {"margin_percent is -1", "from 0 to 99"}},
-         {table + "margin_cm = 1001\n" + solver_entry, "my.toml:2:13: ", {"margin_cm is 1001", "from 0 to 1000"}},
-         {table + "control = \"IK\"\n" + solver_entry + solver_entry + "label = \"B\"\n",
-          "my.toml:2:11: ",
-          {"unknown label \"IK\"", "ik_bat, B"}}});
+  check(R"(
+analysis = 3|@ => 1:12: => analysis is 3 => expected a table: [analysis]
+[analysis]|signficance = 0.01|@ => 2:1: => did you mean "significance"?
+[analysis]|test = "t"|@ => 2:8: => analysis.test is "t" => "ranks", "means"
+[analysis]|significance = 0|@ => 2:16: => significance is 0 => from 0.0001 to 0.2
+[analysis]|significance = nan|@ => 2:16: => significance is nan
+[analysis]|margin_percent = -1|@ => 2:18: => margin_percent is -1 => from 0 to 99
+[analysis]|margin_cm = 1001|@ => 2:13: => margin_cm is 1001 => from 0 to 1000
+[analysis]|control = "IK"|@@label = "B"| => 2:11: => unknown label "IK" => ik_bat, B
+)");
 }
 
 TEST_CASE("what figures cannot be is told with its place and what they can be", "[study][mistakes]") {
-  check({{"[figures]\nfont = \"x'; !y\"\n" + solver_entry, "my.toml:2:8: figures.font", {"letters, digits"}},
-         {"[figures]\ntext_pt = 300\n" + solver_entry, "my.toml:2:11: figures.text_pt", {"from 4 to 24"}},
-         {"[figures]\nsolvers = [\"DE\"]\n" + solver_entry, "my.toml:2:11: ", {"unknown label \"DE\""}},
-         {"[figures]\ncolor = 1\n" + solver_entry, "my.toml:2:", {"color"}},
-         {solver_entry + "colour = \"blau\"\n", "my.toml:3:10: solvers.colour", {"#1E8CF8"}}});
+  check(R"(
+[figures]|font = "x'; !y"|@ => 2:8: figures.font => letters, digits
+[figures]|text_pt = 300|@ => 2:11: figures.text_pt => from 4 to 24
+[figures]|solvers = ["DE"]|@ => 2:11: => unknown label "DE"
+[figures]|color = 1|@ => 2: => color
+@colour = "blau"| => 3:10: solvers.colour => #1E8CF8
+)");
   CHECK(read(solver_entry, {"figures.text_pt=10", "ik_bat.colour=#8D1804"}).figures.text_pt == 10);
   CHECK(read(solver_entry, {"ik_bat.colour=#8D1804"}).solvers[0].colour == "#8D1804");
 }
 
 TEST_CASE("a study that enforces the limits asks nothing that breaks them", "[study][mistakes]") {
   const std::string enforced = "limits = \"enforced\"\n";
-  check(
-      {{enforced + "bounds = \"initial\"\n" + solver_entry, "my.toml:2:10: ", {"limits is \"enforced\""}},
-       {enforced + solver_entry + "options = { bounds = \"initial\" }\n", "my.toml:4:22: ", {"limits is \"enforced\""}},
-       {enforced + "initial_deg = [0, 120.5, 0, 0, 0, 0, 0]\n" + solver_entry,
-        "my.toml:2:15: ",
-        {"0.5 deg outside the limits of joint 2", "ikbench robot kuka_iiwa14"}},
-       {"limits = \"strict\"\n" + solver_entry, "my.toml:1:10: ", {"\"recorded\", \"enforced\""}},
-       {"start = \"zero\"\n" + solver_entry, "my.toml:1:9: ", {"\"previous\", \"initial\""}}});
+  check(R"(
+limits = "enforced"|bounds = "initial"|@ => 2:10: => limits is "enforced"
+limits = "enforced"|@options = { bounds = "initial" }| => 4:22: => limits is "enforced"
+limits = "enforced"|initial_deg = [0, 120.5, 0, 0, 0, 0, 0]|@ => 2:15: => 0.5 deg outside the limits of joint 2 => ikbench robot kuka_iiwa14
+limits = "strict"|@ => 1:10: => "recorded", "enforced"
+start = "zero"|@ => 1:9: => "previous", "initial"
+)");
   CHECK(read(enforced + "initial_deg = [0, 120, 0, -120, 0, 0, 175]\n" + solver_entry).limits == Limits::enforced);
 }
 
 TEST_CASE("a number out of its range is shown with the range", "[study][mistakes]") {
-  check({{"runs = 0\n" + solver_entry, "my.toml:1:8: ", {"runs is 0", "from 1 to 1000000"}},
-         {"runs = 1000000\n[path]\nkind = \"random\"\npoints = 100000\n" + solver_entry,
-          "my.toml:1:8: ",
-          {"100 000 000 solves"}},
-         {solver_entry + "population = 0\n", "my.toml:3:14: ", {"ik_bat.population is 0", "from 1 to 100000"}},
-         {"[[solvers]]\nsolver = \"differential_evolution\"\npopulation = 3\n",
-          "my.toml:3:14: ",
-          {"population is 3, but differential_evolution needs at least 4"}},
-         {"population = 3\n[[solvers]]\nsolver = \"differential_evolution\"\n",
-          "my.toml:1:14: ",
-          {"population is 3, but differential_evolution needs at least 4"}},
-         {"seed = -1\n" + solver_entry, "my.toml:1:8: ", {"seed is -1", "from 0 to 9223372036854775807"}},
-         {"seed = 9223372036854775808\n" + solver_entry, "my.toml:1:", {"9223372036854775808"}},
-         {"population = 100001\n" + solver_entry, "my.toml:1:14: ", {"population is 100001", "from 1 to 100000"}},
-         {"[stop]\niterations = -1\n" + solver_entry, "my.toml:2:14: ", {"stop.iterations is -1", "from 0 to"}},
-         {"[stop]\niterations = 0\n" + solver_entry, "my.toml:2:14: ", {"stop.iterations is 0", "at least 1"}},
-         {"[path]\npoints = 0\n" + solver_entry, "my.toml:2:10: ", {"path.points is 0", "from 1 to 100000"}},
-         {"[path]\nradius_cm = -1\n" + solver_entry, "my.toml:2:13: ", {"path.radius_cm is -1", "from 0 to"}},
-         {"[path]\ncentre_cm = [0, 0, 1e7]\n" + solver_entry, "my.toml:2:20: ", {"path.centre_cm is", "within +-1e6"}},
-         {solver_entry + "options = { alpha = 1.5 }\n",
-          "my.toml:3:21: ",
-          {"option alpha is \"1.5\"", "a number from 0 to 1"}}});
+  check(R"(
+runs = 0|@ => 1:8: => runs is 0 => from 1 to 1000000
+runs = 1000000|[path]|kind = "random"|points = 100000|@ => 1:8: => 100 000 000 solves
+@population = 0| => 3:14: => ik_bat.population is 0 => from 1 to 100000
+[[solvers]]|solver = "differential_evolution"|population = 3| => 3:14: => population is 3, but differential_evolution needs at least 4
+population = 3|[[solvers]]|solver = "differential_evolution"| => 1:14: => population is 3, but differential_evolution needs at least 4
+seed = -1|@ => 1:8: => seed is -1 => from 0 to 9223372036854775807
+seed = 9223372036854775808|@ => 1: => 9223372036854775808
+population = 100001|@ => 1:14: => population is 100001 => from 1 to 100000
+[stop]|iterations = -1|@ => 2:14: => stop.iterations is -1 => from 0 to
+[stop]|iterations = 0|@ => 2:14: => stop.iterations is 0 => at least 1
+[path]|points = 0|@ => 2:10: => path.points is 0 => from 1 to 100000
+[path]|radius_cm = -1|@ => 2:13: => path.radius_cm is -1 => from 0 to
+[path]|centre_cm = [0, 0, 1e7]|@ => 2:20: => path.centre_cm is => within +-1e6
+@options = { alpha = 1.5 }| => 3:21: => option alpha is "1.5" => a number from 0 to 1
+)");
 }
 
 TEST_CASE("what is not a finite number is refused wherever a number stands", "[study][mistakes]") {
@@ -542,51 +535,40 @@ TEST_CASE("what is not a finite number is refused wherever a number stands", "[s
 }
 
 TEST_CASE("a study has solvers and an arm that there are, each label once", "[study][mistakes]") {
-  check({{"", "my.toml:1:1: ", {"solvers is missing", "[[solvers]]"}},
-         {"name = \"x\"\n", "my.toml:1:1: ", {"solvers is missing"}},
-         {"solvers = []\n", "my.toml:1:11: ", {"solvers is []", "at least one [[solvers]]"}},
-         {"solvers = 3\n", "my.toml:1:11: ", {"solvers is 3"}},
-         {"solvers = [3]\n", "my.toml:1:12: ", {"solvers is 3"}},
-         {"[[solvers]]\nsolver = \"ik_bta\"\n", "my.toml:2:10: ", {"did you mean \"ik_bat\"?"}},
-         {"robot = \"planr_2\"\n" + solver_entry, "my.toml:1:9: ", {"did you mean \"planar_2\"?"}},
-         {solver_entry + solver_entry, "my.toml:3:1: ", {"label \"ik_bat\" is used twice"}},
-         {"[[solvers]]\nlabel = \"x\"\n", "my.toml:1:1: ", {"has no `solver`", "ikbench list solvers"}}});
+  check(R"(
+ => 1:1: => solvers is missing => [[solvers]]
+name = "x"| => 1:1: => solvers is missing
+solvers = []| => 1:11: => solvers is [] => at least one [[solvers]]
+solvers = 3| => 1:11: => solvers is 3
+solvers = [3]| => 1:12: => solvers is 3
+[[solvers]]|solver = "ik_bta"| => 2:10: => did you mean "ik_bat"?
+robot = "planr_2"|@ => 1:9: => did you mean "planar_2"?
+@@ => 3:1: => label "ik_bat" is used twice
+[[solvers]]|label = "x"| => 1:1: => has no `solver` => ikbench list solvers
+)");
 }
 
 TEST_CASE("what fields ask of each other is checked where one of them stands", "[study][mistakes]") {
-  check(
-      {{"robot = \"planar_2\"\nsearch = \"wrist\"\n" + solver_entry,
-        "my.toml:2:10: ",
-        {"search is \"wrist\"", "planar_2 has no spherical wrist", "expected \"all_joints\", \"axis\" or \"pose\""}},
-       {"robot = \"planar_2\"\n" + solver_entry, "my.toml:1:1: ", {"search is \"wrist\"", "expected \"all_joints\""}},
-       {"robot = \"planar_2\"\nsearch = \"flange\"\n" + solver_entry,
-        "my.toml:2:10: ",
-        {"search is \"flange\"", "the last joint of planar_2 moves", "expected \"all_joints\", \"axis\" or \"pose\""}},
-       {"initial_deg = [0, 0]\n" + solver_entry,
-        "my.toml:1:15: ",
-        {"has 2 values", "expected 7, one for each joint of kuka_iiwa14"}},
-       {planar + "initial_deg = [0, 0, 0]\n" + solver_entry,
-        "my.toml:3:15: ",
-        {"has 3 values", "expected 2, one for each joint of planar_2"}}});
+  check(R"(
+robot = "planar_2"|search = "wrist"|@ => 2:10: => search is "wrist" => planar_2 has no spherical wrist => expected "all_joints", "axis" or "pose"
+robot = "planar_2"|@ => 1:1: => search is "wrist" => expected "all_joints"
+robot = "planar_2"|search = "flange"|@ => 2:10: => search is "flange" => the last joint of planar_2 moves => expected "all_joints", "axis" or "pose"
+initial_deg = [0, 0]|@ => 1:15: => has 2 values => expected 7, one for each joint of kuka_iiwa14
+robot = "planar_2"|search = "all_joints"|initial_deg = [0, 0, 0]|@ => 3:15: => has 3 values => expected 2, one for each joint of planar_2
+)");
 }
 
 TEST_CASE("what a search for poses asks for, and what only it has", "[study][mistakes]") {
   const std::string pose = "robot = \"ur5e\"\nsearch = \"pose\"\n";
   const auto stop = [](const std::string& fields) { return "[stop]\n" + fields + solver_entry; };
-  check({{pose + stop("tolerance_cm = 0.01\n"),
-          "my.toml:4:16: ",
-          {"stop.tolerance_cm is 0.01 and stop.tolerance_deg is 0", "expects both, or neither"}},
-         {pose + stop("tolerance_deg = 0.5\n"),
-          "my.toml:4:17: ",
-          {"stop.tolerance_cm is 0 and stop.tolerance_deg is 0.5", "expects both, or neither"}},
-         {pose + stop("tolerance_cm = 1\ntolerance_deg = 181\n"), "my.toml:5:17: ", {"stop.tolerance_deg is 181"}},
-         {stop("tolerance_deg = 0.5\n"),
-          "my.toml:2:17: ",
-          {"about the orientation, which is not searched", "expected search = \"pose\""}},
-         {"rotation_weight_m = 0.1\n" + solver_entry,
-          "my.toml:1:21: ",
-          {"weighs the orientation, which is not searched", "expected search = \"pose\""}},
-         {pose + "rotation_weight_m = 0\n" + solver_entry, "my.toml:3:21: ", {"rotation_weight_m is 0"}}});
+  check(R"(
+robot = "ur5e"|search = "pose"|[stop]|tolerance_cm = 0.01|@ => 4:16: => stop.tolerance_cm is 0.01 and stop.tolerance_deg is 0 => expects both, or neither
+robot = "ur5e"|search = "pose"|[stop]|tolerance_deg = 0.5|@ => 4:17: => stop.tolerance_cm is 0 and stop.tolerance_deg is 0.5 => expects both, or neither
+robot = "ur5e"|search = "pose"|[stop]|tolerance_cm = 1|tolerance_deg = 181|@ => 5:17: => stop.tolerance_deg is 181
+[stop]|tolerance_deg = 0.5|@ => 2:17: => about the orientation, which is not searched => expected search = "pose"
+rotation_weight_m = 0.1|@ => 1:21: => weighs the orientation, which is not searched => expected search = "pose"
+robot = "ur5e"|search = "pose"|rotation_weight_m = 0|@ => 3:21: => rotation_weight_m is 0
+)");
   const Study study = read(pose + "rotation_weight_m = 0.1\n" + stop("tolerance_cm = 0.01\ntolerance_deg = 0.5\n"));
   CHECK(study.search == Search::pose);
   CHECK(study.rotation_weight == 0.1);
@@ -596,60 +578,53 @@ TEST_CASE("what a search for poses asks for, and what only it has", "[study][mis
 }
 
 TEST_CASE("a pose is a place and a rotation", "[study][mistakes]") {
-  const auto with_poses = [](const std::string& poses) {
-    return "[path]\nkind = \"poses\"\nposes = " + poses + "\n" + solver_entry;
-  };
-  check({{"[path]\nkind = \"poses\"\n" + solver_entry, "my.toml:1:1: ", {"path.poses is missing", "position_cm"}},
-         {with_poses("[]"), "my.toml:3:9: ", {"path.poses is []", "a list of 1 to 100000 poses"}},
-         {with_poses("[3]"), "my.toml:3:10: ", {"path.poses is 3"}},
-         {with_poses("[{ rpy_deg = [0, 0, 0] }]"),
-          "my.toml:3:10: ",
-          {"a pose with either a position_cm or a position_m"}},
-         {with_poses("[{ position_cm = [1, 2, 3], position_m = [1, 2, 3] }]"), "my.toml:3:10: ", {"either"}},
-         {with_poses("[{ position_cm = [1, 2] }]"), "my.toml:3:26: ", {"a list of 3 numbers"}},
-         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0] }]"),
-          "my.toml:3:48: ",
-          {"a list of 9 numbers"}},
-         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, 2] }]"),
-          "my.toml:3:10: ",
-          {"a rotation matrix, row by row"}},
-         {with_poses("[{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, -1] }]"),
-          "my.toml:3:10: ",
-          {"a rotation matrix"}},  // a mirror
-         {with_poses("[{ position_cm = [1, 2, 3], rotation = [0, 0, 0, 0, 0, 0, 0, 0, 0] }]"),
-          "my.toml:3:10: ",
-          {"a rotation matrix"}}});
+  check(R"(
+[path]|kind = "poses"|@ => 1:1: => path.poses is missing => position_cm
+[path]|kind = "poses"|poses = []|@ => 3:9: => path.poses is [] => a list of 1 to 100000 poses
+[path]|kind = "poses"|poses = [3]|@ => 3:10: => path.poses is 3
+[path]|kind = "poses"|poses = [{ rpy_deg = [0, 0, 0] }]|@ => 3:10: => a pose with either a position_cm or a position_m
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], position_m = [1, 2, 3] }]|@ => 3:10: => either
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2] }]|@ => 3:26: => a list of 3 numbers
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0] }]|@ => 3:48: => a list of 9 numbers
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, 2] }]|@ => 3:10: => a rotation matrix, row by row
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [1, 0, 0, 0, 1, 0, 0, 0, -1] }]|@ => 3:10: => a rotation matrix
+[path]|kind = "poses"|poses = [{ position_cm = [1, 2, 3], rotation = [0, 0, 0, 0, 0, 0, 0, 0, 0] }]|@ => 3:10: => a rotation matrix
+)");
 }
 
 TEST_CASE("names and labels are short and without control characters", "[study][mistakes]") {
   const std::string expected = "a text of at most 200 bytes without control characters";
-  check({{"name = \"a\\u001b[31m\"\n" + solver_entry, "my.toml:1:8: ", {"name is \"a\\u001B[31m\"", expected}},
-         {"name = \"a\\nb\"\n" + solver_entry, "my.toml:1:8: ", {"name is \"a\\nb\"", expected}},
-         {"name = \"\"\"\na\nb\"\"\"\n" + solver_entry, "my.toml:1:8: ", {expected}},
-         {"title = \"a\\u0000b\"\n" + solver_entry, "my.toml:1:9: ", {expected}},
-         {"title = \"\\u007f\"\n" + solver_entry, "my.toml:1:9: ", {expected}},
-         {solver_entry + "label = \"a\\tb\"\n", "my.toml:3:9: ", {expected}},
-         {solver_entry + "options = { bounds = \"cl\\namp\" }\n", "my.toml:3:22: ", {expected}},
-         {"name = \"" + std::string(201, 'x') + "\"\n" + solver_entry, "my.toml:1:8: ", {"...", expected}},
-         {"name = \"\"\n" + solver_entry, "my.toml:1:8: ", {"a non-empty name"}},
-         {solver_entry + "label = \"\"\n", "my.toml:3:9: ", {"a label that is not empty"}},
-         {solver_entry + "label = \" a\"\n", "my.toml:3:9: ", {"without spaces at its ends"}}});
+  check(R"(
+name = "a\u001b[31m"|@ => 1:8: => name is "a\u001B[31m" => a text of at most 200 bytes without control characters
+name = "a\nb"|@ => 1:8: => name is "a\nb" => a text of at most 200 bytes without control characters
+name = """|a|b"""|@ => 1:8: => a text of at most 200 bytes without control characters
+title = "a\u0000b"|@ => 1:9: => a text of at most 200 bytes without control characters
+title = "\u007f"|@ => 1:9: => a text of at most 200 bytes without control characters
+@label = "a\tb"| => 3:9: => a text of at most 200 bytes without control characters
+@options = { bounds = "cl\namp" }| => 3:22: => a text of at most 200 bytes without control characters
+name = ""|@ => 1:8: => a non-empty name
+@label = ""| => 3:9: => a label that is not empty
+@label = " a"| => 3:9: => without spaces at its ends
+)");
+  check({{"name = \"" + std::string(201, 'x') + "\"\n" + solver_entry, "my.toml:1:8: ", {"...", expected}}});
   CHECK(read("name = \"" + std::string(200, 'x') + "\"\n" + solver_entry).name.size() == 200);
   CHECK(said_of("name = \"" + std::string(100'000, 'x') + "\"\n" + solver_entry).size() < 300);
 }
 
 TEST_CASE("what is not TOML is refused with the place where it ceases to be", "[study][mistakes]") {
-  check({{"a = = 3\n", "my.toml:1:5: not TOML: ", {}},
-         {"runs = 3\nruns = 4\n", "my.toml:2:", {"not TOML", "runs"}},
-         {"name = \"open\n" + solver_entry, "my.toml:1:", {"not TOML"}},
-         {"[path\n" + solver_entry, "my.toml:1:", {"not TOML"}},
-         {"\xff\xfe\x00", "my.toml:1:", {}},
+  check(R"(
+a = = 3| => 1:5: not TOML:
+runs = 3|runs = 4| => 2: => not TOML => runs
+name = "open|@ => 1: => not TOML
+[path|@ => 1: => not TOML
+SQLite format 3 => 1: => not TOML
+)");
+  check({{"\xff\xfe\x00", "my.toml:1:", {}},
          {std::string("runs = 3\n\0\0\0", 12) + solver_entry, "my.toml:2:", {"not TOML"}},
          {"\x7f"
           "ELF\x02\x01\x01",
           "my.toml:1:",
-          {"not TOML"}},
-         {"SQLite format 3", "my.toml:1:", {"not TOML"}}});
+          {"not TOML"}}});
 }
 
 TEST_CASE("nesting deeper than anyone means is refused, not followed to the end of the stack", "[study][mistakes]") {
