@@ -16,23 +16,13 @@
 #include "experiments/environment.hpp"
 #include "experiments/orientation.hpp"
 #include "experiments/source_digest.hpp"
-#include "experiments/study_reader.hpp"
-#include "experiments/study_writer.hpp"
 #include "experiments/verifier.hpp"
 #include "numerics/units.hpp"
 #include "results/fingerprint.hpp"
 #include "results/published.hpp"
 #include "solvers/registry.hpp"
-#include "tests/catch.hpp"
 #include "tests/experiments/samples.hpp"
 #include "tests/solvers_for.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
-using namespace ikbench::results;
-using namespace ikbench::experiments;
 
 namespace {
 
@@ -254,57 +244,29 @@ TEST_CASE("solvers take turns at being first, run by run, also in a shard", "[ru
   CHECK(of_run_3 == std::set<std::string>{"BA"});
 }
 
-TEST_CASE("more runs add only those", "[runner]") {
-  ScratchStore scratch;
-  Study study = small_study();
-  run(study, scratch.store, {});
-  study.runs = 3;
-  const Progress more = run(study, scratch.store, {});
-  CHECK(more.total == 36);
-  CHECK(more.reused == 24);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
-}
-
-TEST_CASE("fewer runs leave the others in the store, unseen until they are asked for again", "[runner]") {
-  ScratchStore scratch;
-  Study study = small_study();
-  run(study, scratch.store, {});
-  study.runs = 1;
-  CHECK(run(study, scratch.store, {}).reused == 12);
-  CHECK(scratch.store.solves("small").size() == 12);
-  study.runs = 2;
-  CHECK(run(study, scratch.store, {}).reused == 24);
-}
-
-TEST_CASE("a new solver in a study is all that is solved", "[runner]") {
-  ScratchStore scratch;
-  Study study = small_study();
-  run(study, scratch.store, {});
-  study.solvers.push_back({"PSO", "particle_swarm", {}});
-  const Progress more = run(study, scratch.store, {});
-  CHECK(more.total == 32);
-  CHECK(more.reused == 24);
-}
-
-TEST_CASE("a changed option is another series, and the old solves are no longer those of the study", "[runner]") {
-  ScratchStore scratch;
-  Study study = small_study();
-  run(study, scratch.store, {});
-  study.solvers[0].options["bounds"] = "clamp";
-  CHECK(run(study, scratch.store, {}).reused == 16);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(study)));
-}
-
-TEST_CASE("two studies share a store without touching each other", "[runner]") {
-  ScratchStore scratch;
-  Study other = small_study();
-  other.name = "other";
-  other.seed = 7;
-  run(small_study(), scratch.store, {});
-  run(other, scratch.store, {});
-  CHECK(scratch.store.studies().size() == 2);
-  CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
-  CHECK(same_numbers(scratch.store.solves("other"), solves_of(other)));
+TEST_CASE("of a changed study only what the store lacks is solved, and what it no longer asks for stays", "[runner]") {
+  const auto check = [](std::int64_t total, std::int64_t reused, void (*change)(Study&)) {
+    ScratchStore scratch;
+    Study study = small_study();
+    run(study, scratch.store, {});
+    change(study);
+    const Progress again = run(study, scratch.store, {});
+    CHECK(again.total == total);
+    CHECK(again.reused == reused);
+    CHECK(same_numbers(scratch.store.solves(study.name), solves_of(study)));
+    CHECK(scratch.store.studies().size() == (study.name == "small" ? 1 : 2));
+    CHECK(run(small_study(), scratch.store, {}).reused == 24);
+    CHECK(same_numbers(scratch.store.solves("small"), solves_of(small_study())));
+  };
+  check(36, 24, [](Study& study) { study.runs = 3; });
+  check(12, 12, [](Study& study) { study.runs = 1; });
+  check(32, 24, [](Study& study) { study.solvers.push_back({"PSO", "particle_swarm", {}}); });
+  check(24, 16, [](Study& study) { study.solvers[0].options["bounds"] = "clamp"; });
+  check(24, 24, [](Study& study) { study.name = "renamed"; });
+  check(24, 0, [](Study& study) {
+    study.name = "other";
+    study.seed = 7;
+  });
 }
 
 TEST_CASE("solves of other source are left aside, told and solved anew", "[runner]") {
@@ -345,15 +307,6 @@ TEST_CASE("what a study never had solved is not left aside", "[runner]") {
   Study other = small_study();
   other.seed = 7;
   CHECK(left_aside(other, scratch.store).solves == 0);
-}
-
-TEST_CASE("a study that asks for the same under another name finds it in the store", "[runner]") {
-  ScratchStore scratch;
-  run(small_study(), scratch.store, {});
-  Study renamed = small_study();
-  renamed.name = "renamed";
-  CHECK(run(renamed, scratch.store, {}).reused == 24);
-  CHECK(scratch.store.solves("renamed").size() == 24);
 }
 
 TEST_CASE("a run whose study another process replaces is refused, keeps its solves, and is told what to do",
