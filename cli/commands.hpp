@@ -15,7 +15,6 @@ struct Invocation {
   int exit_code = 0;
 };
 
-void add_commands(CLI::App& app, Invocation& invocation);
 // The names of figures, and the keys of their look.
 std::string help_of_figures();
 

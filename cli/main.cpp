@@ -21,6 +21,12 @@
 #include "numerics/instruction_set.hpp"
 #include "numerics/names.hpp"
 
+namespace ikbench::cli {
+#define COMMAND(name) void add_##name(CLI::App& app, Invocation& invocation);
+#include "cli/commands.inc"
+#undef COMMAND
+}  // namespace ikbench::cli
+
 int main(int argc, char** argv) {
   namespace cli = ikbench::cli;
   using namespace ikbench::numerics;
@@ -49,7 +55,9 @@ int main(int argc, char** argv) {
   const bool is_help = !words.empty() && words.front() == "help";
   if (is_help) words.erase(words.begin());
   cli::Invocation invocation{.command = cli::shell_command("ikbench", {argv + 1, argv + argc})};
-  cli::add_commands(app, invocation);
+#define COMMAND(name) cli::add_##name(app, invocation);
+#include "cli/commands.inc"
+#undef COMMAND
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
   if (is_help && (words.empty() || std::ranges::find(commands, words.front()) != commands.end())) {
