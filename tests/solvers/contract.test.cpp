@@ -2,18 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/allocations.hpp"
 #include "tests/solvers/objectives.hpp"
 #include "tests/solvers_for.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 namespace {
 
@@ -52,6 +47,16 @@ std::string text(const Settings& settings) {
   std::string text;
   for (const auto& [name, value] : settings) text += name + " = " + value + "; ";
   return text;
+}
+
+void at_corners(const std::vector<SolverInfo>& solvers,
+                const std::function<void(const SolverInfo&, const Settings&)>& check) {
+  for (const SolverInfo& info : solvers) {
+    for (const Settings& settings : corners(info)) {
+      CAPTURE(info.name, text(settings));
+      check(info, settings);
+    }
+  }
 }
 
 bool has_choice(const SolverInfo& info, std::string_view name, std::string_view choice) {
@@ -113,75 +118,62 @@ TEST_CASE("an option given its default's text is the default", "[contract]") {
 }
 
 TEST_CASE("best never worsens and is exactly as good as it says, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      CAPTURE(info.name, text(settings));
-      const Task task = iiwa_task();
-      Objective objective(task.chain, task.target);
-      check_best(*info.make(settings), task, objective);
-    }
-  }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    const Task task = iiwa_task();
+    Objective objective(task.chain, task.target);
+    check_best(*info.make(settings), task, objective);
+  });
 }
 
 TEST_CASE("best stays honest where some errors are not numbers", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      for (const double value : {not_a_number, infinity}) {
-        CAPTURE(info.name, text(settings), value);
-        const Task task = iiwa_task();
-        SpoiltObjective objective(task.chain, task.target, value, 3);
-        check_best(*info.make(settings), task, objective);
-      }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    for (const double value : {not_a_number, infinity}) {
+      CAPTURE(value);
+      const Task task = iiwa_task();
+      SpoiltObjective objective(task.chain, task.target, value, 3);
+      check_best(*info.make(settings), task, objective);
     }
-  }
+  });
 }
 
 TEST_CASE("a solve in which no error is a number ends as not finite", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      CAPTURE(info.name, text(settings));
-      const Task task = iiwa_task();
-      SpoiltObjective objective(task.chain, task.target, not_a_number, 1);
-      const auto solver = info.make(settings);
-      CHECK(solved(*solver, task, objective).stopped == Stopped::not_finite);
-      check_best(*solver, task, objective);  // and nothing breaks if somebody continues
-    }
-  }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    const Task task = iiwa_task();
+    SpoiltObjective objective(task.chain, task.target, not_a_number, 1);
+    const auto solver = info.make(settings);
+    CHECK(solved(*solver, task, objective).stopped == Stopped::not_finite);
+    check_best(*solver, task, objective);  // and nothing breaks if somebody continues
+  });
 }
 
 TEST_CASE("the same key gives the same answer, also from a solver used before", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      CAPTURE(info.name, text(settings));
-      const Task task = iiwa_task(), other = snake_task(3, std::max(6, info.least_population));
-      const auto solver = info.make(settings), used = info.make(settings);
-      Objective first(task.chain, task.target), between(other.chain, other.target), second(task.chain, task.target);
-      const Solution a = solved(*solver, task, first);
-      solved(*used, other, between);
-      const Solution b = solved(*used, task, second);
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    const Task task = iiwa_task(), other = snake_task(3, std::max(6, info.least_population));
+    const auto solver = info.make(settings), used = info.make(settings);
+    Objective first(task.chain, task.target), between(other.chain, other.target), second(task.chain, task.target);
+    const Solution a = solved(*solver, task, first);
+    solved(*used, other, between);
+    const Solution b = solved(*used, task, second);
+    CHECK(a.best.q == b.best.q);
+    CHECK(a.trace == b.trace);
+    CHECK(a.evaluations == b.evaluations);
+  });
+}
+
+TEST_CASE("looking ahead changes no bit, in every corner of the options", "[contract]") {
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    for (const int population : {10, 37}) {
+      CAPTURE(population);
+      const Task task = iiwa_task(population);
+      Objective ahead(task.chain, task.target);
+      OneAheadObjective one(task.chain, task.target);
+      const auto solver = info.make(settings);
+      const Solution a = solved(*solver, task, ahead), b = solved(*solver, task, one);
       CHECK(a.best.q == b.best.q);
       CHECK(a.trace == b.trace);
       CHECK(a.evaluations == b.evaluations);
     }
-  }
-}
-
-TEST_CASE("looking ahead changes no bit, in every corner of the options", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      for (const int population : {10, 37}) {
-        CAPTURE(info.name, text(settings), population);
-        const Task task = iiwa_task(population);
-        Objective ahead(task.chain, task.target);
-        OneAheadObjective one(task.chain, task.target);
-        const auto solver = info.make(settings);
-        const Solution a = solved(*solver, task, ahead), b = solved(*solver, task, one);
-        CHECK(a.best.q == b.best.q);
-        CHECK(a.trace == b.trace);
-        CHECK(a.evaluations == b.evaluations);
-      }
-    }
-  }
+  });
 }
 
 TEST_CASE("different keys give different draws", "[contract]") {
@@ -199,39 +191,32 @@ TEST_CASE("different keys give different draws", "[contract]") {
 }
 
 TEST_CASE("every candidate goes through the objective, which counts it", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    if (!info.is_counted) continue;
-    for (const Settings& settings : corners(info)) {
-      CAPTURE(info.name, text(settings));
-      const Task task = iiwa_task();
-      RecordingObjective objective(task.chain, task.target);
-      const Solution solution = solved(*info.make(settings), task, objective);
-      CHECK(solution.evaluations == objective.evaluations());
-      CHECK(static_cast<std::size_t>(solution.evaluations) ==
-            objective.candidates.size() + objective.linearized.size());
-      double smallest = infinity;
-      for (const double error : objective.given) smallest = std::min(smallest, error);
-      CHECK(smallest <= solution.best.error);
-    }
-  }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    if (!info.is_counted) return;
+    const Task task = iiwa_task();
+    RecordingObjective objective(task.chain, task.target);
+    const Solution solution = solved(*info.make(settings), task, objective);
+    CHECK(solution.evaluations == objective.evaluations());
+    CHECK(static_cast<std::size_t>(solution.evaluations) == objective.candidates.size() + objective.linearized.size());
+    double smallest = infinity;
+    for (const double error : objective.given) smallest = std::min(smallest, error);
+    CHECK(smallest <= solution.best.error);
+  });
 }
 
 TEST_CASE("with bounds = clamp no candidate is outside the limits", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    if (!has_choice(info, "bounds", "clamp")) continue;
-    for (Settings settings : corners(info)) {
-      settings["bounds"] = "clamp";
-      CAPTURE(info.name, text(settings));
-      Task task = iiwa_task();
-      const JointLimits limits{task.problem.lower / 4, task.problem.upper / 4};
-      task.problem.lower = limits.lower;
-      task.problem.upper = limits.upper;
-      RecordingObjective objective(task.chain, task.target);
-      solved(*info.make(settings), task, objective);
-      for (const auto& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
-      for (const auto& q : objective.linearized) REQUIRE(limits.violation(q) == 0);
-    }
-  }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, Settings settings) {
+    if (!has_choice(info, "bounds", "clamp")) return;
+    settings["bounds"] = "clamp";
+    Task task = iiwa_task();
+    const JointLimits limits{task.problem.lower / 4, task.problem.upper / 4};
+    task.problem.lower = limits.lower;
+    task.problem.upper = limits.upper;
+    RecordingObjective objective(task.chain, task.target);
+    solved(*info.make(settings), task, objective);
+    for (const auto& q : objective.candidates) REQUIRE(limits.violation(q) == 0);
+    for (const auto& q : objective.linearized) REQUIRE(limits.violation(q) == 0);
+  });
 }
 
 TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contract]") {
@@ -249,22 +234,20 @@ TEST_CASE("solvers without a choice of bounds stay inside the limits", "[contrac
 }
 
 TEST_CASE("a small population works or is refused in a sentence", "[contract]") {
-  for (const SolverInfo& info : solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      for (int population = 1; population <= 7; ++population) {
-        CAPTURE(info.name, text(settings), population);
-        const Task task = iiwa_task(population);
-        Objective objective(task.chain, task.target);
-        try {
-          const Solution solution = solved(*info.make(settings), task, objective);
-          CHECK(std::isfinite(solution.best.error));
-        } catch (const std::invalid_argument& refused) {
-          CHECK(std::string(refused.what()).find(info.name) == 0);
-          CHECK(std::string(refused.what()).find(std::to_string(population)) != std::string::npos);
-        }
+  at_corners(solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    for (int population = 1; population <= 7; ++population) {
+      CAPTURE(population);
+      const Task task = iiwa_task(population);
+      Objective objective(task.chain, task.target);
+      try {
+        const Solution solution = solved(*info.make(settings), task, objective);
+        CHECK(std::isfinite(solution.best.error));
+      } catch (const std::invalid_argument& refused) {
+        CHECK(std::string(refused.what()).find(info.name) == 0);
+        CHECK(std::string(refused.what()).find(std::to_string(population)) != std::string::npos);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("a population of 100000 is started and takes a step", "[contract][large]") {
@@ -303,33 +286,31 @@ TEST_CASE("a solve may start at the limits, or where a joint is locked", "[contr
 }
 
 TEST_CASE("a second solve of the same size takes no memory from the heap", "[contract]") {
-  for (const SolverInfo& info : own_solvers_of_positions()) {
-    for (const Settings& settings : corners(info)) {
-      for (const int joints : {1, 4, most_joints}) {
-        CAPTURE(info.name, text(settings), joints);
-        Task task = snake_task(joints, 50);
-        task.target *= 10;  // out of reach: restarts and scouts take part
-        const auto solver = info.make(settings);
-        const auto solved_again = [&] {
-          Objective objective(task.chain, task.target);
-          Random random{Key(1)};
-          const long before = allocations();
-          solver->start(task.problem, objective, random);
-          const long started = allocations() - before;
-          const Solution solution = solve(*solver, task.problem, objective, random, {.iterations = 12});
-          return std::array<long, 2>{started, allocations() - before - started};
-        };
-        const auto [first_start, first_solve] = solved_again();
-        CHECK(first_start > 0);  // or the count sees nothing
-        CHECK(first_solve == 0);
-        task.problem.start *= 0.5;
-        task.target *= -1;
-        const auto [start, solve] = solved_again();
-        CHECK(start == 0);
-        CHECK(solve == 0);
-      }
+  at_corners(own_solvers_of_positions(), [](const SolverInfo& info, const Settings& settings) {
+    for (const int joints : {1, 4, most_joints}) {
+      CAPTURE(joints);
+      Task task = snake_task(joints, 50);
+      task.target *= 10;  // out of reach: restarts and scouts take part
+      const auto solver = info.make(settings);
+      const auto solved_again = [&] {
+        Objective objective(task.chain, task.target);
+        Random random{Key(1)};
+        const long before = allocations();
+        solver->start(task.problem, objective, random);
+        const long started = allocations() - before;
+        const Solution solution = solve(*solver, task.problem, objective, random, {.iterations = 12});
+        return std::array<long, 2>{started, allocations() - before - started};
+      };
+      const auto [first_start, first_solve] = solved_again();
+      CHECK(first_start > 0);  // or the count sees nothing
+      CHECK(first_solve == 0);
+      task.problem.start *= 0.5;
+      task.target *= -1;
+      const auto [start, solve] = solved_again();
+      CHECK(start == 0);
+      CHECK(solve == 0);
     }
-  }
+  });
 }
 
 TEST_CASE("the count of allocations sees what the standard library and Eigen take", "[contract]") {

@@ -4,13 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 TEST_CASE("a damped step is (J^T J + mu I)^-1 J^T e, and the gain ratio sets the next damping", "[dls]") {
   Task task = planar_task(1);

@@ -5,12 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::solvers;
 
 namespace {
 

@@ -5,14 +5,8 @@
 #include <numbers>
 
 #include "solvers/bounds.hpp"
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
 #include "tests/solvers_for.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 namespace {
 

@@ -11,13 +11,9 @@
 #include <vector>
 
 #include "numerics/instruction_set.hpp"
-#include "tests/catch.hpp"
 #include "tests/numerics/guarded.hpp"
 #include "tests/numerics/reference.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::solvers;
+#include "tests/solvers/objectives.hpp"
 
 namespace {
 

@@ -2,13 +2,7 @@
 #include <Eigen/LU>
 #include <vector>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 TEST_CASE("a step is (J^T J + W)^-1 J^T e with the damping of each rule, in metres and radians", "[lm]") {
   struct Case {

@@ -3,13 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 TEST_CASE("a step of Newton's method is J^+ times what is to go, in metres and radians", "[newton]") {
   for (const std::string name : {"abb_irb120", "franka_panda"}) {

@@ -10,6 +10,12 @@
 #include "robots/robot.hpp"
 #include "solvers/registry.hpp"
 #include "solvers/solve.hpp"
+#include "tests/catch.hpp"
+
+using namespace ikbench;
+using namespace ikbench::numerics;
+using namespace ikbench::robots;
+using namespace ikbench::solvers;
 
 namespace ikbench {
 

@@ -7,13 +7,7 @@
 
 #include "numerics/functions.hpp"
 #include "numerics/units.hpp"
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 namespace {
 

@@ -5,11 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "solvers/registry.hpp"
-#include "tests/catch.hpp"
+#include "tests/solvers/objectives.hpp"
 
-using namespace ikbench;
-using namespace ikbench::solvers;
 using Catch::Matchers::StartsWith;
 
 namespace {

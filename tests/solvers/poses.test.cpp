@@ -4,17 +4,11 @@
 
 #include "numerics/units.hpp"
 #include "solvers/pseudo_inverse.hpp"
-#include "tests/catch.hpp"
 #include "tests/numerics/reference.hpp"
 #include "tests/solvers/allocations.hpp"
 #include "tests/solvers/objectives.hpp"
 #include "tests/solvers/pseudo_inverse.hpp"
 #include "tests/solvers_for.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 namespace {
 

@@ -3,12 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::solvers;
 
 namespace {
 

@@ -2,13 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/catch.hpp"
 #include "tests/solvers/objectives.hpp"
-
-using namespace ikbench;
-using namespace ikbench::numerics;
-using namespace ikbench::robots;
-using namespace ikbench::solvers;
 
 TEST_CASE("newton without restarts solves the poses that KDL solves, from the middle of the limits",
           "[newton][peers]") {
