@@ -140,9 +140,9 @@ void draw(const Figure& figure, const std::filesystem::path& workshop, const Ren
 std::string script_of(const Figure& figure, const std::vector<Picture>& formats) {
   std::string script = fmt::format(
       "# To draw it again: gnuplot {0}.gp\ndata = '{0}.dat'\nwidth_cm = {1}\nheight_cm = {2}\nlegend = {3}\n"
-      "legend_cm = {4}\nsides_cm = {5}\nis_square = {6}\nload 'style.gp'\n\n{7}\n",
-      figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.legend_cm),
-      text_of(figure.sides_cm), figure.is_square ? 1 : 0, figure.settings);
+      "sides_cm = {4}\nis_square = {5}\nload 'style.gp'\n\n{6}\n",
+      figure.name, text_of(figure.width_cm), text_of(figure.height_cm), figure.legend, text_of(figure.sides_cm),
+      figure.is_square ? 1 : 0, figure.settings);
   const bool can_repeat = !figure.plot.starts_with("set multiplot");
   for (const Picture type : formats) {
     const bool is_repeated = can_repeat && type != formats.front();

@@ -24,8 +24,7 @@ struct Figure {
   std::string plot =
       {};  // the one plot or splot command, or those from "set multiplot" on; reads the file `data`, which is NAME.dat
   std::string data = {};   // the numbers as drawn; comment lines start with '#'
-  std::size_t legend = 0;  // its entries; style.gp adds the room for them
-  double legend_cm = 0;    // the width of one
+  std::size_t legend = 0;  // its rows; style.gp adds the room for them
   double sides_cm = 2.05;  // the width of all beside the plot
   bool is_square = false;  // a wider one is higher, too
 };

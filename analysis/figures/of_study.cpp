@@ -118,25 +118,7 @@ std::string first_points(const StudyResults& study) {
 #undef FIGURE
 
 std::optional<Figure> overview(const JudgedStudy& judged, const Look& look) {
-  const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
-  if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
-  const bool are_means = motions->plan.test == results::Plan::Test::means;
-  const std::string average = are_means ? "mean" : "median";
-  const auto value = [&](const Judged& of, const std::string& solver) {
-    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
-    return are_means ? all.mean : all.median;
-  };
-  std::vector<Dot> dots;
-  const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
-  for (const std::string& solver : shown_solvers(judged.study, look))
-    dots.push_back({.label = solver,
-                    .style = style_of(look, solver),
-                    .x = value(*motions, solver),
-                    .y = factor * value(*errors, solver)});
-  About about = about_of(judged.study, metric_named(error),
-                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
-  about.quantity = fmt::format("{} {}", average, about.quantity);
-  return overview(about, average + " joint motion [deg]", dots);
+  return overview_of(judged, look, [](Dot&) {});
 }
 
 std::optional<Figure> error_boxes(const JudgedStudy& judged, const Look& look) { return boxes_of(judged, error, look); }
@@ -149,7 +131,8 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   if (tolerance == 0) return std::nullopt;
   constexpr double farthest = 1000;  // tolerances from it, on both sides
   const About about = about_of(
-      study, metric, fmt::format("Share of targets within an error, up to {} times the tolerance (dashed).", farthest));
+      study, metric,
+      fmt::format("Share of targets within a position error, up to {} times the tolerance (dashed).", farthest));
   return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
     const double value = factor * std::max(solve.position_error_cm, metric.floor);
     return value > farthest * tolerance ? nowhere : std::max(value, tolerance / farthest);
@@ -281,6 +264,32 @@ std::vector<BoxRow> box_rows(const Judged& metric, const DrawnUnit& unit, const 
     if (group->lost > 0) row.remark += fmt::format("{}{} lost", row.remark.empty() ? "" : ", ", group->lost);
   }
   return rows;
+}
+
+std::optional<Figure> overview_of(const JudgedStudy& judged, const Look& look,
+                                  const std::function<void(Dot&)>& add_printed) {
+  const Judged *const errors = judged_of(judged, error), *const motions = judged_of(judged, motion);
+  if (errors == nullptr || motions == nullptr || motions->observations.is_of_solved) return std::nullopt;
+  const bool are_means = motions->plan.test == results::Plan::Test::means;
+  const std::string average = are_means ? "mean" : "median";
+  const auto value = [&](const Judged& of, const std::string& solver) {
+    const compare::Description all = describe(*std::ranges::find(of.observations.groups, solver, &Group::name));
+    return are_means ? all.mean : all.median;
+  };
+  std::vector<Dot> dots;
+  const double factor = drawn_unit(judged.study, errors->observations.unit).factor;
+  for (const std::string& solver : shown_solvers(judged.study, look)) {
+    Dot& dot = dots.emplace_back(Dot{.label = solver,
+                                     .style = style_of(look, solver),
+                                     .x = value(*motions, solver),
+                                     .y = factor * value(*errors, solver)});
+    add_printed(dot);
+    dot.label = name_of(look, solver);
+  }
+  About about = about_of(judged.study, metric_named(error),
+                         fmt::format("Error against joint motion, {}s: best is the lower left.", average));
+  about.quantity = fmt::format("{} {}", average, about.quantity);
+  return overview(about, average + " joint motion [deg]", dots);
 }
 
 std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit, const std::vector<std::string>& shown,

@@ -2,6 +2,7 @@
 // what has one value a point shows the first run of each solver.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +51,9 @@ DrawnUnit drawn_unit(const compare::StudyResults& study, std::string_view unit);
 // Of the groups of these names, in their order.
 std::vector<BoxRow> box_rows(const compare::Judged& metric, const DrawnUnit& unit,
                              const std::vector<std::string>& shown, const Look& look);
+// Error against joint motion; `add_printed` adds what a paper printed.
+std::optional<Figure> overview_of(const compare::JudgedStudy& judged, const Look& look,
+                                  const std::function<void(Dot&)>& add_printed);
 // Each pair that was tested; of more than 15 those of the first name alone.
 std::optional<Figure> differences_of(const compare::Judged& metric, const DrawnUnit& unit,
                                      const std::vector<std::string>& shown, const Look& look);

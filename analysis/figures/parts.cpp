@@ -60,7 +60,7 @@ bool are_powers(double low, double high) { return low < 0.999e-3 || high > 1.001
 // Powers of ten with small ticks between; below three decades 2 and 5 times these have labels, too.
 std::string ticks_between(char letter, double low, double high, bool is_power) {
   const double decades = std::log10(high) - std::log10(low);
-  const int every = 1 + static_cast<int>((decades - 1) / 7);
+  const int every = 1 + static_cast<int>((decades - 1) / 4);
   std::vector<std::string> ticks;
   if (decades < 0.7) {
     const double step = round_step_of(high - low, 5);
@@ -221,42 +221,35 @@ void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, d
       std::max<std::size_t>(labels.size(), 1), fmt::join(ticks, ", "), text_of(widest_cm + 0.35));
 }
 
-void add_names(Figure& figure, std::vector<LineEnd> ends) {
-  if (ends.size() < 2) return;
+void add_names(Figure& figure, std::vector<Named> marks) {
+  if (marks.size() < 2) return;
   constexpr double around_cm = 1.5, row_cm = 0.34, stroke_cm = 0.45;
   double widest_cm = 0;
-  for (const LineEnd& end : ends) widest_cm = std::max(widest_cm, width_cm_of(end.label));
+  for (const Named& mark : marks) widest_cm = std::max(widest_cm, width_cm_of(mark.label));
   if (widest_cm > widest_in_column_cm) figure.width_cm = two_columns_cm;
-  figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(ends.size()));
+  figure.height_cm = std::max(figure.height_cm, around_cm + row_cm * static_cast<double>(marks.size()));
   figure.sides_cm = 1.8 + stroke_cm + widest_cm;
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + stroke_cm + 0.15));
-  // From the top each where its line ends, or below the one before; then from the bottom up, so that none is lower.
+  // From the top each beside its mark, or below the one before; then from the bottom up, so that none is lower.
   const double row = row_cm / (figure.height_cm - around_cm);
-  std::ranges::stable_sort(ends, std::ranges::greater(), &LineEnd::height);
+  std::ranges::stable_sort(marks, std::ranges::greater(), &Named::y);
   std::vector<double> at;
-  for (const LineEnd& end : ends) at.push_back(at.empty() ? end.height : std::min(end.height, at.back() - row));
+  for (const Named& mark : marks) at.push_back(at.empty() ? mark.y : std::min(mark.y, at.back() - row));
   double least = 0;
   for (std::size_t i = at.size(); i-- > 0; least = at[i] + row) at[i] = std::max(at[i], least);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const std::string place = fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.15), text_of(at[i]));
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const auto& [label, style, y, x] = marks[i];
     figure.settings += fmt::format(
-        "set label {0} at {1} left offset 0.4, 0 noenhanced\nset arrow from graph 1, graph {2} to {1} nohead {3}\n",
-        gnuplot_text(ends[i].label), place, text_of(ends[i].height), ends[i].style);
+        "set label {0} at {1} left offset 0.4, 0 noenhanced\nset arrow from graph {2}, graph {3} to {1} nohead {4}\n",
+        gnuplot_text(label), fmt::format("screen 1 - margin({}), graph {}", text_of(widest_cm + 0.15), text_of(at[i])),
+        text_of(x), text_of(y), style);
   }
 }
 
-void add_legend_of(Figure& figure, const std::vector<std::string>& labels) {
-  std::size_t longest = 1;
-  for (const std::string& label : labels) longest = std::max(longest, character_count(label));
-  if (labels.size() > 8) figure.width_cm = two_columns_cm;
-  figure.legend = labels.size() > 1 ? labels.size() : 0;
-  const bool are_short = longest < 5;  // gnuplot takes PSO for narrower than it is
-  figure.legend_cm =
-      (are_short ? 1.16 : 0.92) + 0.2 * static_cast<double>(longest);  // as gnuplot 5.4 reserves for an entry in an SVG
-  if (are_short) figure.settings += "set key width 0.7\n";
-  figure.settings += labels.size() > 1
-                         ? "set key at screen 0.5, screen up(0.1) bottom center horizontal maxcols columns(legend_cm)\n"
-                         : "unset key\n";
+void add_legend(Figure& figure, std::size_t entries) {
+  figure.legend = entries > 1 ? entries : 0;
+  figure.settings +=
+      entries > 1 ? "set key at screen 0.5, screen up(0.1) bottom center vertical maxcols 1\n" : "unset key\n";
 }
 
 }  // namespace ikbench::figures

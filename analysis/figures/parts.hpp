@@ -45,14 +45,15 @@ Axis logarithmic_axis(char letter, double smallest, double largest, const std::s
 void add_labelled_rows(Figure& figure, const std::vector<std::string>& labels, double row_cm);
 // The same margins in every figure with two axes.
 void add_margins(Figure& figure, double bottom_cm = 1.2);
-// The names of lines at the right of the plot, each joined to the end of its line; none for a single one.
-struct LineEnd {
+// Names at the right of the plot, each joined to its mark, which is the end of a line by default; none for a single
+// one.
+struct Named {
   std::string label;
-  std::string style;  // of gnuplot
-  double height = 0;  // share of the axis
+  std::string style;    // of gnuplot
+  double y = 0, x = 1;  // shares of the axes
 };
-void add_names(Figure& figure, std::vector<LineEnd> ends);
-// Entries below the plot, in as many columns as fit; none for a single one.
-void add_legend_of(Figure& figure, const std::vector<std::string>& labels);
+void add_names(Figure& figure, std::vector<Named> marks);
+// Room for so many entries below the plot, a row each; none for a single one.
+void add_legend(Figure& figure, std::size_t entries);
 
 }  // namespace ikbench::figures

@@ -120,7 +120,7 @@ std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_r
         fmt::format("data index 0 using (place_x($8)):($1+0.27):(0):(0.14) with vectors nohead lw 1.6 {}", grey));
     clauses.push_back(fmt::format("keyentry with points pt 6 ps 0.3 lw 0.7 {} title 'here'", black));
     clauses.push_back(fmt::format("keyentry with lines lw 1 {} title 'printed: smallest, median, largest'", grey));
-    add_legend_of(figure, {"here", "printed: smallest, median, largest"});
+    add_legend(figure, 2);
   }
   figure.plot = plotted(clauses);
   return figure;
@@ -130,7 +130,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
   Figure figure = begun(about);
   std::vector<double> xs, ys;
   std::vector<std::string> back, front;
-  std::vector<LineEnd> ends;
+  std::vector<Named> ends;
   figure.data =
       fmt::format("# {}; {}; low, high, and the dotted line\n", x_axis, with_unit(about.quantity, about.unit));
   bool has_bands = false;
@@ -145,13 +145,13 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
     has_bands = has_bands || has_band;
     const std::string stroke = line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {}", grey),
                       style = line.style > 0 ? stroke : stroke + " pt 6 ps 0.9";
-    LineEnd& end = ends.emplace_back(label_of(line.label), stroke);
+    Named& end = ends.emplace_back(Named{label_of(line.label), stroke});
     for (const CurveRow& row : line.rows) {
       figure.data += data_row({row.x, row.y, row.low, row.high, row.dotted});
       xs.push_back(row.x);
       ys.insert(ys.end(), {row.y, row.dotted});
       if (has_band) ys.insert(ys.end(), {row.low, row.high});
-      if (!std::isnan(row.y)) end.height = row.y;
+      if (!std::isnan(row.y)) end.y = row.y;
     }
     const std::string rows = fmt::format("data index {} using 1:", index);
     if (has_band)
@@ -168,7 +168,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
   const auto [first, last] = std::ranges::minmax(xs);
   if (last - first <= 10) figure.settings += "set xtics 1\n";
   add_margins(figure);
-  for (LineEnd& end : ends) end.height = y.share_of(end.height);
+  for (Named& end : ends) end.y = y.share_of(end.y);
   add_names(figure, ends);
   std::ranges::move(front, std::back_inserter(back));
   figure.plot = plotted(back);
@@ -179,7 +179,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
                              double dashed) {
   Figure figure = begun(about);
   std::vector<std::string> clauses;
-  std::vector<LineEnd> ends;
+  std::vector<Named> ends;
   double smallest = std::isnan(dashed) ? 1e300 : dashed, largest = std::isnan(dashed) ? 0 : dashed;
   figure.data = fmt::format("# {}, share of all attempts [%]\n", with_unit(about.quantity, about.unit));
   constexpr double low = -2, high = 102;
@@ -198,7 +198,7 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
       largest = std::max(largest, costs.back());
     }
     const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
-    ends.emplace_back(label_of(all[i].label), style, (share - low) / (high - low));
+    ends.push_back({label_of(all[i].label), style, (share - low) / (high - low)});
     clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps {}", i, style));
   }
   if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
@@ -341,10 +341,9 @@ Figure path(const About& about, const PathRows& rows) {
   if (rows.is_closed && !rows.targets.empty()) add_row(0);
   see(rows.targets);
   const std::string_view target = rows.is_from_above ? "1:2" : "(u($1,$2,$3)):(v($1,$2,$3))";
-  std::vector<std::string> clauses, labels;
+  std::vector<std::string> clauses;
   const auto add = [&](const std::string& label, const std::string& what) {
-    labels.push_back(label_of(label));
-    clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(labels.back())));
+    clauses.push_back(fmt::format("data index {} title {}", what, gnuplot_text(label_of(label))));
   };
   if (!rows.targets.empty()) add("path", fmt::format("0 using {} with lines lw 0.7 {}", target, grey));
   constexpr std::array<std::string_view, 3> shades{"#303030", "#707070", "#A8A8A8"};
@@ -372,7 +371,7 @@ Figure path(const About& about, const PathRows& rows) {
   }
   const double side = longest > 0 ? 1.1 * longest : 2;
   for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = middle[axis] - side / 2;
-  add_legend_of(figure, labels);
+  add_legend(figure, clauses.size());
   const double bottom_cm = rows.is_from_above ? 1.2 : 0.3, aspect = rows.is_from_above ? 1 : 0.84;
   add_margins(figure, bottom_cm);
   figure.settings += fmt::format(
@@ -455,37 +454,32 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& al
 std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
   Figure figure = begun(about);
   std::vector<double> xs, ys;
-  std::vector<std::string> clauses, labels;
-  bool has_printed = false;
+  std::vector<std::string> clauses;
+  std::vector<Named> names;
   figure.data =
       fmt::format("# a line a solver: {}; {}; both as printed\n", x_axis, with_unit(about.quantity, about.unit));
   for (const Dot& dot : dots) {
     if (std::isnan(dot.x + dot.y)) continue;
     xs.insert(xs.end(), {dot.x, dot.printed_x});
     ys.insert(ys.end(), {dot.y, dot.printed_y});
-    has_printed = has_printed || !std::isnan(dot.printed_y);
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
-    labels.push_back(label_of(dot.label));
-    const std::string line = fmt::format("data every ::{0}::{0} using", labels.size() - 1);
-    clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9 title {}", line,
-                                  dot.style, gnuplot_text(labels.back())));
-    clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 lc rgb colour_of({})",
-                                  line, dot.style));
+    const std::string line = fmt::format("data every ::{0}::{0} using", names.size()),
+                      colour = fmt::format("lc rgb colour_of({})", dot.style);
+    names.push_back({label_of(dot.label), "back lw 0.5 dt 3 " + colour, dot.y, dot.x});
+    clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
+    clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
-  if (labels.empty()) return std::nullopt;
-  figure.settings =
-      value_axis('y', ys, about, Begins::at_zero).settings + linear_axis('x', xs, x_axis, Begins::around).settings;
-  if (has_printed) {
-    clauses.insert(
-        clauses.begin(),
-        fmt::format("data using (place_x($1)):(place_y($2)):(place_x($3)-place_x($1)):(place_y($4)-place_y($2)) "
-                    "with vectors nohead lw 0.6 {}",
-                    grey));
-    labels.emplace_back("printed");
-    clauses.push_back(fmt::format("keyentry with points pt 6 ps 0.9 lw 1.2 {} title 'printed'", grey));
-  }
-  add_legend_of(figure, labels);
+  if (names.empty()) return std::nullopt;
+  const Axis x = linear_axis('x', xs, x_axis, Begins::around), y = value_axis('y', ys, about, Begins::at_zero);
+  figure.settings = x.settings + y.settings;
+  clauses.insert(
+      clauses.begin(),
+      fmt::format("data using (place_x($1)):(place_y($2)):(place_x($3)-place_x($1)):(place_y($4)-place_y($2)) "
+                  "with vectors nohead lw 0.6 {}",
+                  grey));
+  for (Named& each : names) each.x = x.share_of(each.x), each.y = y.share_of(each.y);
   add_margins(figure);
+  add_names(figure, names);
   figure.plot = plotted(clauses);
   return figure;
 }

@@ -32,7 +32,7 @@ set style line 1001 lw 1.3 lc rgb "#000000" dt 1
 set border 3 lw 0.6
 set tics out nomirror scale 0.6, 0.3
 set grid xtics ytics ls 1000
-set key below horizontal Left reverse noenhanced noautotitle samplen 2 width -0.5
+set key below Left reverse noenhanced noautotitle samplen 2 width -0.5
 set xtics offset 0, 0.3
 set xlabel offset 0, 0.85
 
@@ -42,9 +42,7 @@ own_width_cm = width_cm
 if (all_width_cm > 0) width_cm = all_width_cm
 if (sides_cm * text / 8.0 > 0.75 * width_cm) text = 8.0 * 0.75 * width_cm / sides_cm
 if (is_square && width_cm > own_width_cm) height_cm = height_cm * sqrt(width_cm / own_width_cm)
-columns(cm) = (cm + 2.05) * text / 8.0 < width_cm ? int((width_cm / text * 8 - 2.05) / cm) : 1
-legend_rows = legend > 0 ? (legend + columns(legend_cm) - 1) / columns(legend_cm) : 0
-legend_rows_cm = legend > 0 ? 0.2 + 0.35 * legend_rows : 0
+legend_rows_cm = legend > 0 ? 0.2 + 0.35 * legend : 0
 least_cm = (0.8 * height_cm + legend_rows_cm) * text / 8.0
 height_cm = (height_cm + legend_rows_cm) * text / 8.0
 if (all_height_cm > 0) height_cm = all_height_cm > least_cm ? all_height_cm : least_cm

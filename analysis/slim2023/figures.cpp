@@ -45,41 +45,31 @@ Figure path_figure(const StudyResults& study, int number, std::size_t arms, cons
 
 // The means of Table 3, ours and printed.
 std::optional<Figure> overview_figure(const JudgedStudy& judged, const Look& look) {
-  std::vector<Dot> dots;
-  for (const std::string& solver : shown_solvers(judged.study, look)) {
-    Dot& dot = dots.emplace_back(Dot{.label = solver, .style = style_of(look, solver)});
-    const auto read = [&](std::string_view column, double& ours, double& beside) {
-      if (const Judged* const metric = judged_of(judged, column)) ours = papers::numbers_of(*metric, solver).mean;
+  std::optional<Figure> figure = overview_of(judged, look, [](Dot& dot) {
+    const auto printed = [&](std::string_view column) {
       const papers::PrintedRows rows = in_print(column);
-      if (const auto* const row = papers::row_of(rows, solver)) beside = row->numbers.mean;
+      const auto* const row = papers::row_of(rows, dot.label);
+      return row == nullptr ? nowhere : row->numbers.mean;
     };
-    read(motion, dot.x, dot.printed_x);
-    read(error, dot.y, dot.printed_y);
-  }
-  return overview({"overview", "Error against joint motion, means of all runs. Rings: as printed.", "mean error", "cm"},
-                  "mean joint motion [deg]", dots);
+    dot.printed_x = printed(motion), dot.printed_y = printed(error);
+  });
+  if (figure) figure->name = "overview", figure->caption += " Rings: as printed.";
+  return figure;
 }
 
-struct Figures {
-  std::vector<Figure> all = {};
-  void add(std::optional<Figure> figure) {
-    if (figure) all.push_back(std::move(*figure));
-  }
-};
+using Figures = std::vector<std::optional<Figure>>;
 
-std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
+Figures of_helix(const JudgedStudy& judged, const Look& look) {
   const StudyResults& study = judged.study;
-  Figures figures;
-  figures.add(overview_figure(judged, look));
-  figures.add(path_figure(study, 5, 1, look));
+  Figures figures{overview_figure(judged, look), path_figure(study, 5, 1, look)};
   for (const PaperMetric& metric : paper_metrics) {
     const About about =
         about_of(study, metric, metric.curves,
                  fmt::format("The {} at each point, mean of the runs. Dotted: the median.", name_of(metric)));
-    figures.add(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
+    figures.push_back(curves(about, "point", by_point(study, metric.column, look, Average::mean)));
   }
   const auto [rows, columns] = joint_rows(study, look);
-  figures.add(
+  figures.push_back(
       joints(numbered(9, "Joint angles along the path, first run of each solver. Dashed: limits."), rows, columns));
   for (const PaperMetric& metric : paper_metrics) {
     const Judged* const values = judged_of(judged, metric.column);
@@ -96,17 +86,15 @@ std::vector<Figure> of_helix(const JudgedStudy& judged, const Look& look) {
       if (const auto* const of = papers::row_of(printed, row.label))
         row.printed = {of->numbers.smallest, of->numbers.median, of->numbers.largest};
     }
-    figures.add(boxes(about, boxed));
+    figures.push_back(boxes(about, boxed));
   }
-  return figures.all;
+  return figures;
 }
 
-std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
-  Figures figures;
-  figures.add(path_figure(study, 14, 0, look));
-  figures.add(path_figure(study, 15, 3, look));
+Figures of_circle(const StudyResults& study, const Look& look) {
+  Figures figures{path_figure(study, 14, 0, look), path_figure(study, 15, 3, look)};
   const auto [rows, columns] = joint_rows(study, look);
-  figures.add(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
+  figures.push_back(joints(numbered(16, "Joint angles along the circle. Dashed: limits."), rows, columns));
   std::vector<Line> errors = by_point(study, error, look, Average::mean);
   const CsvTable printed = results::published::table("slim2023", "table-8");
   Line& beside = errors.emplace_back(Line{.label = "as printed", .style = 0});
@@ -116,19 +104,24 @@ std::vector<Figure> of_circle(const StudyResults& study, const Look& look) {
                        const std::vector<Line>& lines) {
     About about = about_of(study, paper_metrics[0], number, caption);
     about.floor = 0;  // all is rounding
-    figures.add(curves(about, axis, lines));
+    figures.push_back(curves(about, axis, lines));
   };
   add(17, "The error at each point, beside Table 8's.", "point", errors);
   add(18, "Best error after each iteration, mean of all solves. Dotted: the median.", "iteration",
       by_iteration(study, look, Average::mean));
-  return figures.all;
+  return figures;
 }
 
 }  // namespace
 
 std::vector<Figure> figures_of(const JudgedStudy& judged, const Look& look) {
   if (shown_solvers(judged.study, look).empty()) return {};
-  return judged.study.definition.path == "circle" ? of_circle(judged.study, look) : of_helix(judged, look);
+  std::vector<Figure> all;
+  for (const auto& figure :
+       judged.study.definition.path == "circle" ? of_circle(judged.study, look) : of_helix(judged, look)) {
+    if (figure) all.push_back(*figure);
+  }
+  return all;
 }
 
 }  // namespace ikbench::slim2023

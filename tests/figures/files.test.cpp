@@ -234,7 +234,6 @@ TEST_CASE("a figure has the width, height, font, size of text, colours and forma
   Figure figure{
       .name = "f", .caption = "f", .settings = "", .plot = "plot 'f.dat' ls 1 title 'x'", .data = "1 1\n2 2\n"};
   figure.legend = 1;
-  figure.legend_cm = 3;
   write_figures({figure}, folder.path, {});
   const FigureStyle style{.width_cm = 12.7,
                           .height_cm = 7.62,
