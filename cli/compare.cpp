@@ -177,6 +177,7 @@ std::string markdown_of(const std::vector<Gate>& all) {
     const show::Shown shown = shown_of(gate);
     text += fmt::format("**{}** {}\n\n{}\n{}\n", show::markdown_text(verdict_of(gate)), sight_of(gate),
                         show::to_markdown(show::results_table(shown)), show::to_markdown(show::pairs_table(shown)));
+    for (const compare::Doubt& doubt : shown.all_doubts()) text += show::markdown_text("! " + words_of(doubt)) + "\n\n";
   }
   return text;
 }
@@ -197,7 +198,7 @@ void add_compare(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false)
       ->excludes(store);
   command->add_option("--margin", arguments->margin,
-                      "relative difference that matters, such as 10%; default: the plan's");
+                      "relative difference that matters, such as 10%; default: that of the baseline's plan");
   command->add_flag("--strict", arguments->is_strict, "exit with 4 if nothing is worse but something is not decided");
   command->add_option("-o,--output", arguments->output, "also write the verdict as Markdown to this file")
       ->check(not_empty());

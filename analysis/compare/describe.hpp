@@ -16,7 +16,7 @@ struct Description {
   double mean = unknown;
   double sd = unknown;  // divided by n - 1; not known where values count as the tolerance
   double median = unknown, lower_quartile = unknown, upper_quartile = unknown;  // Hyndman and Fan's type 5, MATLAB's
-  double quantile_95 = unknown;  // of the same type
+  double quantile_95 = unknown;                                                 // of the same type
   double smallest = unknown, largest = unknown;
 };
 

@@ -82,7 +82,7 @@ StudyResults study_of_both(StudyResults& baseline, StudyResults& candidate) {
   StudyResults study =
       study_of(entry, std::move(solves), sessions, !is_other_seed || !candidate.definition.draws_targets);
   study.runs = std::min(baseline.runs, candidate.runs);
-  study.definition.plan = candidate.definition.plan;
+  study.definition.plan = baseline.definition.plan;      // a candidate sets no margin of its own
   study.definition.plan.control = study.solvers.back();  // shown second
   return study;
 }
@@ -150,16 +150,22 @@ void refuse_vanished(const JudgedStudy& judged, const std::string& label) {
 
 // Takes solved targets from the baseline, until the test of this size shows it.
 std::optional<double> visible_loss(const Judged& judged) {
-  Observations of = judged.observations;
-  of.groups.front() = of.groups.back();
-  std::vector<double>& values = of.groups.front().values;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] == 0) continue;
-    values[i] = 0;
+  const auto after = [&](std::int64_t losses) -> std::optional<double> {
+    Observations of = judged.observations;
+    of.groups.front() = of.groups.back();
+    for (double& value : of.groups.front().values) {
+      if (value != 0 && losses-- > 0) value = 0;
+    }
     const Finding finding = compare(of, judged.plan).front();
-    if (finding.verdict == Verdict::worse && finding.estimate) return -*finding.estimate;
+    return finding.verdict == Verdict::worse && !finding.is_within_margin ? finding.estimate : std::nullopt;
+  };
+  std::int64_t too_few = 0, enough = std::ssize(judged.observations.groups.back().values);
+  if (!after(enough)) return std::nullopt;
+  while (enough - too_few > 1) {
+    const std::int64_t middle = (too_few + enough) / 2;
+    (after(middle) ? enough : too_few) = middle;
   }
-  return std::nullopt;
+  return -*after(enough);
 }
 
 }  // namespace

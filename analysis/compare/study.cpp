@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 #include "analysis/compare/describe.hpp"
@@ -107,21 +108,18 @@ class Adder {
 
 // No solver chooses its targets, nor its starts, but those that its own answers left.
 void refuse_other_targets(const StudyResults& study) {
-  const auto place = [](const Solve& solve) { return std::pair(solve.run, solve.point); };
+  const auto place = [](const Solve& solve) { return (std::int64_t{solve.run} << 32) + solve.point; };
   const auto is_own = [&](const Solve& solve) { return study.definition.is_chained() && solve.point > 1; };
-  const std::span<const Solve> first = study.of(study.solvers.empty() ? "" : study.solvers.front());
-  for (const std::string& solver : study.solvers) {
-    auto here = first.begin();
-    for (const Solve& solve : study.of(solver)) {
-      while (here != first.end() && place(*here) < place(solve)) ++here;
-      if (here == first.end() || place(*here) != place(solve)) continue;
-      if (here->target == solve.target && (here->start == solve.start || is_own(solve))) continue;
-      throw std::invalid_argument(fmt::format(
-          "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
-          "another folder",
-          study.entry.name, solve.run, solve.point, study.solvers.front(), solver,
-          here->target == solve.target ? "starts" : "targets"));
-    }
+  std::unordered_map<std::int64_t, const Solve*> first;
+  for (const Solve& solve : study.solves) {
+    const Solve& here = *first.try_emplace(place(solve), &solve).first->second;
+    if (here.target == solve.target && (here.start == solve.start || is_own(solve))) continue;
+    const auto label = [&](const Solve& its) { return study.solvers[static_cast<std::size_t>(its.solver)]; };
+    throw std::invalid_argument(fmt::format(
+        "study {}, run {}, point {}: {} and {} had different {}; expected one task for all, so solve it again into "
+        "another folder",
+        study.entry.name, solve.run, solve.point, label(here), label(solve),
+        here.target == solve.target ? "starts" : "targets"));
   }
 }
 

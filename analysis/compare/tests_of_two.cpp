@@ -257,6 +257,7 @@ Ranks midranks(Values first, Values second) {
 }
 
 double smallest_p_unpaired(std::size_t m, std::size_t n) {
+  if (m > n) std::swap(m, n);  // to the same bits
   double p = 2;
   for (std::size_t i = 1; i <= m; ++i) p *= number(i) / number(n + i);
   return std::min(1.0, p);

@@ -187,14 +187,17 @@ TEST_CASE("solves that are the same bit for bit leave nothing open, however few"
   CHECK(exit_code({other}, true) == 0);  // equal numbers
 }
 
-TEST_CASE("other budgets are a doubt, and the margin is the candidate's") {
+TEST_CASE("other budgets are a doubt, and the margin is the baseline's") {
   const auto triple = [](SolveRecord& solve) {
     if (solve.status == Status::ok) solve.evaluations *= 3;
   };
   StudyResults after = version(2, of_100, triple);
   after.definition.stop.evaluations = 3000;
   after.definition.plan.margin = 9;
-  const Gate gate = gate_of(version(1), after);
+  StudyResults before = version(1);
+  CHECK_FALSE(gate_of(before, after).worse.empty());
+  before.definition.plan.margin = 9;
+  const Gate gate = gate_of(before, after);
   CHECK(gate.worse.empty());
   REQUIRE(gate.judged.doubts.size() == 1);
   CHECK(words_of(gate.judged.doubts.front()) ==

@@ -32,6 +32,11 @@ TEST_CASE("Solvers of a study have the same targets, and starts but where their 
   CHECK_THROWS_WITH(study(chained, other_target), StartsWith(place + "1: A and B had different targets"));
   CHECK_THROWS_WITH(study(chained, other_start(1)), StartsWith(place + "1: A and B had different starts"));
   CHECK_THROWS_WITH(study(unchained, other_start(2)), StartsWith(place + "2: A and B had different starts"));
+  const std::vector<std::string> labels{"A", "B", "C"};
+  std::vector<SolveRecord> solves = solves_of(unchained, labels, other_target);
+  std::erase_if(solves, [](const SolveRecord& solve) { return solve.solver == "A"; });  // has solved nothing
+  CHECK_THROWS_WITH(study_of(entry_of(unchained, labels), solves),
+                    StartsWith(place + "1: B and C had different targets"));
   CHECK_NOTHROW(study(chained, other_start(2)));
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("separated groups have p = 2 / C(m + n, m), and more evidence never a 
   std::swap(low.back(), high.front());
   CHECK(rank_test(low, high, 0.05).p > separated);
   CHECK(smallest_p_unpaired(20, 20) == Approx(2 / 137846528820.0).epsilon(1e-12));
-  CHECK(smallest_p_unpaired(5, 20) == Approx(smallest_p_unpaired(20, 5)));
+  CHECK(smallest_p_unpaired(5, 20) == smallest_p_unpaired(20, 5));  // whatever the order of rows
   CHECK(smallest_p_paired(6) == 1.0 / 32);
 }
 
