@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "numerics/names.hpp"
 #include "numerics/number.hpp"
@@ -139,10 +140,15 @@ std::size_t Sheet::joined(const std::vector<std::string>& names) {
   for (const std::string& name : names) parts.push_back(column(name));
   if (parts.size() == 1) return parts.front();
   std::vector<std::string>& texts = joined_.emplace_back(view_.rows());
+  std::unordered_map<std::string, std::uint32_t> first;  // row of each text
   for (const std::uint32_t row : rows_) {
     const auto is_empty = [&](std::size_t part) { return cell(row, part).empty(); };
     if (std::ranges::any_of(parts, is_empty)) continue;
     for (const std::size_t part : parts) texts[row].append(texts[row].empty() ? "" : " ").append(cell(row, part));
+    const std::uint32_t before = first.try_emplace(texts[row], row).first->second;
+    if (std::ranges::any_of(parts, [&](std::size_t part) { return cell(row, part) != cell(before, part); }))
+      refuse(row, parts.front(),
+             fmt::format("reads {} with the other columns, as other cells do", in_quotes(texts[row])));
   }
   titles_.push_back(fmt::format("{}", fmt::join(names, " ")));
   decimals_.push_back(0);

@@ -93,11 +93,12 @@ Layout layout_of(Sheet& sheet, const Request& request) {
   if (!layout.label && texts.size() > 1)
     sheet.refuse(fmt::format("text in the columns {}; name that of the groups with --label", sheet.names_of(texts)));
   if (!layout.label && !texts.empty()) layout.label = texts.front();
-  if (layout.label && numbers.size() > 1 && layout.values.empty())
-    sheet.refuse(
-        fmt::format("numbers in the columns {}; name one with --value, or, if each is a group, what all groups "
-                    "had with --block '{}'",
-                    sheet.names_of(numbers), sheet.titles()[*layout.label]));
+  if (layout.label && numbers.size() > 1 && layout.values.empty()) {
+    const std::string& title = sheet.titles()[*layout.label];
+    const std::string or_block = fmt::format(", or, if each is a group, what all groups had with --block '{}'", title);
+    sheet.refuse(fmt::format("numbers in the columns {}; name one with --value{}", sheet.names_of(numbers),
+                             is_one_of(title, label_names) ? ", what all groups had with --block" : or_block));
+  }
   if (!layout.label) {
     layout.rows = sheet.column_like(run_names);
     const auto is_row = [&](std::size_t each) { return tells_rows(sheet, each); };
@@ -154,7 +155,8 @@ void refuse_other(const Sheet& sheet, Index row, Index other, std::size_t column
 }
 
 Items items_of(Sheet& sheet, const Layout& layout, const std::vector<std::size_t>& columns) {
-  const Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
+  Column unit = layout.block ? layout.block : layout.run ? layout.run : sheet.column_like(run_names);
+  if (unit == layout.label) unit = {};
   std::unordered_map<std::string_view, Index> groups, units;
   Items items;
   items.values.reserve(columns.size() * sheet.rows().size());
@@ -255,7 +257,7 @@ Better better_of(const Sheet& sheet, const Request& request, const std::string& 
   texts.emplace_back(title);
   const bool may_be_larger =
       are_shares || std::ranges::any_of(texts, [](std::string_view text) {
-        constexpr std::array<std::string_view, 5> words{"success", "rate", "accuracy", "reward", "score"};
+        constexpr std::array<std::string_view, 6> words{"success", "solved", "rate", "accuracy", "reward", "score"};
         return std::ranges::any_of(words, [&](std::string_view word) { return has_word(text, word); });
       });
   if (said.empty() && may_be_larger)
@@ -421,6 +423,8 @@ Quantities read(std::string_view text, std::string_view source, const Request& r
   for (std::size_t i = 0; i < titles.size(); ++i) {
     const Items items = items_of(sheet, layout, layout.label ? std::vector{layout.values[i]} : layout.values);
     Observations of = quantity_of(titles[i]);
+    const auto has_its_name = [&](const std::string& title) { return quantity_of(title).quantity == of.quantity; };
+    if (std::ranges::count_if(titles, has_its_name) > 1) of.quantity = titles[i], of.unit.clear();
     const Metric* metric = metric_of(sheet, titles[i]);
     if (metric) {
       of.scale = metric->scale, of.floor = metric->floor, of.rounding = metric->rounding;
@@ -465,10 +469,9 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     Observations of = quantity_of(title);
     of.better = better_of(sheet, request, title, false);
     of.scale = Scale::difference;
-    if (std::ranges::count(titles, title) == 0) titles.push_back(title);
-    auto found = std::ranges::find(quantities.observed, of.metric, &Observations::metric);
-    if (found == quantities.observed.end()) found = quantities.observed.insert(found, of);
-    std::vector<Group>& groups = found->groups;
+    const auto place = std::ranges::find(titles, title) - titles.begin();
+    if (place == std::ssize(titles)) titles.push_back(title), quantities.observed.push_back(of);
+    std::vector<Group>& groups = quantities.observed[static_cast<std::size_t>(place)].groups;
     const std::string name(sheet.cell(row, label));
     if (name.empty() || std::ranges::count(groups, name, &Group::name) > 0)
       sheet.refuse(row, label, "is no name of another group");
@@ -484,7 +487,7 @@ Quantities read_summaries(std::string_view text, std::string_view source, const 
     const bool is_constant = summary.sd == 0;  // or its spread was rounded away: it would decide everything
     groups.push_back({.name = name, .is_apart = is_constant, .summary = summary});
     if (is_constant)
-      found->doubts.push_back(
+      quantities.observed[static_cast<std::size_t>(place)].doubts.push_back(
           {.kind = DoubtKind::repeats_itself, .who = {name}, .count = size, .of = size, .what = "value"});
   }
   refuse_others(sheet, request, titles);

@@ -403,6 +403,8 @@ TEST_CASE("printed means are compared by means") {
   CHECK(found.front().test == "Welch's t");
   CHECK(found.front().verdict == Verdict::better);  // IK-BA against BA
   CHECK(*found.front().estimate == Approx(0.0019 - 1.6849));
+  CHECK(csv::read_summaries("name,n,mean,sd,metric\nA,5,1,1,\u8bef\nA,5,1,1,\u65f6\n", "s.csv", {}).observed.size() ==
+        2);
   const Quantities usual = csv::read_summaries("name,n_runs,avg,std_dev\nA,5,1,2\n", "s.csv", {});
   CHECK(usual.observed.front().groups.front().summary->sd == 2);
   CHECK_THROWS_AS(csv::read_summaries("name,n,mean,sd\nA,2.5,1,1\n", "s.csv", {}), std::invalid_argument);
@@ -459,6 +461,13 @@ TEST_CASE("mistakes say where and what to do") {
   CHECK(has(complaint("solver,v,w\nA,1,2\n"), "--value"));
   CHECK(has(complaint("s,t,v\nA,x,1\n"), "--label"));
   CHECK(has(complaint("v\n1\n2\n"), "--label"));
+  CHECK(has(complaint("p,q,v\na,b c,1\na b,c,2\n", {.label = {"p", "q"}}), "as other cells do"));
+  CHECK(has(complaint("s,solved\nA,0.5\nA,0.7\nB,0.6\nB,0.9\n"), "--better"));
+  const Quantities two =
+      csv::read("s,error_cm,error_deg\nA,5,7\nA,6,8\nB,6,6\nB,9,4\n", "d.csv", {.values = {"error_cm", "error_deg"}});
+  CHECK(two.observed[1].quantity == "error_deg");  // a name of its own
+  const std::string by_seed = "seed,error\n1,0.5\n1,0.7\n2,0.6\n2,0.9\n";
+  CHECK(observations(by_seed, {.label = {"seed"}}).groups.size() == 2);  // a column of groups numbers no runs
   CHECK(csv::read("s,v\nA,1\nB,2\n", "data.csv", {.values = {"v", "v"}}).observed.size() == 1);
   CHECK(has(complaint("solver,error\nA,1\n", {.values = {"eror"}}), "did you mean \"error\""));
   CHECK(has(complaint(std::string("s,v\nA\0,1\n", 9)), "NUL"));
