@@ -129,13 +129,10 @@ std::optional<Figure> error_shares(const JudgedStudy& judged, const Look& look) 
   const auto [unit, factor] = drawn_unit(study, metric.unit);
   const double tolerance = factor * study.definition.stop.tolerance_cm;
   if (tolerance == 0) return std::nullopt;
-  constexpr double farthest = 1000;  // tolerances from it, on both sides
-  const About about = about_of(
-      study, metric,
-      fmt::format("Share of targets within a position error, up to {} times the tolerance (dashed).", farthest));
+  const About about =
+      about_of(study, metric, "Share of targets within a position error, up to 1000 times the tolerance (dashed).");
   return shares_of(study, about, "targets", {}, "", look, tolerance, [&, factor = factor](const Solve& solve) {
-    const double value = factor * std::max(solve.position_error_cm, metric.floor);
-    return value > farthest * tolerance ? nowhere : std::max(value, tolerance / farthest);
+    return factor * std::max(solve.position_error_cm, metric.floor);
   });
 }
 
@@ -297,7 +294,7 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
   const Observations& of = metric.observations;
   constexpr std::size_t most_pairs = 15;
   Look brief = look;  // two names a row
-  brief.names = short_names(shown, 20);
+  brief.names = short_names(shown, 24);
   const auto name_in_row = [&](const std::string& solver) { return name_of(brief, solver); };
   const auto place = [&](const std::string& name) { return std::ranges::find(shown, name) - shown.begin(); };
   const auto places = [&](const Finding& of_two) { return std::minmax({place(of_two.first), place(of_two.second)}); };
@@ -326,10 +323,11 @@ std::optional<Figure> differences_of(const Judged& metric, const DrawnUnit& unit
     const bool is_decided = is_difference(finding.verdict);
     row.verdict = is_decided                         ? name_in_row(better) + " better"
                   : finding.verdict == Verdict::same ? "the same"
+                  : finding.are_all_equal            ? "all equal"
                                                      : "not decided";
     if (is_decided) row.style = style_of(look, better);
   }
-  const std::string quantity = of.scale == Scale::share ? "share solved" : of.quantity;
+  const std::string quantity = of.metric == "solved" ? "share solved" : of.quantity;
   const std::string what = are_ratios ? "ratio" : "difference";
   return differences(
       {.name = "differences",

@@ -55,6 +55,11 @@ void add_remarks(Figure& figure, const std::vector<std::string>& remarks) {
   figure.settings += fmt::format("set rmargin at screen 1 - margin({})\n", text_of(widest_cm + 0.45));
 }
 
+// From a mark or a line's end to its name.
+std::string leader_of(int style) {
+  return "back lw 0.5 dt 3 " + (style > 0 ? fmt::format("lc rgb colour_of({})", style) : std::string(grey));
+}
+
 }  // namespace
 
 std::optional<Figure> boxes(const About& about, const std::vector<BoxRow>& all_rows) {
@@ -145,7 +150,7 @@ std::optional<Figure> curves(const About& about, const std::string& x_axis, cons
     has_bands = has_bands || has_band;
     const std::string stroke = line.style > 0 ? fmt::format("ls {}", line.style) : fmt::format("lw 0.7 dt 2 {}", grey),
                       style = line.style > 0 ? stroke : stroke + " pt 6 ps 0.9";
-    Named& end = ends.emplace_back(Named{label_of(line.label), stroke});
+    Named& end = ends.emplace_back(Named{label_of(line.label), leader_of(line.style)});
     for (const CurveRow& row : line.rows) {
       figure.data += data_row({row.x, row.y, row.low, row.high, row.dotted});
       xs.push_back(row.x);
@@ -180,34 +185,39 @@ std::optional<Figure> shares(const About& about, const std::string& y_axis, cons
   Figure figure = begun(about);
   std::vector<std::string> clauses;
   std::vector<Named> ends;
-  double smallest = std::isnan(dashed) ? 1e300 : dashed, largest = std::isnan(dashed) ? 0 : dashed;
+  const bool is_dashed = !std::isnan(dashed);
+  double smallest = is_dashed ? dashed : 1e300, largest = is_dashed ? dashed : 0;
+  for (const Successes& each : all) {
+    for (const double cost : each.costs) smallest = std::min(smallest, cost), largest = std::max(largest, cost);
+  }
+  constexpr double farthest = 1000;  // from what is dashed, on both sides
+  if (is_dashed) smallest = std::max(smallest, dashed / farthest), largest = std::min(largest, dashed * farthest);
+  const Axis axis = logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit));
   figure.data = fmt::format("# {}, share of all attempts [%]\n", with_unit(about.quantity, about.unit));
   constexpr double low = -2, high = 102;
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::vector<double> costs = all[i].costs;
     std::ranges::sort(costs);
-    figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(all[i].label), data_row({0, 0}));
-    double share = 0;
-    for (std::size_t k = 0; k < costs.size(); ++k) {
-      share = 100 * static_cast<double>(k + 1) / static_cast<double>(all[i].attempts);
-      if (k + 1 == costs.size() || costs[k + 1] > costs[k]) figure.data += data_row({costs[k], share});
+    const auto share_of = [&](std::ptrdiff_t n) { return 100 * double(n) / static_cast<double>(all[i].attempts); };
+    const auto first = std::ranges::lower_bound(costs, axis.low), last = std::ranges::upper_bound(costs, axis.high);
+    figure.data += fmt::format("{}# {}\n{}", i == 0 ? "" : "\n\n", one_line(all[i].label),
+                               data_row({0, share_of(first - costs.begin())}));
+    for (auto cost = first; cost < last; ++cost) {
+      if (cost + 1 == last || cost[1] > cost[0]) figure.data += data_row({*cost, share_of(cost + 1 - costs.begin())});
     }
+    const double share = share_of(last - costs.begin());
     figure.data += data_row({1e300, share});
-    if (!costs.empty()) {
-      smallest = std::min(smallest, costs.front());
-      largest = std::max(largest, costs.back());
-    }
     const std::string style = fmt::format("ls {} lw 1.3", all[i].style);
-    ends.push_back({label_of(all[i].label), style, (share - low) / (high - low)});
+    ends.push_back({label_of(all[i].label), leader_of(all[i].style), (share - low) / (high - low)});
     clauses.push_back(fmt::format("data index {} using (place_x($1)):2 with steps {}", i, style));
   }
   if (std::ranges::all_of(all, [](const Successes& each) { return each.costs.empty(); })) return std::nullopt;
   figure.settings =
-      logarithmic_axis('x', smallest, largest, with_unit(about.quantity, about.unit)).settings +
+      axis.settings +
       fmt::format(
           "set yrange [{}:{}]\nset ytics 20\nset label '{} [%]' at screen margin(0.3), graph 0.5 center rotate\n", low,
           high, y_axis);
-  if (!std::isnan(dashed))
+  if (is_dashed)
     figure.settings +=
         fmt::format("set arrow from {0}, graph 0 to {0}, graph 1 nohead back lw 0.8 dt 2 {1}\n", text_of(dashed), grey);
   add_margins(figure);
@@ -465,7 +475,7 @@ std::optional<Figure> overview(const About& about, const std::string& x_axis, co
     figure.data += fmt::format("# {}\n{}", one_line(dot.label), data_row({dot.x, dot.y, dot.printed_x, dot.printed_y}));
     const std::string line = fmt::format("data every ::{0}::{0} using", names.size()),
                       colour = fmt::format("lc rgb colour_of({})", dot.style);
-    names.push_back({label_of(dot.label), "back lw 0.5 dt 3 " + colour, dot.y, dot.x});
+    names.push_back({label_of(dot.label), leader_of(dot.style), dot.y, dot.x});
     clauses.push_back(fmt::format("{} (place_x($1)):(place_y($2)) with points ls {} dt 1 ps 0.9", line, dot.style));
     clauses.push_back(fmt::format("{} (place_x($3)):(place_y($4)) with points pt 6 ps 0.9 lw 1.2 {}", line, colour));
   }
