@@ -19,9 +19,9 @@ class TomlReader;
 
 namespace ikbench::results {
 
-// Each has a contrast of at least 3 on white, and a grey of its own, about 8 of CIE's L* from the next. Any two are at least
-// 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and Fernandes 2009), which is more
-// than in Okabe and Ito's palette (2008).
+// Each has a contrast of at least 3 on white, and a grey of its own, about 8 of CIE's L* from the next. Any two are at
+// least 24 apart by CIEDE2000, and 18 under protanopia and deuteranopia (Machado, Oliveira and Fernandes 2009), which
+// is more than in Okabe and Ito's palette (2008).
 inline const std::vector<std::string> own_palette{"#267195", "#9A3409", "#573B4B", "#1803A2",
                                                   "#EB365A", "#9B80FF", "#000000"};
 

@@ -80,7 +80,7 @@ fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? pla
 std::mutex temporary_mutex;
 std::set<fs::path> temporary_folders;
 
-constexpr std::string_view scratch_name = ".ikbench-XXXXXX";
+constexpr std::string_view scratch_name = ".ikbench-scratch-XXXXXX";
 
 // Removes what killed processes left: scratch folders of ours that are a day old. Younger ones may be those of another
 // machine or container.
@@ -88,7 +88,8 @@ void remove_litter(const fs::path& folder) {
   std::error_code error, ignored;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, 9))) continue;
+    if (name.size() != scratch_name.size() || !name.starts_with(scratch_name.substr(0, scratch_name.find('X'))))
+      continue;
     const bool is_old = entry->last_write_time(ignored) < fs::file_time_type::clock::now() - std::chrono::hours(24);
     if (is_old && entry->symlink_status(ignored).type() == fs::file_type::directory)
       fs::remove_all(entry->path(), ignored);
