@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -23,15 +24,21 @@ using namespace experiments;
 
 namespace {
 
-void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out) {
+void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
+                   const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
+  if (report.is_json || !report.figures.empty() || !report.style.empty())
+    throw std::invalid_argument("several stores make one table: without --json, --figures and --style");
   std::vector<show::Shown> studies;
   std::vector<std::string> names;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StudyEntry entry = chosen_study(store, study);
-    studies.push_back(show::shown(compare::judge(compare::read_study(store, entry))));
+    const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
     names.push_back(entry.name);
+    if (std::ranges::count(names, names.back()) > 1) names.back() += fmt::format(", {}", judged.study.definition.robot);
+    if (std::ranges::count(names, names.back()) > 1) names.back() += fmt::format(", {}", file);
+    studies.push_back(show::shown(judged));
   }
   const show::Table table = show::studies_table(studies, names);
   const std::filesystem::path folder = std::filesystem::path(out) / "tables";
@@ -63,7 +70,8 @@ void add_report(CLI::App& app, Invocation&) {
       "  ikbench report out/panda/store.sqlite out/ur5e/store.sqlite --out out/both\n"
       "  ikbench report out/my/store.sqlite --style journal.toml");
   command->callback([arguments] {
-    if (arguments->stores.size() > 1) return write_studies(arguments->stores, arguments->study, arguments->out);
+    if (arguments->stores.size() > 1)
+      return write_studies(arguments->stores, arguments->study, arguments->out, arguments->report);
     const std::string& file = arguments->stores.front();
     const std::filesystem::path folder =
         arguments->out.empty() ? std::filesystem::path(file).parent_path() : std::filesystem::path(arguments->out);

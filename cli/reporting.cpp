@@ -86,7 +86,7 @@ void refuse_unknown_figures(const std::vector<std::string>& names) {
   std::vector<std::string> all;
   for (const auto& [name, meaning] : all_figures()) all.push_back(name);
   for (const std::string& name : names) {
-    if (std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name) || is_meant(name, "figure"); }))
+    if (std::ranges::none_of(all, [&](const auto& each) { return is_meant(each, name) || is_meant(name, each); }))
       throw std::invalid_argument(unknown_name("figure", name, all));
   }
 }

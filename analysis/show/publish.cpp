@@ -11,7 +11,6 @@
 #include "analysis/show/words.hpp"
 #include "numerics/inputs.hpp"
 #include "numerics/json.hpp"
-#include "numerics/names.hpp"
 #include "results/files.hpp"
 
 namespace ikbench::show {
@@ -30,9 +29,9 @@ bool has_word(std::string_view words, std::string_view word) {
 // A table or figure of reports, without its number. One that is not here outlives its report.
 bool is_own(const fs::path& folder, std::string_view name) {
   if (folder == "tables")
-    return has_word(" anova claims descriptives means pairs questions results solve-rates table- ", name);
+    return has_word(" anova claims descriptives means multiverse pairs questions results solve-rates table- ", name);
   const auto kinds = figures::kinds_of_figures();
-  return folder == "figures" && (has_word(" boxes boxes- figure- style ", name) ||
+  return folder == "figures" && (has_word(" boxes boxes- figure- multiverse printed style ", name) ||
                                  std::ranges::find(kinds, name, &figures::KindOfFigure::name) != kinds.end());
 }
 
@@ -80,14 +79,25 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
 // warnings; a caption says of what.
 Table for_article(Table table, const Reported& of) {
+  const Shown brief = with_short_names(of.shown, 20);
+  if (table.name == "results") table = results_table(brief);
+  if (table.name == "pairs") table = pairs_table(brief);
+  if (table.name == "descriptives") table = descriptives_table(brief);
   const bool are_pairs = table.name == "pairs";
   if (are_pairs) {
     const std::string& metric = of.shown.decisive().observations.quantity;
     std::erase_if(table.rows, [&](const auto& row) { return std::get<std::string>(row[0]) != metric; });
     table.caption += ": " + metric;
+    const auto is_untested = [](const std::vector<Cell>& row) {
+      return std::holds_alternative<std::monostate>(row[6]);
+    };
+    if (const auto untested = std::ranges::count_if(table.rows, is_untested); untested > 0) {
+      std::erase_if(table.rows, is_untested);
+      table.notes.push_back(fmt::format("Without {} that were not tested.", numerics::counted(untested, "pairs")));
+    }
   }
   if (table.name == "results") {
-    for (const compare::Doubt& doubt : of.shown.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
+    for (const compare::Doubt& doubt : brief.all_doubts()) table.notes.push_back(words_of(doubt) + '.');
   }
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     constexpr std::array<std::string_view, 3> wordy{"by the other reading", "of all readings it fails", "why"};
@@ -97,19 +107,12 @@ Table for_article(Table table, const Reported& of) {
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
   }
-  std::vector<std::string> names;
-  for (const compare::Judged& judged : of.shown.metrics) {
-    for (const compare::Group& group : judged.observations.groups) names.push_back(group.name);
-  }
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  const auto short_of = numerics::short_names(names, 20);
-  for (auto& row : table.rows) {
-    for (Cell& cell : row) {
-      auto* const text = std::get_if<std::string>(&cell);
-      if (const auto found = text ? short_of.find(*text) : short_of.end(); found != short_of.end())
-        *text = found->second;
-    }
+  for (std::string& note : table.notes) {
+    if (!note.empty() && std::islower(static_cast<unsigned char>(note[0])) != 0 && note.find(':') > note.find(' '))
+      note[0] = static_cast<char>(std::toupper(note[0]));
+    // What a command is given.
+    if (const std::size_t at = note.find(" (--better"); at != std::string::npos)
+      note.erase(at, note.find(')', at) + 1 - at);
   }
   const std::string& name = of.study.entry.name;
   if (!name.empty()) table.name = fmt::format("{}-{}", id_of(name), table.name);

@@ -17,7 +17,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t most_rows = 20, most_notes = 3, most_warnings = 3, longest_name = 24;
+constexpr std::size_t most_rows = 20, most_notes = 4, most_warnings = 3, longest_name = 24;
 
 Lines lines_of(const std::string& text) {
   Lines lines;
@@ -28,9 +28,8 @@ Lines lines_of(const std::string& text) {
 
 // A line a pair.
 Lines pairs_of(const Shown& shown) {
-  std::vector<std::vector<std::string>> rows = pair_rows(shown);
-  for (std::vector<std::string>& row : rows) row[0] = shortened(row[0], 2 * longest_name + 4);
-  return lines_of(aligned(rows));
+  constexpr std::size_t gap = 3, width = 100;
+  return lines_of(aligned(pair_rows(shown), gap, width));
 }
 
 Lines table_of(const Shown& shown) {

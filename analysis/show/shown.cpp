@@ -78,7 +78,7 @@ Shown shown(const JudgedStudy& judged) {
   const bool are_runs = definition.is_chained() || (judged.study.points == 1 && !definition.draws_targets);
   all.noun = are_runs ? "runs" : "targets";
   if (std::ranges::any_of(all.metrics, [](const Judged& of) { return of.observations.metric == "evaluations"; }))
-    all.notes.emplace_back("A Jacobian adds no evaluation.");
+    all.notes.emplace_back("Jacobians are not counted as evaluations.");
   for (Judged& metric : all.metrics) {
     const auto [unit, factor] = figures::drawn_unit(judged.study, metric.observations.unit);
     if (factor != 1) metric = in_unit(std::move(metric), factor, unit);

@@ -79,7 +79,7 @@ std::string with_blanks(std::string text) {
 }
 
 std::string limit(double value, std::string_view unit) {
-  return value > 0 ? fmt::format("{}{}", number_text(value, 6), unit) : "";
+  return value > 0 ? fmt::format("{}{}", number_text(value), unit) : "";
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ Table results_table(const Shown& shown) {
   const std::string reference = shown.plan.control.empty() ? first : shown.plan.control;
   const bool are_means = shown.plan.test == results::Plan::Test::means;
   const std::string average = are_means ? "mean" : "median";
-  bool has_numbers = false, has_quartiles = false;
+  bool has_numbers = false, has_quartiles = false, has_shares = false;
   std::set<std::string> kinds, marks;
   const auto add = [&](const Judged& judged, const std::string& name) {
     table.columns.push_back({.name = name, .unit = judged.observations.unit});
@@ -103,6 +103,7 @@ Table results_table(const Shown& shown) {
       const auto* const marked = std::get_if<Marked>(&row.back());
       if (marked) marks.insert(marked->mark);
       has_quartiles |= marked && marked->interval && !is_share(judged);
+      has_shares |= marked && marked->interval && is_share(judged);
       if (marked && marked->to_reference)
         kinds.insert(marked->to_reference == Scale::ratio ? "times that" : "differences from it");
     }
@@ -136,6 +137,7 @@ Table results_table(const Shown& shown) {
   if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
   key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);
+  if (has_shares) table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - shown.plan.significance)));
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }
@@ -165,7 +167,7 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
     const auto& [sum, count] = places.at(std::get<std::string>(row[0]));
     return sum / count;
   });
-  table.notes = {"* worse than the best of its column or its control, ! not compared; each study is judged alone"};
+  table.notes = {"* worse than the best of its column or its control; each study is judged alone"};
   return table;
 }
 
@@ -224,7 +226,7 @@ Table descriptives_table(const Shown& shown) {
                           {"median"},
                           {"lower quartile"},
                           {"upper quartile"},
-                          {"95 %"},
+                          {"95 % quantile"},
                           {"smallest"},
                           {"largest"},
                           {"interval"},

@@ -185,6 +185,14 @@ std::string unbeaten(const Shown& shown) {
       rest.push_back(name);
   }
   const std::string numbers = numbers_of(shown, true);
+  std::vector<std::string> same, others;  // as the first
+  for (const std::string& name : rest) {
+    const Finding* const pair = finding_of(judged, rest.front(), name);
+    (name == rest.front() || (pair && pair->verdict == Verdict::same) ? same : others).push_back(name);
+  }
+  if (same.size() > 1)
+    return fmt::format("{} are the same within {}{}: {}", names_of(same), margin_words(judged),
+                       others.empty() ? "" : ", not decided against " + names_of(others), numbers);
   const bool is_between_some = rest.size() > 1 && rest.size() < judged.described.size();
   return fmt::format("Not decided{}: {}", is_between_some ? " between " + names_of(rest) : "", numbers);
 }
@@ -346,7 +354,7 @@ std::vector<std::vector<std::string>> pair_rows(const Shown& shown) {
     });
     for (const Finding& of : findings)
       rows.push_back(
-          {fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "", of.first, of.second),
+          {one_line(fmt::format("{}{} vs {}", has_two ? judged.observations.quantity + ": " : "", of.first, of.second)),
            verdict_words(of, judged), amount_words(of, judged),
            of.p ? p_sentence(*of.p, {judged.plan.significance}) : ""});
   }

@@ -174,6 +174,7 @@ Hello Message::hello() const {
       fail("\"goals\" of position, axis and pose");
     hello.goals.push_back(goal.get<std::string>());
   }
+  if (hello.goals.empty()) fail("\"goals\" of position, axis and pose");
   hello.wants_urdf = json_->value("urdf", OrderedJson(false)) == true;
   return hello;
 }

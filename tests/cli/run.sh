@@ -7,7 +7,7 @@ awk '/^```toml mine.toml/ { shown = 1; next } /^```/ { shown = 0 } shown' "$root
 cp "$root/docs/examples/pso.py" mine.py
 succeeds run mine.toml --out mine
 quiet
-[ "$(wc -l <.out)" -le 13 ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
+[ "$(wc -l <.out)" -le 14 ] && [ "$(wc -L <.out)" -le 100 ] || fail "not one screen: $out"
 equal "last line" "$(tail -n 1 .out)" "Report: mine/report.html"
 files=$(find mine -type f | wc -l) words=$(tr -s '[:space:]' '\n' <mine/report.md | grep -c '[[:alnum:]]')
 echo "$files files, $words words in report.md"

@@ -46,7 +46,7 @@ succeeds stats many.csv --value error --run run
 } >gaps.csv
 succeeds stats gaps.csv --block problem
 has "$out" "2 of 8 blocks are incomplete: no verdict on B, C"
-has "$out" "24.5 !"
+has "$out" "24.5 (23-26) !"
 
 # A report, and its files.
 succeeds stats comma.csv --out new/report --json

@@ -222,11 +222,23 @@ TEST_CASE("a report of three solvers is short", "[show]") {
   CHECK(words_in(to_markdown(sections, {})) < 1200);
 }
 
+TEST_CASE("of several studies each is a column, and a solver has the place that it has in them", "[show]") {
+  const auto of = [](int a, int b) { return shown({judged(shares({{"A", solved(a)}, {"B", solved(b)}}))}, {}); };
+  const Table table =
+      studies_table({of(20, 2), shown({judged(shares({{"B", solved(20)}, {"C", solved(3)}}))}, {})}, {"one", "two"});
+  CHECK(table.columns[2].name == "two");
+  CHECK(table.rows.size() == 3);
+  CHECK(std::get<std::string>(table.rows[0][0]) == "A");
+  CHECK(std::get<Marked>(table.rows[1][1]).mark == "*");
+  CHECK(std::get<Marked>(table.rows[1][2]).is_best);
+  CHECK(std::holds_alternative<std::monostate>(table.rows[2][1]));
+}
+
 TEST_CASE("a table says no more below it than it has", "[show]") {
   const auto of = [](compare::Observations observed) { return shown({judged(std::move(observed))}, {}); };
   const Shown of_shares = of(shares({{"A", solved(20)}, {"B", solved(9)}}));
-  CHECK(results_table(of_shares).notes == std::vector<std::string>{"* worse than A (p < 0.05)"});  // no medians
-  CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.empty());
+  CHECK(results_table(of_shares).notes.front() == "* worse than A (p < 0.05)");  // no medians
+  CHECK(results_table(of(shares({{"A", solved(20)}, {"B", solved(20)}}))).notes.size() == 1);
   const Shown of_errors = of(numbers("error", "error", "mm", {{"A", solved(20)}, {"B", solved(20)}}));
   CHECK(results_table(of_errors).columns.size() == 2);  // median and mean of the headline's
   CHECK(results_table(of_errors).notes == std::vector<std::string>{"medians (quartiles)"});
@@ -248,13 +260,15 @@ TEST_CASE("a star says that a solver is worse than the reference, and stands at 
         "B        100 % (84-100)   3 deg\n"
         "A        30 % (15-52) *   0.33 times\n"
         "C        30 % (15-52) *   1.01 times\n"
-        "B: medians; the others: times that, on values that both solved. * worse than B (p < 0.05)\n");
+        "B: medians; the others: times that, on values that both solved. * worse than B (p < 0.05)\n"
+        "Brackets: 95 % intervals.\n");
   CHECK(text(costs, {.control = "A"}) ==
         "solver   solved           motion\n"
         "B        100 % (84-100)   3 times *\n"
         "A        30 % (15-52)     1 deg\n"
         "C        30 % (15-52)     3 times *\n"
-        "A: medians; the others: times that, on values that both solved. * worse than A (p < 0.05)\n");
+        "A: medians; the others: times that, on values that both solved. * worse than A (p < 0.05)\n"
+        "Brackets: 95 % intervals.\n");
   const std::string by_means = text(costs, {.test = results::Plan::Test::means, .control = "A"});
   INFO(by_means);
   CHECK(by_means.find("B        100 % (84-100)   +2.08 deg *") != std::string::npos);

@@ -212,7 +212,7 @@
     for (const view of views) view.draw();
   }
   function advance(now) {
-    time += Math.min(0.1, (now - before) / 1000);
+    time = Math.max(0, time + Math.min(0.1, (now - before) / 1000));
     if (time > longest + pause) time = 0;
     before = now;
     show();
