@@ -22,7 +22,7 @@ std::string_view name_of(Verdict verdict);
 enum class Why {
   tested,
   lost,        // a group has observations without a value
-  apart,       // the times of a group were measured otherwise
+  apart,       // a group was timed or counted otherwise, ended by the clock, or has no spread
   fact,        // both solvers repeat themselves: no chance is in the difference
   too_few,     // no data of this size could decide
   few_decide,  // one value is more than half of a group's sum, so the means would show nothing better

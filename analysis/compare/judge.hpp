@@ -27,7 +27,8 @@ Judged judge(Observations of, const Plan& plan);
 // What tables, sentences and figures tell of a group: the mean of shares and where the plan compares means, else the
 // median; NaN where values are lost.
 double told(const Judged& judged, std::size_t group, const Plan& plan);
-// Groups; of equal ones that with fewer evaluations, a metric of `all`.
+// Groups: the best, the others by value, of equal ones that with fewer evaluations (a metric of `all`), those that lost
+// values.
 std::vector<std::size_t> best_first(const Judged& judged, const std::vector<Judged>& all, const Plan& plan);
 
 struct JudgedStudy {

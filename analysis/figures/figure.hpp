@@ -20,7 +20,7 @@ struct Figure {
   std::string caption;    // plain text
   double width_cm = 8.5;  // one column of a journal
   double height_cm = 6.4;
-  std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_string
+  std::string settings = {};  // gnuplot commands before the plot; foreign text through gnuplot_text
   std::string plot =
       {};  // the one plot or splot command, or those from "set multiplot" on; reads the file `data`, which is NAME.dat
   std::string data = {};   // the numbers as drawn; comment lines start with '#'

@@ -17,7 +17,7 @@ using namespace numerics;
 
 namespace {
 
-constexpr std::size_t longest_label_of_all = 60;
+constexpr std::size_t longest_label = 60;
 constexpr double spread_of_logarithmic = 30;
 constexpr int farthest_decade = 300;
 constexpr double widest_in_column_cm = 3.5;  // names beside a plot
@@ -85,7 +85,7 @@ std::string ticks_between(char letter, double low, double high, bool is_power) {
 
 }  // namespace
 
-std::string label_of(std::string_view text) { return shortened(text, longest_label_of_all); }
+std::string label_of(std::string_view text) { return shortened(text, longest_label); }
 
 std::string gnuplot_text(std::string_view text) {
   constexpr std::string_view harmless = " -_.,:()+*/=<>[]&|?^~%";  // gnuplot 5.4 looks for macros in quotes, too

@@ -10,7 +10,7 @@
 
 namespace ikbench::figures {
 
-// A label: at most 36 characters.
+// A label: at most 60 characters.
 std::string label_of(std::string_view text);
 // Any text as an expression. Characters that mean something to gnuplot become elements of style.gp's array `character`.
 std::string gnuplot_text(std::string_view text);
