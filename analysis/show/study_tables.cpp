@@ -137,7 +137,8 @@ Table results_table(const Shown& shown) {
   if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
   key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);
-  if (has_shares) table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - shown.plan.significance)));
+  if (has_shares)
+    table.notes.push_back(fmt::format("Brackets: {:g} % intervals.", 100 * (1 - shown.plan.significance)));
   table.notes.insert(table.notes.end(), shown.notes.begin(), shown.notes.end());
   return table;
 }
