@@ -309,7 +309,7 @@ std::string to_html(const Table& whole) {
 
 std::string to_text(const Table& whole) {
   const Table table = for_readers(whole);
-  constexpr std::size_t longest_name = 60, longest = 200, width = 100;
+  constexpr std::size_t longest_first = 60, longest = 200, width = 100;
   Rows rows(1);
   for (const Column& column : table.columns) rows[0].push_back(shortened(column.name, longest));
   for (const auto& cells : table.rows) {
@@ -317,7 +317,7 @@ std::string to_text(const Table& whole) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const Column& column = table.columns[c];
       const Readable read{number_text, column, column.unit.empty() ? "" : ' ' + column.unit};
-      row.push_back(shortened(std::visit(read, cells[c]), c == 0 ? longest_name : longest));
+      row.push_back(shortened(std::visit(read, cells[c]), c == 0 ? longest_first : longest));
     }
   }
   std::string text = aligned(rows, 3, width);
