@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options.hpp"
+#include "cli/reporting.hpp"
 #include "experiments/study_reader.hpp"
 #include "experiments/study_writer.hpp"
 #include "numerics/embedded_file.hpp"
