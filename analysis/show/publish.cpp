@@ -107,10 +107,7 @@ Table for_article(Table table, const Reported& of) {
     table.columns.erase(table.columns.begin() + at);
     for (auto& row : table.rows) row.erase(row.begin() + at);
   }
-  for (std::string& note : table.notes) {
-    if (!note.empty() && std::islower(static_cast<unsigned char>(note[0])) != 0 && note.find(':') > note.find(' '))
-      note[0] = static_cast<char>(std::toupper(note[0]));
-    // What a command is given.
+  for (std::string& note : table.notes) {  // without what a command is given
     if (const std::size_t at = note.find(" (--better"); at != std::string::npos)
       note.erase(at, note.find(')', at) + 1 - at);
   }
