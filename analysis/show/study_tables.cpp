@@ -352,10 +352,11 @@ std::string methods_of(const Shown& shown, const StudyResults& study, const std:
   }
   const auto given = [](const std::set<std::string>& all) { return listed({all.begin(), all.end()}); };
   std::string text = fmt::format(
-      "{} solvers had the same {} ({} a run, {}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
+      "{} had the same {} ({} a run, {}; search: {}) with the arm {}; each solve started {} and ended at {}; the "
       "machine was {}.",
-      study.solvers.size(), numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points,
-      with_blanks(of.path), with_blanks(of.search), of.robot,
+      numerics::counted(std::ssize(study.solvers), "solvers"),
+      numerics::counted(std::int64_t{study.runs} * study.points, "targets"), study.points, with_blanks(of.path),
+      with_blanks(of.search), of.robot,
       of.is_chained() ? "at the last answer" : "from a " + with_blanks(of.start) + " position", stops_of(study),
       given(machines));
   if (!tests.empty())
