@@ -77,9 +77,8 @@ std::vector<figures::Figure> figures_in(const std::vector<Blocks>& sections) {
 }
 
 // An article has the pairs of the deciding metric, claims without their reasons, and beside the results the report's
-// warnings; a caption says of what.
-Table for_article(Table table, const Reported& of) {
-  const Shown brief = with_short_names(of.shown, 20);
+// warnings; a caption says of what. `brief` is what is shown, with short names.
+Table for_article(Table table, const Reported& of, const Shown& brief) {
   if (table.name == "results") table = results_table(brief);
   if (table.name == "pairs") table = pairs_table(brief);
   if (table.name == "descriptives") table = descriptives_table(brief);
@@ -120,6 +119,13 @@ Table for_article(Table table, const Reported& of) {
   return table;
 }
 
+void write_table(const Table& table, const Table& article, const fs::path& folder, const std::string& program) {
+  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
+  results::write_file(folder / (table.name + ".csv"), to_csv(table));
+  results::write_file(folder / (table.name + ".md"), to_markdown(table));
+  results::write_file(folder / (table.name + ".tex"), to_latex(article) + made);
+}
+
 }  // namespace
 
 std::vector<std::string> types_of(const figures::Figure& figure, const fs::path& folder) {
@@ -131,11 +137,8 @@ std::vector<std::string> types_of(const figures::Figure& figure, const fs::path&
   return types;
 }
 
-void write_table(const Table& table, const fs::path& folder, const std::string& program, const Reported& of) {
-  const std::string made = program.empty() ? "" : fmt::format("% Made by {}\n", program);
-  results::write_file(folder / (table.name + ".csv"), to_csv(table));
-  results::write_file(folder / (table.name + ".md"), to_markdown(table));
-  results::write_file(folder / (table.name + ".tex"), to_latex(for_article(table, of)) + made);
+void write_table(const Table& table, const fs::path& folder, const std::string& program) {
+  write_table(table, table, folder, program);
 }
 
 Published publish(const Reported& of, const fs::path& folder, const figures::RenderOptions& options,
@@ -153,12 +156,13 @@ Published publish(const Reported& of, const fs::path& folder, const figures::Ren
   std::ranges::copy(own_files, std::back_inserter(files));
   const bool is_of_study = !of.study.entry.series.empty();
   if (!is_of_study || !fs::is_regular_file(folder / own_files[3])) files.pop_back();
+  const Shown brief = with_short_names(of.shown, 20);
   for (const Blocks& blocks : sections) {
     for (const Block& block : blocks) {
       if (!std::holds_alternative<Table>(block)) continue;
       const Table& table = std::get<Table>(block);
       if (table.name.empty()) continue;
-      write_table(table, folder / "tables", program, of);
+      write_table(table, for_article(table, of, brief), folder / "tables", program);
       for (const char* type : {"csv", "md", "tex"}) files.push_back(fmt::format("tables/{}.{}", table.name, type));
     }
   }

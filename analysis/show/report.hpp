@@ -39,9 +39,8 @@ std::string to_markdown(const std::vector<Blocks>& sections, const std::filesyst
 // The types of a figure's pictures that stand there: "svg", "pdf", "png".
 std::vector<std::string> types_of(const figures::Figure& figure, const std::filesystem::path& folder);
 
-// NAME.csv, NAME.md and NAME.tex, which says of what it is: its label begins with that name.
-void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program,
-                 const Reported& of = {});
+// NAME.csv, NAME.md and NAME.tex.
+void write_table(const Table& table, const std::filesystem::path& folder, const std::string& program);
 
 struct Published {
   std::filesystem::path page;         // report.html
