@@ -99,7 +99,7 @@ Rows readable(const Table& table, Escape escape) {
   return rows;
 }
 
-constexpr std::string_view times = "times";  // has no unit
+constexpr std::string_view times = "times", mark = "mark";  // have no unit
 
 // The members of a cell in files of numbers, with the words that follow the name of its column.
 std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::size_t c, const Cell& cell) {
@@ -137,6 +137,8 @@ std::vector<std::pair<std::string_view, Json>> members(const Table& table, std::
     all.emplace_back("low", its ? number(its->low) : Json());
     all.emplace_back("high", its ? number(its->high) : Json());
   }
+  if (is_any([](const Marked& of) { return !of.mark.empty(); }))
+    all.emplace_back(mark, marked && !marked->mark.empty() ? Json(marked->mark) : Json());
   return all;
 }
 
@@ -201,7 +203,7 @@ std::string to_csv(const Table& table) {
     const Column& column = table.columns[c];
     const std::string unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
     for (const auto& [member, value] : members(table, c, {}))
-      heads.push_back(member_name(column.name, member) + (member == times ? "" : unit));
+      heads.push_back(member_name(column.name, member) + (member == times || member == mark ? "" : unit));
   }
   results::append_csv_row(text, heads);
   for (const auto& row : table.rows) {

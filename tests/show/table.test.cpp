@@ -33,8 +33,8 @@ std::ptrdiff_t ends_in(const std::string& text) { return std::ranges::count(text
 
 TEST_CASE("a table of numbers has every digit, and any label as it is", "[show]") {
   const results::CsvTable csv = results::parse_csv(to_csv(with_label(hostile)), "test");
-  CHECK(csv.header ==
-        std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "p", "n", "time"});
+  CHECK(csv.header == std::vector<std::string>{"solver", "error [mm]", "error printed [mm]", "low", "high", "p", "n",
+                                               "time", "time mark"});
   CHECK(csv.rows[0][0] == hostile);
   CHECK(csv.number(0, "error [mm]") == 0.12345678901234567);
   CHECK(csv.number(0, "low") == 1.0 / 3);
@@ -93,11 +93,12 @@ TEST_CASE("what stands in place of a number has its own column in files of numbe
                              {"C", {}, Marked{.value = 1.0312, .to_reference = compare::Scale::ratio}},
                              {"D", {}, Marked{.value = -20, .to_reference = compare::Scale::difference}}}};
   CHECK(to_csv(table) ==
-        "solver,solved [%],solved low [%],solved high [%],motion [deg],motion times,motion difference [deg]\n"
-        "A,100.0,96.3,100.0,339.0,,\n"
-        "B,0.5,0.1,1.25,,1.634,\n"
-        "C,,,,,1.0312,\n"
-        "D,,,,,,-20.0\n");
+        "solver,solved [%],solved low [%],solved high [%],solved mark,"
+        "motion [deg],motion times,motion difference [deg],motion mark\n"
+        "A,100.0,96.3,100.0,,339.0,,,\n"
+        "B,0.5,0.1,1.25,*,,1.634,,*\n"
+        "C,,,,,,1.0312,,\n"
+        "D,,,,,,,-20.0,\n");
   CHECK(to_json(table)[1]["motion_times"] == 1.634);
   CHECK(to_text(table) ==
         "solver   solved               motion\n"
