@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,23 +28,35 @@ namespace {
 void write_studies(const std::vector<std::string>& files, const std::string& study, const std::string& out,
                    const ReportArguments& report) {
   if (out.empty()) throw std::invalid_argument("several stores: where shall the table be written? --out FOLDER");
-  if (report.is_json || !report.figures.empty() || !report.style.empty())
-    throw std::invalid_argument("several stores make one table: without --json, --figures and --style");
+  if (report.is_json || !report.figures.empty())
+    throw std::invalid_argument("several stores make one table and its figure: without --json and --figures");
   std::vector<show::Shown> studies;
-  std::vector<std::string> names;
+  std::vector<std::string> names, arms;
+  std::set<std::string> solvers;
   for (const std::string& file : files) {
     const Store store(file, Store::Mode::read);
     const StudyEntry entry = chosen_study(store, study);
     const compare::JudgedStudy judged = compare::judge(checked_study(store, entry));
     names.push_back(entry.name);
-    if (std::ranges::count(names, names.back()) > 1) names.back() += fmt::format(", {}", judged.study.definition.robot);
-    if (std::ranges::count(names, names.back()) > 1) names.back() += fmt::format(", {}", file);
+    arms.push_back(judged.study.definition.robot);
+    solvers.insert(judged.study.solvers.begin(), judged.study.solvers.end());
     studies.push_back(show::shown(judged));
   }
-  const show::Table table = show::studies_table(studies, names);
-  const std::filesystem::path folder = std::filesystem::path(out) / "tables";
-  show::write_table(table, folder, program_name());
-  fmt::print("{}Table: {}\n", printable(show::to_text(table)), printable((folder / "studies.csv").string()));
+  const auto tell_apart = [](const std::vector<std::string>& all) {
+    return std::set<std::string>(all.begin(), all.end()).size() == all.size();
+  };
+  const auto& told = tell_apart(names) ? names : tell_apart(arms) ? arms : files;
+  show::Table table = show::studies_table(studies, told);
+  const FigureStyle style = styled(FigureStyle(), {solvers.begin(), solvers.end()}, report);
+  const std::filesystem::path folder = out;
+  if (const auto figure = show::studies_figure(table)) draw(*figure, folder / "figures", {.style = style});
+  const auto unit = &show::Column::unit;
+  constexpr std::size_t most_across = 6;
+  if (files.size() > most_across &&
+      std::ranges::count(table.columns, table.columns.back().unit, unit) == std::ssize(files))
+    table = show::with_a_row_a_study(table);
+  show::write_table(table, folder / "tables", program_name());
+  fmt::print("{}Table: {}\n", printable(show::to_text(table)), printable((folder / "tables" / "studies.csv").string()));
 }
 
 }  // namespace

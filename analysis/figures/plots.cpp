@@ -461,6 +461,47 @@ std::optional<Figure> joints(const About& about, const std::vector<JointRow>& al
   return figure;
 }
 
+std::optional<Figure> bars(const About& about, const std::vector<std::string>& all_rows,
+                           const std::vector<BarPanel>& all_panels) {
+  Figure figure = begun(about);
+  const auto rows = shown_of(all_rows, most_rows, "solvers", figure);
+  const auto panels = shown_of(all_panels, 5, "studies", figure);
+  if (rows.empty() || panels.empty()) return std::nullopt;
+  constexpr double pitch = 1.45;  // of panels; a bar of 100 % is 1
+  std::vector<std::string> labels, ticks, clauses;
+  for (const std::string& row : rows) labels.push_back(label_of(row));
+  add_labelled_rows(figure, labels, rows.size() > 30 ? 0.36 : 0.5);
+  if (panels.size() > 1) figure.width_cm = two_columns_cm;
+  figure.data = "# row, share [%] of each study\n";
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::vector<double> numbers{static_cast<double>(r + 1)};
+    for (const BarPanel& panel : panels) numbers.push_back(panel.shares[r]);
+    figure.data += fmt::format("# {}\n{}", one_line(rows[r]), data_row(numbers));
+  }
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const double left = pitch * static_cast<double>(p);
+    for (const double share : {0.0, 0.5, 1.0}) ticks.push_back(fmt::format("'{}' {}", 100 * share, left + share));
+    figure.settings += fmt::format("set label {} at first {}, graph 1 left offset 0, 0.7 noenhanced\n",
+                                   gnuplot_text(shortened(panels[p].label, 72 / panels.size())), left);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (const double share = panels[p].shares[r]; std::isfinite(share))
+        figure.settings += fmt::format("set label '{}' at first {}, first {} left offset 0.3, 0 noenhanced front\n",
+                                       fmt::format("{:.3g} {}", share, panels[p].marks[r]), left + share / 100, r + 1);
+    }
+    clauses.push_back(
+        fmt::format("data using ({0}):1:({0}):({0}+${1}/100.0):($1-0.3):($1+0.3) with boxxyerror fs solid "
+                    "0.6 noborder lc rgb colour_of(1)",
+                    left, p + 2));
+  }
+  figure.height_cm += 0.4;
+  figure.settings +=
+      fmt::format("set tmargin at screen 1 - up(0.7)\nset xrange [0:{}]\nset xtics ({})\n{}",
+                  pitch * static_cast<double>(panels.size()), fmt::join(ticks, ", "),
+                  fmt::format("set xlabel {} noenhanced\n", gnuplot_text(with_unit(about.quantity, about.unit))));
+  figure.plot = plotted(clauses);
+  return figure;
+}
+
 std::optional<Figure> overview(const About& about, const std::string& x_axis, const std::vector<Dot>& dots) {
   Figure figure = begun(about);
   std::vector<double> xs, ys;

@@ -85,6 +85,15 @@ struct JointColumn {
 std::optional<Figure> joints(const About& about, const std::vector<JointRow>& rows,
                              const std::vector<JointColumn>& columns);
 
+// Shares of several studies: a row a solver, a panel of bars a study. What is nowhere has no bar.
+struct BarPanel {
+  std::string label;
+  std::vector<double> shares;      // of each row [%]
+  std::vector<std::string> marks;  // of each row, beside its number
+};
+std::optional<Figure> bars(const About& about, const std::vector<std::string>& rows,
+                           const std::vector<BarPanel>& panels);
+
 // A dot a solver, of two quantities; a ring is what a paper printed.
 struct Dot {
   std::string label;

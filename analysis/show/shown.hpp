@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ const compare::Finding* finding_of(const compare::Judged& judged, std::string_vi
 Table results_table(const Shown& shown);  // a row a solver
 // Solvers by studies: of each study its deciding column, best first in the mean. Each study is judged alone.
 Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names);
+std::optional<figures::Figure> studies_figure(const Table& studies);  // bars of its shares
+Table with_a_row_a_study(const Table& studies);                       // of one unit, without intervals
 Table pairs_table(const Shown& shown);
 std::string chosen_before(const Shown& shown);  // what a verdict on another metric is worth; empty if there is none
 Table descriptives_table(const Shown& shown);

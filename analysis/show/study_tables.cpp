@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "analysis/figures/plots.hpp"
 #include "analysis/show/shown.hpp"
 #include "analysis/show/text.hpp"
 #include "analysis/show/words.hpp"
@@ -144,18 +145,24 @@ Table results_table(const Shown& shown) {
 }
 
 Table studies_table(const std::vector<Shown>& studies, const std::vector<std::string>& names) {
-  Table table{.name = "studies", .caption = "Studies", .columns = {{"solver"}}};
+  Table table{.name = "studies", .columns = {{"solver"}}};
   std::map<std::string, std::pair<double, int>> places;  // sum and number of its places in the studies
   std::map<std::string, std::vector<Cell>> rows;
   for (std::size_t s = 0; s < studies.size(); ++s) {
     const Table one = results_table(studies[s]);
     table.columns.push_back({.name = names[s], .unit = one.columns[1].unit});
+    const auto value_at = [&](std::size_t r) {
+      const auto* const value = std::get_if<Marked>(&one.rows[r][1]);
+      return value == nullptr ? std::nan("") : value->value;
+    };
+    std::size_t place = 0;  // the same of equals
     for (std::size_t r = 0; r < one.rows.size(); ++r) {
       const std::string& solver = std::get<std::string>(one.rows[r][0]);
       std::vector<Cell>& row = rows[solver];
       row.resize(s);
       row.push_back(one.rows[r][1]);
-      places[solver].first += static_cast<double>(r) / static_cast<double>(one.rows.size());
+      if (r > 0 && value_at(r) != value_at(r - 1)) place = r;
+      places[solver].first += static_cast<double>(place) / static_cast<double>(one.rows.size());
       ++places[solver].second;
     }
   }
@@ -168,8 +175,43 @@ Table studies_table(const std::vector<Shown>& studies, const std::vector<std::st
     const auto& [sum, count] = places.at(std::get<std::string>(row[0]));
     return sum / count;
   });
-  table.notes = {"* worse than the best of its column or its control; each study is judged alone"};
+  const bool are_shares = std::ranges::all_of(studies, [](const Shown& of) { return is_share(of.decisive()); });
+  table.caption = are_shares ? "Share of targets solved" : "What decides each study";
+  table.notes = {"* worse than the best of its study or its control; each study is judged alone"};
   return table;
+}
+
+std::optional<figures::Figure> studies_figure(const Table& studies) {
+  std::vector<std::string> solvers;
+  for (const auto& row : studies.rows) solvers.push_back(std::get<std::string>(row[0]));
+  std::vector<figures::BarPanel> panels;
+  for (std::size_t c = 1; c < studies.columns.size(); ++c) {
+    if (studies.columns[c].unit != "%") continue;
+    figures::BarPanel& panel = panels.emplace_back(figures::BarPanel{.label = studies.columns[c].name});
+    for (const auto& row : studies.rows) {
+      const auto* const share = std::get_if<Marked>(&row[c]);
+      panel.shares.push_back(share == nullptr ? figures::nowhere : share->value);
+      panel.marks.push_back(share == nullptr ? "" : share->mark);
+    }
+  }
+  return figures::bars({.name = "studies",
+                        .caption = fmt::format("Share of targets solved: {}.", studies.notes[0]),
+                        .quantity = "solved",
+                        .unit = "%"},
+                       solvers, panels);
+}
+
+Table with_a_row_a_study(const Table& studies) {
+  Table turned{.name = studies.name, .caption = studies.caption, .columns = {{"study"}}, .notes = studies.notes};
+  for (std::size_t c = 1; c < studies.columns.size(); ++c) turned.rows.push_back({studies.columns[c].name});
+  for (const auto& row : studies.rows) {
+    turned.columns.push_back({.name = std::get<std::string>(row[0]), .unit = studies.columns[1].unit});
+    for (std::size_t c = 1; c < row.size(); ++c) {
+      Cell& cell = turned.rows[c - 1].emplace_back(row[c]);
+      if (auto* const value = std::get_if<Marked>(&cell)) value->interval.reset();
+    }
+  }
+  return turned;
 }
 
 std::string chosen_before(const Shown& shown) {
