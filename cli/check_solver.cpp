@@ -160,8 +160,9 @@ class Checks {
                                 : account.counted_by == CountedBy::solver ? "own kinematics; its own count"
                                                                           : "own kinematics; it counts nothing";
     const bool declined = account.failure == Status::declined;
-    line("it answers inside the limits, or declines: " + what, declined ? "" : wrong,
-         declined ? wrong : fmt::format("{:.2g} m off; {}", tried.error, counted));
+    if (declined) line("it declines " + what, "", wrong);
+    if (!declined)
+      line("it answers inside the limits for " + what, wrong, fmt::format("{:.2g} m off; {}", tried.error, counted));
     return tried;
   }
 

@@ -100,11 +100,12 @@ std::string verdict_of(const Gate& gate) {
   const bool is_apart = gate.judged.metrics.front().findings.front().why == Why::apart;
   std::vector<std::string> parts;
   if (is_worse) parts.push_back("in " + show::listed(gate.worse));
-  if (!gate.better.empty()) parts.push_back("better in " + show::listed(gate.better));
+  if (!gate.better.empty()) parts.push_back((is_worse ? "better in " : "in ") + show::listed(gate.better));
   std::string text = fmt::format("{} is {} {}{}{} ({}).", gate.label.empty() ? solvers.front() : gate.label,
-                                 is_worse   ? "worse than"
-                                 : is_apart ? "not compared with"
-                                            : "not worse than",
+                                 is_worse               ? "worse than"
+                                 : is_apart             ? "not compared with"
+                                 : !gate.better.empty() ? "better than"
+                                                        : "not worse than",
                                  gate.label.empty() ? solvers.back() : "before", parts.empty() ? "" : ": ",
                                  show::listed(parts, ", "), compared_of(gate));
   if (!gate.not_decided.empty()) text += fmt::format(" Not decided: {}.", show::listed(gate.not_decided));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -76,7 +77,13 @@ void override_one(toml::table& study, const std::string& text) {
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   const bool is_swept = key.starts_with("sweep.");
   const std::size_t dot = is_swept ? key.find('.') : key.rfind('.');
-  if (dot == std::string::npos) return insert(study, key, value);
+  if (dot == std::string::npos) {
+    constexpr std::array<std::string_view, 5> stops{"seconds", "iterations", "evaluations", "tolerance_cm",
+                                                    "tolerance_deg"};
+    if (std::ranges::find(stops, key) != stops.end())
+      throw std::invalid_argument(fmt::format("--set {0}: unknown key; did you mean stop.{0}?", key));
+    return insert(study, key, value);
+  }
   const std::string owner = key.substr(0, dot), field = key.substr(dot + 1);
   if (owner.empty() || field.empty()) {
     throw std::invalid_argument(fmt::format("--set {}: expected a name on both sides of the dot", text.substr(0, 100)));
@@ -91,7 +98,9 @@ void override_one(toml::table& study, const std::string& text) {
       const std::string label = (*entry)["label"].value_or(std::string());
       const std::string solver = (*entry)["solver"].value_or(std::string());
       if (owner == label || owner == solver) {
-        insert(field == population_key || field == "colour" ? *entry : subtable(*entry, "options"), field, value);
+        insert(field == population_key || field == "colour" || field == "patience_s" ? *entry
+                                                                                     : subtable(*entry, "options"),
+               field, value);
         found = true;
       }
       for (const std::string& name : {label, solver}) {

@@ -22,7 +22,7 @@ using namespace compare;
 
 namespace {
 
-const std::string star = "*", not_compared = "!";
+const std::string star = "*", exclamation = "!";
 
 std::int64_t count(double number) { return std::llround(number); }
 
@@ -50,7 +50,7 @@ Cell result_cell(const Shown& shown, const Judged& judged, const std::string& so
   const Finding finding = pair ? better_first(*pair, reference) : Finding();
   const bool is_untested = group->is_apart || group->lost > 0 || (pair && finding.verdict == Verdict::not_tested);
   const bool is_worse = finding.verdict == Verdict::worse && !finding.is_within_margin;
-  const std::string mark = is_untested ? not_compared : is_worse ? star : "";
+  const std::string mark = is_untested ? exclamation : is_worse ? star : "";
   if (judged.observations.is_of_solved && solver != reference) {
     if (!finding.estimate) return {};
     return Marked{.value = *finding.estimate, .mark = mark, .to_reference = finding.scale};
@@ -134,7 +134,7 @@ Table results_table(const Shown& shown) {
     const std::string level = fmt::format(" (p < {})", number_text(shown.plan.significance));
     meanings.push_back(fmt::format("{} worse than {}{}", star, reference, shown.verdict.empty() ? level : ""));
   }
-  if (marks.contains(not_compared)) meanings.push_back(fmt::format("{} not compared", not_compared));
+  if (marks.contains(exclamation)) meanings.push_back(fmt::format("{} not tested", exclamation));
   if (!key.empty() && !meanings.empty()) key += kinds.empty() ? "; " : ". ";
   key += fmt::format("{}", fmt::join(meanings, ", "));
   if (!key.empty()) table.notes.push_back(key);

@@ -33,11 +33,14 @@ std::string replaced(std::string_view text, std::span<const Substitute> substitu
   return result;
 }
 
-// Whether a blank stands between a number and its unit, which stay on one line.
-bool is_before_unit(std::string_view text, std::size_t blank) {
+// Whether a blank stands between a number and its unit, or in "p < 0.05", which stay on one line.
+bool is_inseparable(std::string_view text, std::size_t blank) {
   constexpr std::array<std::string_view, 5> units{"%", "cm", "mm", "deg", "ms"};
-  return blank > 0 && blank < text.size() && text[blank - 1] >= '0' && text[blank - 1] <= '9' &&
-         std::ranges::any_of(units, [&](std::string_view unit) { return text.substr(blank + 1).starts_with(unit); });
+  if (blank == 0 || blank >= text.size()) return false;
+  const std::string_view before = text.substr(0, blank), after = text.substr(blank + 1);
+  if (before.ends_with("p <") || (before.ends_with('p') && after.starts_with("< "))) return true;
+  return before.back() >= '0' && before.back() <= '9' &&
+         std::ranges::any_of(units, [&](std::string_view unit) { return after.starts_with(unit); });
 }
 
 // Narrows the widest columns until a row fits; no column becomes narrower than its longest word.
@@ -66,7 +69,7 @@ std::string html_text(std::string_view text) {
       {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}}};
   std::string result = replaced(text, substitutes, "");
   for (std::size_t at = result.find(' '); at != std::string::npos; at = result.find(' ', at + 1)) {
-    if (is_before_unit(result, at)) result.replace(at, 1, "\u00a0");
+    if (is_inseparable(result, at)) result.replace(at, 1, "\u00a0");
   }
   return result;
 }
@@ -140,7 +143,7 @@ std::vector<std::string> broken(std::string_view text, std::size_t first, std::s
   std::size_t used = 0;
   for (std::size_t at = 0; at <= text.size();) {
     std::size_t end = text.find(' ', at);
-    while (is_before_unit(text, end)) end = text.find(' ', end + 1);
+    while (is_inseparable(text, end)) end = text.find(' ', end + 1);
     end = std::min(end, text.size());
     const std::string_view word = text.substr(at, end - at);
     const std::size_t length = character_count(word), width = lines.size() == 1 ? first : others;

@@ -56,29 +56,35 @@ std::string quantity_of(const Shown& shown) {
 }
 
 // "it solved 100 of 100 targets; PSO 88, mine 54"; with the first one's name "PSO solved 90 of 100 targets, mine 88".
-// Of many solvers the first, the last of the best and the next.
+// Of many solvers the first, the last of the best or of the first's equals, and the next.
 std::string numbers_of(const Shown& shown, bool is_named) {
   const Judged& judged = shown.decisive();
   const bool is_solved = judged.observations.metric == "solved";
   const std::vector<std::size_t> order = best_first(judged, shown.metrics, shown.plan);
   const bool are_many = order.size() > most_named;
   const std::size_t best = std::max<std::size_t>(judged.headline.best.size(), 1);
-  const bool are_equal = are_many && is_solved && best > 1 &&
-                         std::all_of(order.begin(), order.begin() + std::ptrdiff_t(best), [&](auto i) {
-                           return told(judged, i, shown.plan) == told(judged, order[0], shown.plan);
-                         });
+  const auto equals = static_cast<std::size_t>(
+      std::ranges::find_if(
+          order, [&](std::size_t i) { return told(judged, i, shown.plan) != told(judged, order[0], shown.plan); }) -
+      order.begin());
+  const bool are_equal = are_many && is_solved && equals > 1 && equals >= best;
+  const std::size_t leaders = are_equal ? equals : best;
   std::vector<std::string> others;
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const std::string &name = name_of(judged, order[i]), number = number_of(shown, judged, order[i], order[0]);
-    if (!are_many || (i + 1 == best && !are_equal)) others.push_back(fmt::format("{} {}", name, number));
-    if (are_many && i == best) others.push_back(fmt::format("the next, {}, {}", name, number));
+    const std::string text =
+        fmt::format("{} {}", name_of(judged, order[i]), number_of(shown, judged, order[i], order[0]));
+    if (!are_many || (i + 1 == leaders && !are_equal)) others.push_back(text);
+    if (are_many && i == leaders) others.push_back("then " + text);
   }
-  const std::string who = are_equal ? best == 2 ? "both" : "all" : is_named ? name_of(judged, order[0]) : "it";
+  const std::string who = !are_equal       ? is_named ? name_of(judged, order[0]) : "it"
+                          : equals != best ? fmt::to_string(equals)
+                          : best == 2      ? "both"
+                                           : "all";
   const std::string number = number_of(shown, judged, order[0], order[0]);
   std::string text = is_solved  ? fmt::format("{} solved {}", who, number)
                      : is_named ? fmt::format("{} {} {}", quantity_of(shown), who, number)
                                 : fmt::format("{} {}", quantity_of(shown), number);
-  if (!others.empty()) text += (is_named && !are_equal ? ", " : "; ") + listed(others, ", ");
+  if (!others.empty()) text += (is_named || are_many ? ", " : "; ") + listed(others, ", ");
   return text;
 }
 
@@ -164,7 +170,7 @@ std::string not_tested(const Shown& shown) {
       return fmt::format("Not tested: {} cannot decide it, {} can; {}", numerics::counted(finding.n, shown.noun),
                          finding.needed, numbers_of(shown, true));
     case Why::fact:
-      return fmt::format("A fact of these {}, since the solvers repeat themselves: {}", shown.noun,
+      return fmt::format("Certain for these {}, since the solvers repeat themselves: {}", shown.noun,
                          numbers_of(shown, true));
     default:
       return fmt::format("Not tested: {}", numbers_of(shown, true));
@@ -304,7 +310,7 @@ std::string verdict_words(const Finding& finding, const Judged& judged) {
     case Why::apart:
       return "not compared";
     case Why::fact:
-      return words + ": a fact, without chance";
+      return words + ": certain, without a test";
     case Why::too_few:
       return fmt::format("{}: it takes {}", words, finding.needed);
     case Why::few_decide:

@@ -122,7 +122,11 @@ ChildProcess::ChildProcess(std::vector<std::string> words, const std::filesystem
   if (error != 0) {
     ::kill(guard_, SIGKILL);
     bury(guard_);
-    throw std::invalid_argument(fmt::format("cannot start \"{}\": {}", words[0], std::strerror(error)));
+    throw std::invalid_argument(fmt::format(
+        "cannot start \"{0}\": {1}", words[0],
+        error == ENOENT && std::filesystem::exists(folder / words[0])
+            ? fmt::format("it is not on the PATH; the file here is ./{}, or its interpreter comes first", words[0])
+            : std::strerror(error)));
   }
   lifeline_ = lifeline.take(1);
   while (::write(lifeline_, &process_, sizeof(process_)) < 0 && errno == EINTR) {

@@ -12,18 +12,18 @@ whole|
 nothing|one of these
 silent|hello
 option|hello
-outside|: a position
+outside|for a position
 remembers|same seed
 of-process|same seed
 endless|without end
-lies|: a position; without end
+lies|for a position; without end
 hangs|50 ms
 late|50 ms
-nan|: a position
-null|: a position
-again|: a position
+nan|for a position
+null|for a position
+again|for a position
 twice|answers once
-pose|: a pose
+pose|for a pose
 slides|slides
 stays|standard input
 END
